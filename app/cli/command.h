@@ -23,6 +23,7 @@ void addBenchCommand(CLI::App& app, Run& run);
 void addProjectCommand(CLI::App& app, Run& run);
 void addImpactCommand(CLI::App& app, Run& run);
 void addScoreCommand(CLI::App& app, Run& run);
+void addReviewCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);
 void addDevicesCommand(CLI::App& app, Run& run);
 void addPlacesCommand(CLI::App& app, Run& run);

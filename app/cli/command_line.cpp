@@ -96,6 +96,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addPlacesCommand(app, run);
         addScreenCommand(app, run);
         addTimelineCommand(app, run);
+        addReviewCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);
         return checkWritten(console, parseAndRun(app, run, argc, argv, console));

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "core/sun/window_steps.h"
+
 namespace noonmark {
 
 namespace {
@@ -65,26 +67,22 @@ FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees alt
     return {glm::vec3(glm::normalize(towards)), levelled};
 }
 
-/// Computes the days of a period independently of each other.
-class Days {
+/// The steps of one day.
+struct DaySteps {
+    SunDay day;
+    std::vector<SunStep> steps;
+    std::size_t levelled = 0;
+    Window window;
+};
+
+/// Computes the steps of windows independently of each other.
+class WindowSteps {
 public:
-    Days(const Period& period, const Zone& zone, const Ephemeris& sun, const glm::dmat3& frameFromPlace)
-        : period_(period),
-          zone_(zone),
-          sun_(sun),
-          frameFromPlace_(frameFromPlace),
-          step_(stepMinutesOf(period)) {}
+    WindowSteps(const Ephemeris& sun, const glm::dmat3& frameFromPlace, const StepRule& rule)
+        : sun_(sun), frameFromPlace_(frameFromPlace), rule_(rule) {}
 
-    struct Steps {
-        SunDay day;
-        std::vector<SunStep> steps;
-        std::size_t levelled = 0;
-        Window window;
-    };
-
-    [[nodiscard]] Steps on(CivilDate date) const {
-        const Window window = windowOf(date);
-        Steps made{{date}, {}, 0, window};
+    [[nodiscard]] DaySteps in(const Window& window, CivilDate date) const {
+        DaySteps made{{date}, {}, 0, window};
         made.steps.reserve(std::size_t(window.steps));
         for (std::int64_t slot = 0; slot < window.steps; ++slot) {
             const auto step = stepAt(window, slot, made.levelled);
@@ -96,7 +94,33 @@ public:
     }
 
 private:
-    [[nodiscard]] Window windowOf(CivilDate date) const {
+    /// Nothing if the sun is below the horizon, or below the lowest altitude that counts.
+    [[nodiscard]] std::optional<SunStep> stepAt(const Window& window, std::int64_t slot,
+                                                std::size_t& levelled) const {
+        const double sinceFrom = double(slot) * window.stepMinutes() * millisecondsPerMinute;
+        const Instant at = window.from + milliseconds{std::llround(sinceFrom)};
+        const SolarPosition position = sun_.at(at);
+        const Degrees altitude = rule_.refraction ? position.altitudeApparent : position.altitude;
+        if (!(float(altitude.value) > rule_.lowestAltitude.value)) return std::nullopt;
+        const float azimuth = float(position.azimuth.value);  // 359.99999 rounds to 360
+        const FramedSun sun = inFrame(frameFromPlace_, position.azimuth, altitude);
+        levelled += sun.levelled ? 1 : 0;
+        return SunStep{sun.direction, azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot),
+                       at};
+    }
+
+    const Ephemeris& sun_;
+    const glm::dmat3& frameFromPlace_;
+    StepRule rule_;
+};
+
+/// The windows of a period's days.
+class PeriodWindows {
+public:
+    PeriodWindows(const Period& period, const Zone& zone, const Ephemeris& sun)
+        : period_(period), zone_(zone), sun_(sun), step_(stepMinutesOf(period)) {}
+
+    [[nodiscard]] Window on(CivilDate date) const {
         if (period_.window) {
             const Instant midnight = zone_.instantAt(date, 0min);
             const SunEvents events = computeSunEvents(sun_, midnight, period_.window->rule);
@@ -106,40 +130,25 @@ private:
         return fillWindow(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
     }
 
-    /// Nothing if the sun is below the horizon.
-    [[nodiscard]] std::optional<SunStep> stepAt(const Window& window, std::int64_t slot,
-                                                std::size_t& levelled) const {
-        const double sinceFrom = double(slot) * window.stepMinutes() * millisecondsPerMinute;
-        const Instant at = window.from + milliseconds{std::llround(sinceFrom)};
-        const SolarPosition position = sun_.at(at);
-        const Degrees altitude = period_.refraction ? position.altitudeApparent : position.altitude;
-        if (!(float(altitude.value) > 0)) return std::nullopt;
-        const float azimuth = float(position.azimuth.value);  // 359.99999 rounds to 360
-        const FramedSun sun = inFrame(frameFromPlace_, position.azimuth, altitude);
-        levelled += sun.levelled ? 1 : 0;
-        return SunStep{sun.direction, azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot),
-                       at};
-    }
-
+private:
     const Period& period_;
     const Zone& zone_;
     const Ephemeris& sun_;
-    const glm::dmat3& frameFromPlace_;
     double step_;
 };
 
-std::vector<Days::Steps> allDays(const Period& period, const Days& days, const std::stop_token& stop) {
-    std::vector<Days::Steps> made(std::size_t(period.days));
+std::vector<DaySteps> allDays(std::size_t count, const std::stop_token& stop, const auto& stepsOf) {
+    std::vector<DaySteps> made(count);
     tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
         if (stop.stop_requested()) return;
-        made[i] = days.on(CivilDate{sys_days{period.start} + std::chrono::days{i}});
+        made[i] = stepsOf(i);
     });
     return made;
 }
 
 /// Gives every step the same weight, the mean over all days, so that the steps add up to the hours of the
 /// period.
-void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes) {
+void weigh(SunSteps& sun, std::span<const DaySteps> days, double stepMinutes) {
     std::int64_t steps = 0;
     for (const auto& day : days) {
         sun.windowMinutes += day.window.minutes;
@@ -154,7 +163,7 @@ void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes)
     }
 }
 
-SunSteps joinDays(std::vector<Days::Steps> days, double stepMinutes) {
+SunSteps joinDays(std::vector<DaySteps> days, double stepMinutes) {
     SunSteps sun;
     weigh(sun, days, stepMinutes);
     std::size_t count = 0;
@@ -171,13 +180,16 @@ SunSteps joinDays(std::vector<Days::Steps> days, double stepMinutes) {
     return sun;
 }
 
-std::optional<Error> tooManySteps(const Period& period) {
-    const double hours = period.window ? 24 : period.hours;
-    const double steps = period.days * hours * 60 / period.stepMinutes;
+std::optional<Error> tooManySteps(double steps) {
     if (steps <= mostSteps) return std::nullopt;
     return Error{fmt::format("The period has up to {:.0f} million steps, which need {:.1f} GB", steps / 1e6,
                              steps * sizeof(SunStep) / 1e9),
                  "step", "Choose a longer step or fewer days; the limit is 50 million steps"};
+}
+
+double mostStepsOf(const Period& period) {
+    const double hours = period.window ? 24 : period.hours;
+    return period.days * hours * 60 / period.stepMinutes;
 }
 
 }  // namespace
@@ -185,16 +197,39 @@ std::optional<Error> tooManySteps(const Period& period) {
 Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
                                  const std::stop_token& stop) {
     if (const auto good = validate(period); !good) return tl::make_unexpected(good.error());
-    if (const auto trouble = tooManySteps(period)) return tl::make_unexpected(*trouble);
+    if (const auto trouble = tooManySteps(mostStepsOf(period))) return tl::make_unexpected(*trouble);
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     const Instant first = zone->instantAt(period.start, 0min) - days{2};
     const Instant last = zone->instantAt(period.start, days{period.days}) + days{2};
     auto sun = Ephemeris::over(observer, first, last);
     if (!sun) return tl::make_unexpected(sun.error());
-    auto days = allDays(period, Days(period, *zone, *sun, observer.frameFromPlace), stop);
+    const PeriodWindows windows(period, *zone, *sun);
+    const WindowSteps steps(*sun, observer.frameFromPlace, {stepMinutesOf(period), period.refraction, {0}});
+    auto days = allDays(std::size_t(period.days), stop, [&](std::size_t i) {
+        const CivilDate date{sys_days{period.start} + std::chrono::days{i}};
+        return steps.in(windows.on(date), date);
+    });
     if (stop.stop_requested()) return cancelled();
     return joinDays(std::move(days), stepMinutesOf(period));
+}
+
+Result<SunSteps> computeSunSteps(std::span<const DayWindow> windows, const StepRule& rule,
+                                 const Observer& observer, const std::stop_token& stop) {
+    double minutes = 0;
+    for (const DayWindow& window : windows) minutes += std::max(0.0, window.minutes);
+    if (auto trouble = tooManySteps(minutes / rule.stepMinutes)) return tl::make_unexpected(*trouble);
+    if (windows.empty()) return SunSteps{.stepMinutes = rule.stepMinutes};
+    const Instant first = windows.front().from - days{2};
+    const Instant last = windows.back().from + days{4};
+    auto sun = Ephemeris::over(observer, first, last);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const WindowSteps steps(*sun, observer.frameFromPlace, rule);
+    auto days = allDays(windows.size(), stop, [&](std::size_t i) {
+        return steps.in(fillWindow(windows[i].from, windows[i].minutes, rule.stepMinutes), windows[i].date);
+    });
+    if (stop.stop_requested()) return cancelled();
+    return joinDays(std::move(days), rule.stepMinutes);
 }
 
 Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer, std::stop_token stop) {

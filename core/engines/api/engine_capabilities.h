@@ -37,6 +37,7 @@ constexpr EngineCapabilities combineForChoice(std::initializer_list<EngineCapabi
         choice.continuous &= engine.continuous;
         choice.sets |= engine.sets;
         choice.attribution |= engine.attribution;
+        choice.stepMasks |= engine.stepMasks;
         choice.cache |= engine.cache;
     }
     return choice;

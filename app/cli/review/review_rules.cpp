@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/review/review_commands.h"
+#include "app/cli/review/rule_options.h"
+#include "core/review/rule_names.h"
+#include "core/review/rule_text.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RuleListOptions {
+    RuleOptions rules;
+    bool json = false;
+};
+
+struct RuleShowOptions {
+    RuleOptions rules;
+    std::string key;
+    bool json = false;
+};
+
+Json listJson(const RuleLibrary& library) {
+    Json rules = Json::array();
+    for (const Rule& rule : library.rules()) {
+        Json choices = Json::object();
+        for (const auto& [choice, options] : rule.choices) choices[choice] = options;
+        rules.push_back({{"rule", rule.key},
+                         {"name", rule.name},
+                         {"where", rule.where},
+                         {"summary", rule.summary},
+                         {"status", ruleNameOf(figureStatusNames(), leastSure(rule))},
+                         {"choices", choices},
+                         {"file", rule.file.empty() ? Json() : Json(rule.file)}});
+    }
+    return {{"rules", rules}, {"warnings", warningsJson(library.warnings())}};
+}
+
+void printRules(const RuleLibrary& library, std::ostream& out) {
+    std::size_t width = 0;
+    for (const Rule& rule : library.rules()) width = std::max(width, rule.key.size());
+    for (const Rule& rule : library.rules())
+        out << fmt::format("{:<{}}  {}  {}\n", rule.key, width,
+                           ruleNameOf(figureStatusNames(), leastSure(rule)), rule.name);
+    out << "\nThe letter is that of the least sure figure a verdict rests on. V: read in the rule's text or "
+           "on an "
+           "official page; R: reported by practice; U: not checked against the rule's text.\n";
+    for (const WarningGroup& group : groupWarnings(library.warnings())) out << lineOf(group) << '\n';
+}
+
+int runReviewList(const RuleListOptions& options, const Console& console) {
+    const auto library = loadRules(options.rules);
+    if (!library) return fail(console, library.error(), exitUsage);
+    if (options.json)
+        console.out << toJsonText(listJson(*library)) << '\n';
+    else
+        printRules(*library, console.out);
+    return exitOk;
+}
+
+int runReviewShow(const RuleShowOptions& options, const Console& console) {
+    const auto library = loadRules(options.rules);
+    if (!library) return fail(console, library.error(), exitUsage);
+    const auto rule = findRule(*library, options.key, options.rules);
+    if (!rule) return fail(console, rule.error(), exitUsage);
+    if (options.json)
+        console.out << library->textOf(options.key).value();
+    else
+        console.out << describeRule(*rule);
+    return exitOk;
+}
+
+}  // namespace
+
+void addReviewList(CLI::App& review, Run& run) {
+    const auto options = std::make_shared<RuleListOptions>();
+    CLI::App* command = review.add_subcommand("list", "List the rules");
+    addRuleFolders(*command, options->rules);
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runReviewList(*options, console); };
+    });
+}
+
+void addReviewShow(CLI::App& review, Run& run) {
+    const auto options = std::make_shared<RuleShowOptions>();
+    CLI::App* command = review.add_subcommand("show", "Show a rule: each figure with its status and source");
+    command->add_option("rule", options->key, "Key of the rule")->required()->type_name("RULE");
+    addRuleFolders(*command, options->rules);
+    addRuleChoices(*command, options->rules);
+    command->add_flag("--json", options->json, "Print the rule's file, a start for a rule of your own");
+    command->footer("noonmark-cli review show japan --choose \"plane=1.5 m\"");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runReviewShow(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

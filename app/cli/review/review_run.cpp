@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <set>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/overwrite_option.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/project/change_project.h"
+#include "app/cli/review/review_commands.h"
+#include "app/cli/review/rule_options.h"
+#include "app/cli/table.h"
+#include "app/input/output_rules.h"
+#include "app/report/files/review_files.h"
+#include "core/engines/auto_engine.h"
+#include "core/review/review_columns.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ReviewRunOptions {
+    RuleOptions rules;
+    std::string file, rule, from, to, out;
+    std::vector<std::string> places;
+    ReviewSettings settings{1, {}, 0};
+    bool overwrite = false;
+    bool json = false;
+};
+
+struct ReviewAnswer {
+    ReviewStudy study;
+    ReviewLabels labels;
+};
+
+Place placeOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
+
+/// Rules with lines are about parcels: the lots of the project, or else its places.
+Result<Place> placeNamed(const Rule& rule, const Project& project, const std::string& name) {
+    if (rule.receivers.hasLines())
+        if (const auto lot = findLot(project, name)) return placeOf(*lot);
+    return findPlace(project, name);
+}
+
+std::vector<Place> allPlaces(const Rule& rule, const Project& project) {
+    if (!rule.receivers.hasLines()) return project.places;
+    std::vector<Place> parcels;
+    for (const NamedLot& lot : project.lots) parcels.push_back(placeOf(lot));
+    return parcels;
+}
+
+Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule& rule,
+                                     const Project& project) {
+    std::vector<Place> places;
+    if (options.places == std::vector<std::string>{"all"}) {
+        places = allPlaces(rule, project);
+    } else {
+        for (const std::string& name : options.places) {
+            auto place = placeNamed(rule, project, name);
+            if (!place) return tl::make_unexpected(place.error());
+            places.push_back(*std::move(place));
+        }
+    }
+    if (!places.empty()) return places;
+    return rule.receivers.hasLines()
+               ? Result<std::vector<Place>>(failure("The project has no lots", options.file,
+                                                    "Add the parcels: noonmark-cli project lot add"))
+               : Result<std::vector<Place>>(failure("The project has no places", options.file,
+                                                    "Add some: noonmark-cli project place --help"));
+}
+
+/// The zone of the options, or the one that all periods of the project have.
+Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project) {
+    if (!options.settings.zone.empty())
+        return Zone::named(options.settings.zone).map([](const Zone& zone) { return zone.name(); });
+    std::set<std::string> zones;
+    for (const NamedPeriod& period : project.periods) zones.insert(period.period.zone);
+    if (zones.size() == 1) return *zones.begin();
+    return failure("The rule's hours need a time zone", "--zone",
+                   "Give --zone, for example --zone America/New_York");
+}
+
+int yearOf(const ReviewRunOptions& options, const Project& project) {
+    if (options.settings.year != 0) return options.settings.year;
+    return project.periods.empty() ? 2026 : int(project.periods.front().period.start.year());
+}
+
+Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const ProjectFile& disk,
+                                   const OutputRules& outputs, const Console& console) {
+    const Project& project = disk.project();
+    const auto library = loadRules(options.rules);
+    if (!library) return tl::make_unexpected(library.error());
+    const auto rule = findRule(*library, options.rule, options.rules);
+    if (!rule) return tl::make_unexpected(rule.error());
+    const auto places = placesFor(options, *rule, project);
+    if (!places) return tl::make_unexpected(places.error());
+    const auto zone = zoneOf(options, project);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
+    if (!before) return tl::make_unexpected(before.error());
+    if (!after) return tl::make_unexpected(after.error());
+    if (const auto may = checkOutputs(options.out, reviewFileNames(), outputs); !may)
+        return tl::make_unexpected(may.error());
+    const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project)};
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    auto study = runReview(*rule, before->city, after->city, *places, settings, AutoEngine(), progress,
+                           interrupt.token());
+    if (!study) return tl::make_unexpected(study.error());
+    study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
+    putBefore(study->warnings, project.reading->warnings);
+    return ReviewAnswer{
+        *std::move(study),
+        {options.from, options.to, provenanceOf(project, &disk, {options.to, options.from, {}, {}})}};
+}
+
+/// The rule's own table as text; of many days those with incremental shadow.
+void printTable(const ReviewStudy& study, std::ostream& out) {
+    const auto& columns = study.rule.deliverables.columns;
+    std::vector<std::vector<std::string>> lines(1);
+    for (const RuleColumn& column : columns) lines[0].push_back(column.title);
+    constexpr std::size_t mostRows = 40;
+    std::size_t leftOut = 0;
+    for (const PlaceReview& review : study.places)
+        for (const ReviewRow& row : review.rows) {
+            if (lines.size() > mostRows) {
+                ++leftOut;
+                continue;
+            }
+            auto& line = lines.emplace_back();
+            for (const RuleColumn& column : columns) line.push_back(columnText(review, row, column.key));
+        }
+    for (const auto& line : lines) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            std::size_t width = 0;
+            for (const auto& other : lines) width = std::max(width, other[i].size());
+            out << fmt::format("{:<{}}{}", line[i], i + 1 < columns.size() ? width : 0,
+                               i + 1 < columns.size() ? "  " : "\n");
+        }
+    }
+    if (leftOut > 0) out << fmt::format("({} more rows in review.csv)\n", leftOut);
+}
+
+void printReview(const ReviewAnswer& answer, std::ostream& out) {
+    const ReviewStudy& study = answer.study;
+    Table heading;
+    heading.add("rule", fmt::format("{} ({})", study.rule.name, study.rule.key));
+    heading.add("from, to", fmt::format("{} -> {}", answer.labels.from, answer.labels.to));
+    heading.add("clock", fmt::format("{}, {}", study.clock, study.year));
+    heading.add("engine", fmt::format("{}, every {:g} min, cells of {:g} m", study.engine, study.stepMinutes,
+                                      study.settings.cellM));
+    heading.print(out);
+    out << '\n';
+    printTable(study, out);
+    out << '\n';
+    for (const PlaceReview& review : study.places)
+        out << fmt::format("{}: {}. {}\n", review.name, nameOf(review.verdict), review.reason);
+    out << "\nNot checked:\n";
+    for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
+    printWarnings(out, study.warnings);
+}
+
+int runReviewRun(const ReviewRunOptions& options, const Console& console) {
+    const auto disk = ProjectFile::open(options.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    OutputRules outputs = outputRules({options.file}, disk->project().inputs, options.overwrite);
+    const auto answer = computeReview(options, *disk, outputs, console);
+    if (!answer) return fail(console, answer.error(), exitUsage);
+    const auto written = writeReviewFiles(answer->study, answer->labels, options.out, outputs);
+    if (!written) return fail(console, written.error(), exitFailed);
+    if (options.json)
+        console.out << toJsonText(reviewJson(answer->study, answer->labels)) << '\n';
+    else
+        printReview(*answer, console.out);
+    return exitOk;
+}
+
+void addQuestion(CLI::App& command, ReviewRunOptions& options) {
+    addProjectFile(command, options.file);
+    command.add_option("--rule", options.rule, "Key of the rule (`review list`)")
+        ->required()
+        ->type_name("KEY");
+    command.add_option("--from", options.from, "The baseline: the scenario to compare with")
+        ->default_val(existingCity)
+        ->type_name("NAME");
+    command.add_option("--to", options.to, "The scenario to review")->required()->type_name("NAME");
+    command
+        .add_option("--places", options.places,
+                    "Places of the project by name, or all; of rules about parcels: its lots")
+        ->required()
+        ->type_name("all|NAME...");
+}
+
+void addSettings(CLI::App& command, ReviewRunOptions& options) {
+    command
+        .add_option("--year", options.settings.year,
+                    "Year of the days (default: that of the first period, or 2026)")
+        ->check(within(1901, 2099))
+        ->type_name("YEAR");
+    command.add_option("--zone", options.settings.zone, "Time zone (default: that of the project's periods)")
+        ->type_name("ZONE");
+    command.add_option("--cell", options.settings.cellM, "Size of a cell, m")
+        ->capture_default_str()
+        ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
+        ->type_name("M");
+    addRuleFolders(command, options.rules);
+    addRuleChoices(command, options.rules);
+    command.add_option("--out", options.out, "Folder for review.json and review.csv")
+        ->required()
+        ->type_name("DIR");
+    addOverwriteOption(command, options.overwrite);
+    command.add_flag("--json", options.json, "Print only JSON to standard output");
+}
+
+}  // namespace
+
+void addReviewRun(CLI::App& review, Run& run) {
+    const auto options = std::make_shared<ReviewRunOptions>();
+    CLI::App* command = review.add_subcommand("run", "Evaluate a rule on places of a project");
+    addQuestion(*command, *options);
+    addSettings(*command, *options);
+    command->footer(
+        "noonmark-cli review run town.noonmark.gpkg --rule ceqr --from \"No action\" --to Proposal \\\n"
+        "    --places all --zone America/New_York --out review");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runReviewRun(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,22 @@
+#include "app/report/files/review_files.h"
+
+#include "app/report/files/output_folder.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark {
+
+std::vector<std::string> reviewFileNames() { return {"review.json", "review.csv"}; }
+
+Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewStudy& study,
+                                                            const ReviewLabels& labels,
+                                                            const std::filesystem::path& folder,
+                                                            const OutputRules& rules) {
+    if (auto may = checkOutputs(folder, reviewFileNames(), rules); !may)
+        return tl::make_unexpected(may.error());
+    OutputFolder files(folder, rules);
+    files.add("review.json", textContent(toJsonText(reviewJson(study, labels)) + "\n"));
+    files.add("review.csv", textContent(reviewCsv(study, labels)));
+    return std::move(files).result();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/warnings.h"
+#include "core/city/city.h"
+#include "core/engines/api/engine.h"
+#include "core/review/place_review.h"
+#include "core/review/rule_days.h"
+
+namespace noonmark {
+
+struct ReviewSettings {
+    double cellM = 1;  ///< 0.25 to 10
+    std::string zone;  ///< IANA name
+    int year = 2026;   ///< of rules that name none
+};
+
+/// A rule's answers for all places.
+struct ReviewStudy {
+    Rule rule;
+    ReviewSettings settings;
+    std::vector<PlaceReview> places;  ///< in the order given; two for each parcel of a rule with lines
+    std::string engine;
+    std::string clock;  ///< "America/New_York, standard time"
+    int year = 0;
+    double stepMinutes = 1;
+    std::vector<std::string> notChecked;  ///< of the rule, and what this run adds to it
+    Warnings warnings;
+};
+
+/// Evaluates a rule on places. The baseline and the scenario are whole cities; where the rule says that only
+/// the proposal casts, each keeps only the buildings that the other does not have. Of a rule with lines the
+/// places are parcels: the belt between the lines, and what lies beyond the outer line as far as the limit
+/// can be exceeded, are measured. Error: no place, a rule about windows, the sun below the horizon at all
+/// steps, errors of Engine::shadeSteps(), or cancelled().
+Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City& scenario,
+                              const std::vector<Place>& places, const ReviewSettings& settings,
+                              const Engine& engine, Progress& progress, std::stop_token stop);
+
+/// The city with only the buildings that `other` does not have. Buildings are the same if
+/// they are shared or equal in every value.
+City keepOwnBuildings(const City& city, const City& other);
+
+}  // namespace noonmark

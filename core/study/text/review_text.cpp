@@ -1,0 +1,203 @@
+#include "core/study/text/review_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/review/review_columns.h"
+#include "core/review/rule_names.h"
+#include "core/review/rule_text.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array rowKeys{"day",         "enters",        "exits",         "duration_min",
+                             "max_area_m2", "max_point_min", "full_cover_min"};
+
+double round4(double value) { return std::round(value * 1e4) / 1e4; }
+
+Json numberOrNull(double value) { return std::isfinite(value) ? Json(round4(value)) : Json(); }
+
+Json timeOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json utcOrNull(const std::optional<Instant>& at) {
+    return at ? Json(Zone::utc().text(std::chrono::round<std::chrono::seconds>(*at))) : Json();
+}
+
+Json rowJson(const PlaceReview& review, const ReviewRow& row) {
+    Json json{{"day", formatText(row.day)},
+              {"enters", timeOrNull(row.entersText)},
+              {"exits", timeOrNull(row.exitsText)},
+              {"duration_min", round4(row.durationMin)},
+              {"max_area_m2", round4(row.maxAreaM2)},
+              {"max_point_min", round4(row.maxPointMin)},
+              {"full_cover_min", round4(row.fullCoverMin)},
+              {"enters_utc", utcOrNull(row.enters)},
+              {"exits_utc", utcOrNull(row.exits)},
+              {"intervals", row.intervals},
+              {"max_share", round4(row.maxShare)},
+              {"max_at", timeOrNull(row.maxAtText)},
+              {"max_point_run_min", round4(row.maxPointRunMin)},
+              {"total_duration_min", round4(row.totalDurationMin)},
+              {"total_max_area_m2", round4(row.totalMaxAreaM2)},
+              {"total_max_point_min", round4(row.totalMaxPointMin)},
+              {"least_sun_min", round4(row.leastSunMin)},
+              {"least_sun_run_min", round4(row.leastSunRunMin)},
+              {"least_sun_intervals", row.leastSunIntervals},
+              {"baseline_m2h", round4(row.baselineM2h)},
+              {"scenario_m2h", round4(row.scenarioM2h)},
+              {"incremental_m2h", round4(row.incrementalM2h)},
+              {"gained_m2h", round4(row.gainedM2h)},
+              {"window_min", round4(row.windowMin)},
+              {"weight", row.weight}};
+    Json criteria = Json::object();
+    for (std::size_t i = 0; i < review.criteria.size(); ++i)
+        criteria[review.criteria[i].key] = row.criteria[i] ? numberOrNull(*row.criteria[i]) : Json();
+    json["criteria"] = criteria;
+    return json;
+}
+
+Json measuredJson(const std::optional<Measured>& measured) {
+    if (!measured) return {};
+    return {{"value", numberOrNull(measured->value)},
+            {"low", numberOrNull(measured->low)},
+            {"high", numberOrNull(measured->high)}};
+}
+
+Json limitJson(const Limit& limit) {
+    return {{"compare", ruleNameOf(comparisonNames(), limit.comparison)},
+            {limit.ofFormer ? "former_ratio" : "value", limit.value},
+            {"status", ruleNameOf(figureStatusNames(), limit.evidence.status)},
+            {"source", limit.evidence.source}};
+}
+
+Json criterionJson(const Criterion& criterion, const CriterionResult& result) {
+    Json limits = Json::array();
+    for (const Limit& limit : criterion.limits) limits.push_back(limitJson(limit));
+    return {{"key", criterion.key},
+            {"name", criterion.name},
+            {"unit", unitOf(criterion.measure)},
+            {"verdict", nameOf(result.verdict)},
+            {"advisory", criterion.advisory},
+            {"measured", measuredJson(result.value)},
+            {"former", measuredJson(result.former)},
+            {"limits", limits},
+            {"day", result.day ? Json(formatText(*result.day)) : Json()},
+            {"days", result.days},
+            {"failing_days", result.failingDays},
+            {"borderline_days", result.borderlineDays}};
+}
+
+Json totalsJson(const ReviewTotals& totals) {
+    const auto share = [&](double m2h) {
+        return totals.theoreticalM2h > 0 ? Json(m2h / totals.theoreticalM2h) : Json();
+    };
+    return {{"days", totals.days},
+            {"days_with_incremental", totals.daysWithIncremental},
+            {"sun_hours", round4(totals.sunHours)},
+            {"theoretical_m2h", round4(totals.theoreticalM2h)},
+            {"baseline_m2h", round4(totals.baselineM2h)},
+            {"scenario_m2h", round4(totals.scenarioM2h)},
+            {"incremental_m2h", round4(totals.incrementalM2h)},
+            {"gained_m2h", round4(totals.gainedM2h)},
+            {"baseline_share", share(totals.baselineM2h)},
+            {"scenario_share", share(totals.scenarioM2h)},
+            {"incremental_share", share(totals.incrementalM2h)},
+            {"incremental_by_month_m2h", totals.incrementalByMonthM2h},
+            {"largest_day", totals.largestDay ? Json(formatText(*totals.largestDay)) : Json()},
+            {"largest_day_m2h", round4(totals.largestDayM2h)},
+            {"largest_day_duration_min", round4(totals.largestDayDurationMin)}};
+}
+
+Json placeJson(const PlaceReview& review) {
+    Json rows = Json::array(), criteria = Json::array();
+    for (const ReviewRow& row : review.rows) rows.push_back(rowJson(review, row));
+    for (std::size_t i = 0; i < review.criteria.size(); ++i)
+        criteria.push_back(criterionJson(review.criteria[i], review.results[i]));
+    return {
+        {"name", review.name},     {"kind", nameOf(review.kind)},        {"verdict", nameOf(review.verdict)},
+        {"reason", review.reason}, {"area_m2", round4(review.areaM2)},   {"rows", rows},
+        {"criteria", criteria},    {"totals", totalsJson(review.totals)}};
+}
+
+/// The rule's own table: its titles, and the texts of each place and day.
+Json tableJson(const ReviewStudy& study) {
+    Json titles = Json::array(), lines = Json::array();
+    for (const RuleColumn& column : study.rule.deliverables.columns) titles.push_back(column.title);
+    for (const PlaceReview& review : study.places)
+        for (const ReviewRow& row : review.rows) {
+            Json line = Json::array();
+            for (const RuleColumn& column : study.rule.deliverables.columns)
+                line.push_back(columnText(review, row, column.key));
+            lines.push_back(line);
+        }
+    return {{"columns", titles}, {"rows", lines}};
+}
+
+Json figuresJson(const Rule& rule) {
+    Json figures = Json::array();
+    for (const StatedFigure& figure : rule.figures)
+        figures.push_back({{"text", figure.text},
+                           {"status", ruleNameOf(figureStatusNames(), figure.evidence.status)},
+                           {"source", figure.evidence.source}});
+    return figures;
+}
+
+}  // namespace
+
+Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
+    Json places = Json::array(), chosen = Json::object();
+    for (const PlaceReview& review : study.places) places.push_back(placeJson(review));
+    for (const auto& [choice, option] : study.rule.chosen) chosen[choice] = option;
+    Json json{{"rule", study.rule.key},
+              {"from", labels.from},
+              {"to", labels.to},
+              {"places", places},
+              {"not_checked", study.notChecked},
+              {"rule_name", study.rule.name},
+              {"choices", chosen},
+              {"status", ruleNameOf(figureStatusNames(), leastSure(study.rule))},
+              {"readings", study.rule.readings},
+              {"figures", figuresJson(study.rule)},
+              {"table", tableJson(study)},
+              {"year", study.year},
+              {"clock", study.clock},
+              {"engine", study.engine},
+              {"step_min", study.stepMinutes},
+              {"cell_m", study.settings.cellM},
+              {"error",
+               "Each run is uncertain by a step, each area by a cell; a value within its error of the "
+               "limit is borderline"},
+              {"warnings", warningsJson(study.warnings)}};
+    addProvenance(json, labels.provenance);
+    return json;
+}
+
+std::string reviewCsv(const ReviewStudy& study, const ReviewLabels& labels) {
+    std::string csv = "rule,from,to,place,kind,verdict";
+    for (const char* key : rowKeys) csv += fmt::format(",{}", key);
+    csv += ",intervals,baseline_m2h,scenario_m2h,incremental_m2h,gained_m2h,reason\r\n";
+    for (const PlaceReview& review : study.places)
+        for (const ReviewRow& row : review.rows) {
+            csv +=
+                fmt::format("{},{},{},{},{},{}", study.rule.key, csvField(labels.from), csvField(labels.to),
+                            csvField(review.name), nameOf(review.kind), nameOf(review.verdict));
+            for (const char* key : rowKeys) {
+                const std::string text = columnText(review, row, key);
+                csv += fmt::format(",{}", text == "-" ? std::string() : text);
+            }
+            for (const char* key :
+                 {"intervals", "baseline_m2h", "scenario_m2h", "incremental_m2h", "gained_m2h"})
+                csv += fmt::format(",{}", columnText(review, row, key));
+            csv += fmt::format(",{}\r\n", csvField(review.reason));
+        }
+    return csv;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include "tests/cli/project_command.h"
+
+namespace noonmark::cli::tests {
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A project with the park as a place, a schoolyard, and a scenario in which a tower is gone.
+class ReviewCommand : public ProjectCommand {
+protected:
+    void SetUp() override {
+        ProjectCommand::SetUp();
+        done("add-scenario", {"Without One57"});
+        done("demolish", {"One57", "--scenario", "Without One57"});
+        auto disk = ProjectFile::open(file_).value();
+        Project project = disk.project();
+        project.places.push_back({"Central Park", PlaceKind::park, project.regions.at(0).polygons, "test"});
+        ASSERT_TRUE(disk.save(project));
+    }
+
+    Spoken review(const std::string& rule, std::vector<std::string> more) {
+        std::vector<std::string> arguments{"review",
+                                           "run",
+                                           file_,
+                                           "--rule",
+                                           rule,
+                                           "--from",
+                                           "Without One57",
+                                           "--to",
+                                           "Existing",
+                                           "--out",
+                                           folder_.path("review").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    const std::vector<std::string> all_{"--places", "all", "--zone",     "America/New_York",
+                                        "--cell",   "10",  "--overwrite"};
+};
+
+std::string textOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ReviewRules, AreListedAndShownWithStatusAndSource) {
+    const auto rules = noonmarkCli({"review", "list", "--json"}).json()["rules"];
+    EXPECT_EQ(rules.size(), 16U);
+    EXPECT_THAT(noonmarkCli({"review", "list"}).out,
+                AllOf(HasSubstr("ceqr"), HasSubstr("not checked against")));
+    const std::string shown = noonmarkCli({"review", "show", "ceqr"}).out;
+    EXPECT_THAT(shown, AllOf(HasSubstr("03-21: 07:36 to 16:29"), HasSubstr("[U: Published windows"),
+                             HasSubstr("<= 10 min [V]"), HasSubstr("Not checked")));
+    EXPECT_THAT(noonmarkCli({"review", "show", "japan", "--choose", "plane=1.5 m"}).out,
+                HasSubstr("plane 1.5 m above mean ground"));
+    EXPECT_EQ(noonmarkCli({"review", "show", "own", "--json"}).json()["key"], "own");
+    const Spoken none = noonmarkCli({"review", "show", "ceqrs"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_THAT(none.err, HasSubstr("'ceqr'"));
+    EXPECT_EQ(noonmarkCli({"review", "show", "japan", "--choose", "plane"}).code, 2);
+    EXPECT_EQ(noonmarkCli({"review", "list", "--rules", "/nowhere/at/all"}).code, 2);
+}
+
+TEST_F(ReviewCommand, WritesTheKeysThatScriptsRelyOn) {
+    std::vector<std::string> asked = all_;
+    asked.emplace_back("--json");
+    const Spoken spoken = review("ceqr", asked);
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["rule"], "ceqr");
+    EXPECT_EQ(json["from"], "Without One57");
+    EXPECT_EQ(json["to"], "Existing");
+    ASSERT_EQ(json["places"].size(), 1U);
+    const auto place = json["places"][0];
+    EXPECT_EQ(place["name"], "Central Park");
+    EXPECT_EQ(place["kind"], "park");
+    EXPECT_EQ(place["verdict"], "pass") << "a tower does not cover the whole park";
+    ASSERT_EQ(place["rows"].size(), 4U);
+    const auto december = place["rows"][3];
+    EXPECT_EQ(december["day"], "2026-12-21");
+    EXPECT_GT(december["duration_min"].get<double>(), 60);
+    EXPECT_GE(december["duration_min"].get<double>(), december["max_point_min"].get<double>());
+    EXPECT_GT(december["max_area_m2"].get<double>(), 1000);
+    EXPECT_EQ(december["full_cover_min"], 0);
+    EXPECT_GE(december["enters"].get<std::string>(), "08:51");
+    EXPECT_LE(december["exits"].get<std::string>(), "14:53");
+    EXPECT_GE(json["not_checked"].size(), 4U);
+    EXPECT_EQ(json["scenario"], "Existing");
+    EXPECT_EQ(nlohmann::json::parse(textOf(folder_.path("review/review.json"))), json);
+    EXPECT_THAT(textOf(folder_.path("review/review.csv")),
+                AllOf(HasSubstr("rule,from,to,place,kind,verdict,day"), HasSubstr("2026-12-21")));
+}
+
+TEST_F(ReviewCommand, PrintsTheRulesOwnTableAndWhatIsNotChecked) {
+    const Spoken spoken = review("ceqr", all_);
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    EXPECT_THAT(spoken.out, AllOf(HasSubstr("Incremental shadow enters"), HasSubstr("Central Park: pass."),
+                                  HasSubstr("Not checked"), HasSubstr("standard time")));
+    std::vector<std::string> again = all_;
+    again.pop_back();
+    EXPECT_THAT(review("ceqr", again).err, HasSubstr("review.json"));
+}
+
+TEST_F(ReviewCommand, MeasuresTheBeltsAroundALot) {
+    const Spoken spoken =
+        review("japan", {"--places", "One57", "--zone", "America/New_York", "--cell", "5", "--json"});
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const auto places = spoken.json()["places"];
+    ASSERT_EQ(places.size(), 2U);
+    EXPECT_EQ(places[0]["name"], "One57, 5 to 10 m");
+    EXPECT_EQ(places[0]["verdict"], "fail");
+    EXPECT_EQ(places[1]["verdict"], "fail");
+}
+
+TEST_F(ReviewCommand, RefusesWhatItDoesNotKnow) {
+    EXPECT_EQ(review("none", all_).code, 2);
+    EXPECT_EQ(review("ceqr", {"--places", "Nowhere", "--zone", "America/New_York"}).code, 2);
+    const Spoken noZone = review("ceqr", {"--places", "all"});
+    EXPECT_EQ(noZone.code, 2);
+    EXPECT_THAT(noZone.err, HasSubstr("--zone"));
+    EXPECT_EQ(review("ceqr", {"--places", "all", "--zone", "Atlantis"}).code, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("review/review.json")));
+}
+
+}  // namespace
+
+}  // namespace noonmark::cli::tests

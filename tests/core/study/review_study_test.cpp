@@ -1,0 +1,139 @@
+#include "core/study/review_study.h"
+
+#include <gmock/gmock.h>
+
+#include "core/engines/auto_engine.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/study/text/review_text.h"
+#include "tests/core/engines/scenes.h"
+#include "tests/core/review/paper_days.h"
+
+namespace noonmark {
+
+namespace {
+
+using tests::Box3;
+
+struct Quiet final : Progress {
+    void report(double, std::string_view) override {}
+};
+
+City cityAt(LonLat origin, const std::vector<Box3>& boxes) {
+    City city = tests::cityOf(boxes);
+    city.frame = Frame(origin);
+    return city;
+}
+
+Place placeOf(const std::string& name, float west, float south, float east, float north) {
+    return {name, PlaceKind::park, {{tests::rectangle(west, south, east, north), {}}}, "test"};
+}
+
+ReviewStudy reviewed(const Rule& rule, const City& before, const City& after,
+                     const std::vector<Place>& places, const std::string& zone,
+                     const Engine& engine = AutoEngine(), double cellM = 2) {
+    Quiet quiet;
+    auto study = runReview(rule, before, after, places, {cellM, zone, 2026}, engine, quiet, {});
+    if (!study) throw std::runtime_error(study.error().text());
+    return *std::move(study);
+}
+
+const LonLat melbourne{144.96, -37.81};
+
+TEST(ReviewStudy, MelbournesParkIsInReachOfTheTallTowerOnly) {
+    // 21 June: declination d = 23.4 deg, latitude p = -37.8 deg. The shadow of a height h reaches southward
+    // by h (cos p sin d - sin p cos d cos H) / (sin p sin d + cos p cos d cos H). Solar time is clock time
+    // less 22 min, so H is 0 at noon: 1.82 h, and 39.5 deg at 15:00: (0.314 + 0.434) / (-0.243 + 0.560)
+    // = 2.36 h, the most in the window. The park begins 60 m south of the tower: one of 20 m reaches 47 m,
+    // one of 60 m 141 m.
+    const Rule rule = shippedRule("melbourne-c278");
+    const std::vector<Place> parks{placeOf("Green", -100, -120, 100, -60)};
+    const City none = cityAt(melbourne, {});
+    const auto verdict = [&](double heightM) {
+        const City tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, heightM}}});
+        return reviewed(rule, none, tower, parks, "Australia/Melbourne").places.at(0).verdict;
+    };
+    EXPECT_EQ(verdict(20), Verdict::pass);
+    EXPECT_EQ(verdict(60), Verdict::fail);
+}
+
+TEST(ReviewStudy, EnginesAgreeToTheStep) {
+    const City before = cityAt({-73.98, 40.75}, {{{-60, -40, 0}, {-30, -20, 25}}});
+    City after = before;
+    after.buildings.push_back(tests::buildingOf(Box3{{10, -60, 0}, {30, -40, 80}}));
+    const std::vector<Place> places{placeOf("A", -50, 0, 50, 60), placeOf("B", 80, 20, 120, 60)};
+    const Rule rule = shippedRule("ceqr");
+    const ReviewStudy fast = reviewed(rule, before, after, places, "America/New_York");
+    const ReviewStudy rays = reviewed(rule, before, after, places, "America/New_York", RayReference());
+    ASSERT_EQ(fast.places.size(), 2);
+    EXPECT_EQ(fast.clock, "America/New_York, standard time");
+    for (std::size_t i = 0; i < 2; ++i) {
+        ASSERT_EQ(fast.places[i].rows.size(), 4);
+        EXPECT_EQ(fast.places[i].verdict, rays.places[i].verdict);
+        for (std::size_t day = 0; day < 4; ++day) {
+            const ReviewRow &a = fast.places[i].rows[day], &b = rays.places[i].rows[day];
+            EXPECT_EQ(a.entersText, b.entersText);
+            EXPECT_EQ(a.exitsText, b.exitsText);
+            EXPECT_NEAR(a.maxAreaM2, b.maxAreaM2, 4);
+            EXPECT_NEAR(a.incrementalM2h, b.incrementalM2h, 0.001 * b.incrementalM2h + 0.1);
+        }
+    }
+}
+
+TEST(ReviewStudy, OnlyTheProposalCastsWhereTheRuleSaysSo) {
+    const City before = cityAt({139.7, 35.7}, {{{-60, -40, 0}, {-30, -20, 25}}});
+    City after = before;
+    after.buildings.push_back(tests::buildingOf(Box3{{10, -60, 0}, {30, -40, 80}}));
+    EXPECT_EQ(keepOwnBuildings(after, before).buildings.size(), 1);
+    EXPECT_EQ(keepOwnBuildings(before, after).buildings.size(), 0);
+    City copied = before;  // equal, but not shared
+    copied.buildings[0] = std::make_shared<const Building>(*before.buildings[0]);
+    EXPECT_EQ(keepOwnBuildings(copied, before).buildings.size(), 0);
+}
+
+TEST(ReviewStudy, JapansBeltsFollowTheHeightOfTheBuilding) {
+    // Tokyo, winter solstice: the noon sun is 90 - 35.7 - 23.4 = 30.9 deg high, and the plane is 4 m above
+    // the ground: a building of 10 m reaches 6 / tan(30.9 deg) = 10.0 m north at noon. Its parcel has 5 m
+    // around it, so at noon it does not reach the 10 m line (15 m from the building), and elsewhere shadow
+    // moves on. One of 60 m reaches 93.6 m; 20 m wide, its shadow stays for hours near its north side.
+    const City none = cityAt({139.7, 35.7}, {});
+    const std::vector<Place> parcel{
+        {"Lot", PlaceKind::other, {{tests::rectangle(-15, -15, 15, 15), {}}}, "lot"}};
+    const auto verdicts = [&](double heightM) {
+        const City city = cityAt({139.7, 35.7}, {{{-10, -10, 0}, {10, 10, heightM}}});
+        const ReviewStudy study = reviewed(shippedRule("japan"), none, city, parcel, "Asia/Tokyo");
+        return std::pair{study.places.at(0).verdict, study.places.at(1).verdict};
+    };
+    EXPECT_EQ(verdicts(7), (std::pair{Verdict::pass, Verdict::pass}));
+    EXPECT_EQ(verdicts(60), (std::pair{Verdict::fail, Verdict::fail}));
+}
+
+TEST(ReviewStudy, StatesItsKeysInJsonAndCsv) {
+    const City none = cityAt(melbourne, {});
+    const City tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});
+    const std::vector<Place> parks{placeOf("Green, \"old\"", -100, -120, 100, -60)};
+    const ReviewStudy study =
+        reviewed(shippedRule("melbourne-c278"), none, tower, parks, "Australia/Melbourne");
+    const ReviewLabels labels{"Existing", "Tower", {}};
+    const auto json = reviewJson(study, labels);
+    EXPECT_EQ(json["rule"], "melbourne-c278");
+    EXPECT_EQ(json["from"], "Existing");
+    EXPECT_EQ(json["to"], "Tower");
+    const auto& place = json["places"][0];
+    EXPECT_EQ(place["kind"], "park");
+    EXPECT_EQ(place["verdict"], "fail");
+    for (const char* key :
+         {"day", "enters", "exits", "duration_min", "max_area_m2", "max_point_min", "full_cover_min"})
+        EXPECT_TRUE(place["rows"][0].contains(key)) << key;
+    EXPECT_EQ(place["rows"][0]["day"], "2026-06-21");
+    EXPECT_GT(place["rows"][0]["max_area_m2"].get<double>(), 0);
+    EXPECT_FALSE(json["not_checked"].empty());
+    const std::string csv = reviewCsv(study, labels);
+    EXPECT_THAT(
+        csv, testing::StartsWith("rule,from,to,place,kind,verdict,day,enters,exits,duration_min,max_area_m2,"
+                                 "max_point_min,full_cover_min,"));
+    EXPECT_THAT(csv, testing::HasSubstr("\"Green, \"\"old\"\"\""));
+}
+
+}  // namespace
+
+}  // namespace noonmark
