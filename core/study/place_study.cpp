@@ -2,8 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <new>
-
+#include "core/base/memory_guard.h"
 #include "core/measures/place_run.h"
 
 namespace noonmark {
@@ -25,11 +24,9 @@ void warnOfEmptyPlaces(const PlaceReceivers& cells, PlaceStudy& study) {
                                       study.places[i].place.name});
 }
 
-}  // namespace
-
-Result<PlaceStudy> runPlaceStudy(const City& baseline, const City* scenario, const std::vector<Place>& places,
-                                 const PlaceStudySettings& settings, const Engine& engine, Progress& progress,
-                                 std::stop_token stop) try {
+Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
+                                     const std::vector<Place>& places, const PlaceStudySettings& settings,
+                                     const Engine& engine, Progress& progress, std::stop_token stop) {
     std::vector<const City*> cities{&baseline};
     if (scenario != nullptr) cities.push_back(scenario);
     const auto cells = placeReceiversOnPlaces(cities, places, {.cellM = settings.cellM}, stop);
@@ -58,8 +55,16 @@ Result<PlaceStudy> runPlaceStudy(const City& baseline, const City* scenario, con
         !done)
         return tl::make_unexpected(done.error());
     return study;
-} catch (const std::bad_alloc&) {
-    return outOfMemory("timelines of places");
+}
+
+}  // namespace
+
+Result<PlaceStudy> runPlaceStudy(const City& baseline, const City* scenario, const std::vector<Place>& places,
+                                 const PlaceStudySettings& settings, const Engine& engine, Progress& progress,
+                                 std::stop_token stop) {
+    return guardMemory({.what = "timelines of places"}, [&] {
+        return computePlaceStudy(baseline, scenario, places, settings, engine, progress, std::move(stop));
+    });
 }
 
 }  // namespace noonmark

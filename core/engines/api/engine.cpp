@@ -31,16 +31,16 @@ Result<ShadowBreakdown> Engine::breakDown(const City& city, const Receivers& rec
 
 Result<void> Engine::shadeSteps(std::span<const City* const> cities, const Receivers& receivers,
                                 const SunSteps& sun, const TakeDay& take, Progress& progress,
-                                std::stop_token stop) const try {
-    for (const City* city : cities)
-        if (auto able = checkGround(*city, receivers, capabilities(), name()); !able) return able;
-    if (!capabilities().stepMasks)
-        return unsupported(
-            fmt::format("{} does not state which receivers are in shadow at each step", name()), "engine",
-            "Choose projected shadows, or rays on terrain and roofs");
-    return computeStepMasks(cities, receivers, sun, take, progress, std::move(stop));
-} catch (const std::bad_alloc&) {
-    return outOfMemory(name());
+                                std::stop_token stop) const {
+    return guardMemory({.where = std::string(name())}, [&]() -> Result<void> {
+        for (const City* city : cities)
+            if (auto able = checkGround(*city, receivers, capabilities(), name()); !able) return able;
+        if (!capabilities().stepMasks)
+            return unsupported(
+                fmt::format("{} does not state which receivers are in shadow at each step", name()), "engine",
+                "Choose projected shadows, or rays on terrain and roofs");
+        return computeStepMasks(cities, receivers, sun, take, progress, std::move(stop));
+    });
 }
 
 std::optional<EngineChoice> Engine::choose(std::span<const City* const> /*cities*/,

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <optional>
 
-#include "core/engines/common/flush_denormals.h"
+#include "core/simd/flush_denormals.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/common/shared_buildings.h"
 #include "core/engines/common/sun_packets.h"

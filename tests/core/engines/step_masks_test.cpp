@@ -60,7 +60,7 @@ SunSteps sunOver(const City& city, CivilDate start, int days, double stepMinutes
 }
 
 constexpr CivilDate summer{std::chrono::year{2026}, std::chrono::June, std::chrono::day{20}};
-constexpr CivilDate winter{std::chrono::year{2026}, std::chrono::December, std::chrono::day{20}};
+constexpr CivilDate december{std::chrono::year{2026}, std::chrono::December, std::chrono::day{20}};
 
 TEST(ReceiverWindows, HoldEveryReceiverOnceAndAreDense) {
     const City city = makeGridSample({.buildings = 300}).value();
@@ -85,7 +85,7 @@ TEST(ReceiverWindows, HoldEveryReceiverOnceAndAreDense) {
 TEST(StepMasks, AreTheRastersOfTheFieldAndAgreeWithRays) {
     const City city = makeGridSample({.buildings = 300}).value();
     const Receivers receivers = receiversInSquares(city, 1);
-    const SunSteps sun = sunOver(city, winter, 1, 3);
+    const SunSteps sun = sunOver(city, december, 1, 3);
     const auto masks = masksOf(ProjectedShadows(), {&city}, receivers, sun).value();
     const auto rasters = computeShadowRasters(city, receivers, sun).value();
     const BitLayout layout(receivers.grid);
@@ -164,7 +164,7 @@ TEST(StepMasks, EnginesThatCannotRefuseAndTerrainGoesToRays) {
 TEST(StepMasks, AnErrorOfTheTakerAndAStopRequestEndTheRun) {
     const City city = makeGridSample({.buildings = 100}).value();
     const Receivers receivers = receiversInSquares(city, 2);
-    const SunSteps sun = sunOver(city, winter, 4, 30);
+    const SunSteps sun = sunOver(city, december, 4, 30);
     NoProgress quiet;
     const City* const cities[]{&city};
     int taken = 0;

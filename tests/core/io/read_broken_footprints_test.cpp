@@ -39,14 +39,14 @@ std::string osmText() {
     return osm.xml();
 }
 
-constexpr std::string_view geoJson =
+constexpr std::string_view oneHouse =
     R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"height":"12 m","num_floors":3},)"
     R"("geometry":{"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.9799,40.75],[-73.9799,40.7501],[-73.98,40.75]]]}}]})";
 
 TEST(ReadBrokenFootprints, CutShortAtEveryLength) {
     const tests::TemporaryFolder folder;
-    for (std::size_t length = 0; length <= geoJson.size(); ++length)
-        readAndJudge(folder.file("cut.geojson", geoJson.substr(0, length)));
+    for (std::size_t length = 0; length <= oneHouse.size(); ++length)
+        readAndJudge(folder.file("cut.geojson", oneHouse.substr(0, length)));
     const std::string osm = osmText();
     for (std::size_t length = 0; length <= osm.size(); length += 41)
         readAndJudge(folder.file("cut.osm", osm.substr(0, length)));
@@ -54,7 +54,7 @@ TEST(ReadBrokenFootprints, CutShortAtEveryLength) {
 
 TEST(ReadBrokenFootprints, TrueIsNoHeight) {
     const tests::TemporaryFolder folder;
-    std::string text(geoJson);
+    std::string text(oneHouse);
     text.replace(text.find(R"("12 m")"), 6, "true");
     NoProgress quiet;
     const auto piece = readFootprints(folder.file("true.geojson", text), {}, quiet, {});
@@ -70,7 +70,7 @@ TEST(ReadBrokenFootprints, WithBytesChanged) {
     const tests::TemporaryFolder folder;
     std::mt19937 random(20260321);
     for (int round = 0; round < 200; ++round) {
-        std::string text = round % 2 == 0 ? std::string(geoJson) : osmText();
+        std::string text = round % 2 == 0 ? std::string(oneHouse) : osmText();
         for (int i = 0; i < 3; ++i) text[random() % text.size()] = char(random() % 256);
         readAndJudge(folder.file(round % 2 == 0 ? "odd.geojson" : "odd.osm", text));
     }

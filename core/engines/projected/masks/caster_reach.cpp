@@ -5,9 +5,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/engines/projected/casters/caster_shaping.h"
 #include "core/engines/projected/casters/cell_coordinates.h"
 #include "core/engines/projected/casters/shadow_offsets.h"
+#include "core/engines/projected/filling/caster_fill.h"
 
 namespace noonmark {
 
