@@ -65,7 +65,7 @@ struct OutputWindow : ::testing::Test {
         ASSERT_TRUE(waitFor([this] { return !workbench().writing().busy(); }));
     }
     void saveAs(const QString& name) {
-        window->saving().saveAs(name.toStdString());
+        window->saving().saveTo(name.toStdString());
         ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
     }
 };

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QSettings>
+#include <QStatusBar>
 
 #include "app/window/study/warning_place.h"
 #include "app/window/study/warnings_dock.h"

@@ -4,7 +4,8 @@ namespace noonmark::cli {
 
 void addProjectCommand(CLI::App& app, Run& run) {
     CLI::App* project = app.add_subcommand(
-        "project", "Create and change a project: a city with its scenarios, lots, regions and places in one file");
+        "project",
+        "Create and change a project: a city with its scenarios, lots, regions and places in one file");
     project->require_subcommand(1);
     addProjectNew(*project, run);
     addProjectInfo(*project, run);

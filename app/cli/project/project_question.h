@@ -7,8 +7,8 @@
 
 namespace noonmark::cli {
 
-/// Parses `--region` of a command on a project: a region or place of the project by name, "city" for the box around
-/// all buildings of `city`, or the forms of readRegion().
+/// Parses `--region` of a command on a project: a region or place of the project by name, "city" for the box
+/// around all buildings of `city`, or the forms of readRegion().
 Result<Region> regionIn(const Project& project, const City& city, const std::string& text);
 
 /// Adds `--period NAME`, a period of the project. It excludes the options for days and hours, that is, those

@@ -6,12 +6,12 @@
 #include <iterator>
 #include <optional>
 
-#include "core/simd/flush_denormals.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/common/shared_buildings.h"
 #include "core/engines/common/sun_packets.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/simd/flush_denormals.h"
 #include "core/sun/chosen_days.h"
 
 namespace noonmark {

@@ -54,8 +54,10 @@ TEST(ReadBrokenFootprints, CutShortAtEveryLength) {
 
 TEST(ReadBrokenFootprints, TrueIsNoHeight) {
     const tests::TemporaryFolder folder;
-    std::string text(oneHouse);
-    text.replace(text.find(R"("12 m")"), 6, "true");
+    constexpr std::string_view height = R"("12 m")";
+    const std::size_t at = oneHouse.find(height);
+    const std::string text =
+        fmt::format("{}true{}", oneHouse.substr(0, at), oneHouse.substr(at + height.size()));
     NoProgress quiet;
     const auto piece = readFootprints(folder.file("true.geojson", text), {}, quiet, {});
     ASSERT_TRUE(piece) << piece.error().text();
