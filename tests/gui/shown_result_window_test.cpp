@@ -5,6 +5,8 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <cmath>
 
@@ -53,8 +55,9 @@ QStringList exported(MainWindow& window, const QString& folder) {
 
 TEST_F(AnswersWindow, WhatIsShownIsExported) {
     const QAction* action = nullptr;
-    for (const QAction* one : window->findChildren<QAction*>())
-        if (one->shortcut() == QKeySequence(QStringLiteral("Ctrl+E"))) action = one;
+    for (const QMenu* menu : window->menuBar()->findChildren<QMenu*>())
+        for (const QAction* one : menu->actions())
+            if (one->shortcut() == QKeySequence(QStringLiteral("Ctrl+E"))) action = one;
     ASSERT_NE(action, nullptr);
     session().goTo("Tower");
     session().compareWith(existingCity);
