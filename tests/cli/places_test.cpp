@@ -76,7 +76,7 @@ TEST_F(PlacesCommand, TheTimelineOfADayHasTheKeysThatScriptsRelyOn) {
         hours += incremental * json["step_min"].get<double>() / 60;
     }
     EXPECT_EQ(json["incremental"]["largest_m2"], most);
-    EXPECT_NEAR(json["incremental"]["area_hours_m2h"].get<double>(), hours, 0.01);
+    EXPECT_NEAR(json["incremental"]["area_hours_m2h"].get<double>(), hours, 0.1);  // areas are rounded
     EXPECT_GT(most, 0);
 }
 
