@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const std::string text = formatText(data, size);
+    const std::string text(formatText(data, size));
     const auto rule = noonmark::parseRule(text, "rule.json");
     if (!rule) return requireSound(rule.error()), 0;
     require(!rule->key.empty() && rule->sampling.stepMinutes > 0, "a rule that is read is complete");
