@@ -1,7 +1,8 @@
 #include "core/review/review_rows.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/measures/place_timeline.h"
 
 namespace noonmark {
 
@@ -11,37 +12,19 @@ double mostOf(const std::vector<std::uint32_t>& steps, double stepMin) {
     return steps.empty() ? 0 : *std::ranges::max_element(steps) * stepMin;
 }
 
-Instant endOf(const SunStep& step, double stepMin) {
-    return step.at + std::chrono::milliseconds{std::llround(stepMin * 60000)};
-}
-
-double minutesWith(const DayShadow& day, Quantity quantity, Measure measure) {
-    Criterion criterion;
-    criterion.quantity = quantity;
-    criterion.measure = measure;
-    return measureDay(criterion, day, false).value;
-}
-
 /// Enters, exits, intervals, and the largest area.
-void addTimes(ReviewRow& row, const DayShadow& day, const DayClock& clock) {
-    const auto steps = day.shadow().steps;
-    const auto& cells = day.cells().incremental;
-    std::size_t largest = 0;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        if (cells[i] == 0) continue;
-        if (!row.enters) row.enters = steps[i].at;
-        const bool unbroken = i > 0 && cells[i - 1] > 0 && steps[i].slot == steps[i - 1].slot + 1;
-        row.intervals += unbroken ? 0 : 1;
-        row.exits = endOf(steps[i], day.stepMin());
-        row.durationMin += day.stepMin();
-        if (cells[i] > cells[largest] || cells[largest] == 0) largest = i;
-    }
+void addTimes(ReviewRow& row, const DayTimeline& timeline, const DayClock& clock) {
+    const ShadowOnPlace& incremental = timeline.incremental;
+    row.enters = incremental.enters();
+    row.exits = incremental.exits();
+    row.intervals = int(incremental.intervals.size());
+    row.durationMin = incremental.minutes;
     if (!row.enters) return;
     row.entersText = clock.timeText(row.day, *row.enters);
     row.exitsText = clock.timeText(row.day, *row.exits);
-    row.maxAtText = clock.timeText(row.day, steps[largest].at);
-    row.maxAreaM2 = cells[largest] * day.shadow().cellAreaM2;
-    row.maxShare = cells[largest] / double(day.shadow().baseline.receivers);
+    row.maxAtText = clock.timeText(row.day, *incremental.largestAt);
+    row.maxAreaM2 = incremental.largestM2;
+    row.maxShare = incremental.largestM2 / timeline.areaM2;
 }
 
 void addSpots(ReviewRow& row, const DayShadow& day) {
@@ -57,27 +40,21 @@ void addSpots(ReviewRow& row, const DayShadow& day) {
     row.leastSunIntervals = int(sun.count[least]);
 }
 
-void addAreaHours(ReviewRow& row, const DayShadow& day) {
-    const double each = day.shadow().cellAreaM2 * day.stepMin() / 60;
-    for (std::size_t i = 0; i < day.shadow().steps.size(); ++i) {
-        row.baselineM2h += day.cells().baseline[i] * each;
-        row.scenarioM2h += day.cells().scenario[i] * each;
-        row.incrementalM2h += day.cells().incremental[i] * each;
-    }
-    row.gainedM2h = std::max(0.0, row.baselineM2h - (row.scenarioM2h - row.incrementalM2h));
-}
-
 }  // namespace
 
 ReviewRow computeReviewRow(const DayShadow& day, const DayClock& clock) {
+    const DayTimeline timeline = computeTimeline(day.shadow(), {.steps = false, .longestStays = false});
     ReviewRow row{.day = day.shadow().day};
-    addTimes(row, day, clock);
+    addTimes(row, timeline, clock);
     addSpots(row, day);
-    addAreaHours(row, day);
-    row.fullCoverMin = minutesWith(day, Quantity::incremental, Measure::fullCover);
-    row.totalDurationMin = minutesWith(day, Quantity::shadow, Measure::anywhere);
-    row.totalMaxAreaM2 = minutesWith(day, Quantity::shadow, Measure::largestArea);
-    row.windowMin = double(day.shadow().steps.size()) * day.stepMin();
+    row.baselineM2h = timeline.baseline.areaHoursM2;
+    row.scenarioM2h = timeline.scenario.areaHoursM2;
+    row.incrementalM2h = timeline.incremental.areaHoursM2;
+    row.gainedM2h = timeline.gained.areaHoursM2;
+    row.fullCoverMin = timeline.allSunTakenMin;
+    row.totalDurationMin = timeline.scenario.minutes;
+    row.totalMaxAreaM2 = timeline.scenario.largestM2;
+    row.windowMin = timeline.sunlitMinutes;
     return row;
 }
 

@@ -21,12 +21,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T, std::size_t most>
 using LanesUpTo = hn::CappedTag<T, most>;
 
-/// 0, 1, 2, ... as floats.
-template <class D>
-HWY_INLINE hn::Vec<D> countLanes(D d) {
-    return hn::Iota(d, 0);
-}
-
 /// The lanes whose bits are set; bit 0 belongs to lane 0. Bits beyond the last lane are ignored.
 template <class D>
 HWY_INLINE hn::Mask<D> maskOfBits(D d, std::uint32_t bits) {
@@ -94,12 +88,6 @@ private:
     Order order_;
 #endif
 };
-
-/// from[at] for each lane; indices are not negative.
-template <class D>
-HWY_INLINE hn::Vec<D> gather(D d, const hn::TFromD<D>* from, hn::Vec<hn::RebindToSigned<D>> at) {
-    return hn::GatherIndex(d, from, at);
-}
 
 /// One more in the lanes of the mask. T: unsigned integers.
 template <class D>

@@ -22,7 +22,7 @@ void lookUpWords(const float* depth, const std::uint32_t* texel, std::size_t wor
         HWY_UNROLL(16)
         for (std::size_t first = 0; first < 64; first += hn::MaxLanes(d), texel += hn::MaxLanes(d)) {
             const auto at = hn::BitCast(di, hn::LoadU(hn::RebindToUnsigned<decltype(d)>{}, texel));
-            bits |= std::uint64_t(bitsOfMask(d, hn::Gt(gather(d, depth, at), biases))) << first;
+            bits |= std::uint64_t(bitsOfMask(d, hn::Gt(hn::GatherIndex(d, depth, at), biases))) << first;
         }
         shaded[word] = bits;
     }

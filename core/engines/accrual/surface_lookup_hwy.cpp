@@ -78,7 +78,7 @@ HWY_INLINE std::uint32_t findShaded(const PlacedSurface& points, std::size_t fir
     const SeenNormals normals = seeNormals(points, first, step);
     const Ints texel = hn::Add(hn::Mul(seen.row, hn::Set(di, step.stride)), seen.column);
     const V bias = hn::Add(hn::Add(seen.w, hn::Set(d, step.biasM)), hn::Mul(normals.slope, seen.q));
-    const auto occluded = hn::Gt(gather(d, depth, texel), hn::Mul(bias, seen.centrePerQ));
+    const auto occluded = hn::Gt(hn::GatherIndex(d, depth, texel), hn::Mul(bias, seen.centrePerQ));
     return bitsOfMask(d, hn::Or(occluded, hn::Not(hn::Gt(normals.facing, hn::Zero(d)))));
 }
 
