@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace noonmark {
+
+/// The units in which results are shown. Files for machines (JSON, CSV columns, GeoTIFF) stay metric.
+enum class UnitSystem {
+    metric,
+    imperial,
+    both,  ///< metric, followed by imperial in parentheses
+};
+
+/// "metric", "imperial", "both": the names in project files and on the command line.
+std::string_view nameOf(UnitSystem units);
+
+/// "124.3 m"; "407.8 ft"; "124.3 m (407.8 ft)". `decimals`: of the metric value, 0 to 3; feet have as many.
+std::string formatLength(double metres, UnitSystem units, int decimals = 1);
+/// "1,204 m²"; "12,960 sq ft"; from 10 acres on acres, from 10 ha on hectares.
+std::string formatArea(double squareMetres, UnitSystem units);
+/// "1,204 m² h"; "12,960 sq ft h", square-foot-hours.
+std::string formatAreaHours(double squareMetreHours, UnitSystem units);
+
+}  // namespace noonmark
