@@ -114,9 +114,9 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
     putBefore(study->warnings, project.reading->warnings);
-    return ReviewAnswer{
-        *std::move(study),
-        {options.from, options.to, provenanceOf(project, &disk, {options.to, options.from, {}, {}})}};
+    return ReviewAnswer{*std::move(study),
+                        {options.from, options.to,
+                         provenanceOf(project, &disk, {options.to, options.from, {}, {}}), options.places}};
 }
 
 /// The rule's own table as text; of many days those with incremental shadow.

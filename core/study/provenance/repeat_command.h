@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "core/study/provenance/command_words.h"
 #include "core/study/study.h"
 
 namespace noonmark {
-
-/// An option of a command with its values; no values: a flag.
-struct RepeatOption {
-    std::string name;
-    std::vector<std::string> values;
-};
 
 /// Adds --error-sample if it differs from the default.
 void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options);
