@@ -17,6 +17,7 @@ find_package(date REQUIRED)
 pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib)
 pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
+pkg_check_modules(POPPLER REQUIRED IMPORTED_TARGET poppler-qt6)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCL REQUIRED)
 # Cities with their time zones; without it the window guesses a zone from the tz database's cities alone.

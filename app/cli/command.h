@@ -29,6 +29,7 @@ void addDevicesCommand(CLI::App& app, Run& run);
 void addPlacesCommand(CLI::App& app, Run& run);
 void addScreenCommand(CLI::App& app, Run& run);
 void addTimelineCommand(CLI::App& app, Run& run);
+void addVerifyCommand(CLI::App& app, Run& run);
 
 /// Prints one line to `err`: "noonmark-cli: what". Returns the code, or exitCancelled if the error is a
 /// cancellation.

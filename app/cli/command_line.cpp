@@ -97,6 +97,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addScreenCommand(app, run);
         addTimelineCommand(app, run);
         addReviewCommand(app, run);
+        addVerifyCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);
         return checkWritten(console, parseAndRun(app, run, argc, argv, console));

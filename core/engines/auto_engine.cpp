@@ -69,24 +69,22 @@ EngineCapabilities AutoEngine::capabilities() const {
     return combineForChoice({RayReference::able, ProjectedShadows::able, HorizonSweep::able});
 }
 
-// The exact engine where it takes no longer than the sweep, or not long; else the sweep.
+// The exact engine where it takes no longer than the sweep, or not long; else the sweep. The reason states no
+// seconds: reports print it, and must print the same on another computer.
 std::optional<EngineChoice> AutoEngine::choose(std::span<const City* const> cities,
                                                const Receivers& receivers, const SunSteps& sun) const {
     const EngineLoad load = measureEngineLoad(cities, receivers, sun, sweep_);
     const EstimatedSeconds seconds = estimateSeconds(load);
     const double exact = load.level ? seconds.projected : seconds.ray;
-    const std::string expected = fmt::format("expected {:.2g} s by {}, {:.2g} s by the sweep", exact,
-                                             load.level ? "projected shadows" : "rays", seconds.horizon);
     if (exact > std::max(shortSeconds, seconds.horizon))
         return EngineChoice{"horizon", std::make_unique<HorizonSweep>(sweep_),
-                            fmt::format("the horizon sweep, since the period is long ({})", expected)};
+                            "the horizon sweep, since the period is long"};
     if (load.level)
         return EngineChoice{"projected", std::make_unique<ProjectedShadows>(),
-                            fmt::format("projected shadows, exact and quick enough here ({})", expected)};
-    return EngineChoice{
-        referenceEngine, std::make_unique<RayReference>(),
-        fmt::format("rays, since {} and they are quick enough here ({})",
-                    load.terrainCells > 0 ? "there is terrain" : "receivers lie on roofs", expected)};
+                            "projected shadows, exact and quick enough here"};
+    return EngineChoice{referenceEngine, std::make_unique<RayReference>(),
+                        fmt::format("rays, since {} and they are quick enough here",
+                                    load.terrainCells > 0 ? "there is terrain" : "receivers lie on roofs")};
 }
 
 std::optional<EngineChoice> AutoEngine::chooseInstead(const EngineChoice& failed, const Error& error) const {

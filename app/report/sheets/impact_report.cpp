@@ -127,7 +127,8 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                 .definitions = definitionsOf(answer, scale),
                 .figures = figuresOfSheet(answer),
                 .sections = sectionsOf(answer, source),
-                .credit = describeData(answer.provenance.attribution)};
+                .credit = describeData(answer.provenance.attribution),
+                .record = {QStringLiteral("impact.json"), impactJson(answer)}};
     if (!isInstant(impact) && hasRuns(impact))
         sheet.smallMap.emplace(mapOf(answer, source, ShadowMeasure::continuous, scale));
     return sheet;

@@ -14,7 +14,7 @@ namespace noonmark {
 namespace {
 
 QString describeEngine(const Study& study) {
-    QString words = QStringLiteral("Engine: %1.").arg(QString::fromStdString(study.field.engine));
+    QString words = QStringLiteral("Engine: %1.").arg(describeEngineUsed(study.field.engine));
     if (study.byReference())
         words += QStringLiteral(
             " At each step a ray is traced from each receiver to the centre of the sun; the receiver is in "

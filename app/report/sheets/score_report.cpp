@@ -51,7 +51,7 @@ TextBlocks definitions() {
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
     return {heading(QStringLiteral("Method")),
-            body(QStringLiteral("Engine: %1.").arg(QString::fromStdString(answer.score.engine))),
+            body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(answer.score.engine))),
             body(QStringLiteral("Receivers: centres of square cells of %1 m on %2, inside the region.")
                      .arg(describeAmount(answer.score.grid.cellM, 2),
                           QString::fromUtf8(describe(answer.settings.receivers.places))))};
@@ -95,7 +95,8 @@ Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source) {
             .definitions = definitions(),
             .figures = figuresOfSheet(answer.score),
             .sections = std::move(sections),
-            .credit = describeData(answer.provenance.attribution)};
+            .credit = describeData(answer.provenance.attribution),
+            .record = {QStringLiteral("score.json"), scoreJson(answer)}};
 }
 
 }  // namespace noonmark

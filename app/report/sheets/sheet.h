@@ -23,6 +23,12 @@ struct SheetMap {
     Legend legend;
 };
 
+/// The result as JSON, attached to its PDF so that the report alone can be verified.
+struct SheetRecord {
+    QString fileName;  ///< "study.json"; empty: none
+    std::string json;
+};
+
 /// One page about one result: a study, a comparison or a score. Owns no result: the data that its maps refer
 /// to must outlive it.
 struct Sheet {
@@ -34,6 +40,7 @@ struct Sheet {
     std::vector<TextBlocks> sections{};  ///< at least two; each begins with its heading and is not split
     TextBlocks repeat{};                 ///< across the bottom of the page; may be empty
     QString credit{};                    ///< credit of the data
+    SheetRecord record{};                ///< attached to the PDF
 };
 
 /// Writes an A4 page. False if the device did not accept it.

@@ -26,7 +26,8 @@ Sheet makeSheet(const Study& study) {
                 .figures = computeFigures(study),
                 .sections = sectionsOf(study),
                 .repeat = repeatBlocks(study),
-                .credit = describeData(study)};
+                .credit = describeData(study),
+                .record = {QStringLiteral("study.json"), studyJson(study)}};
     if (!isInstant(study.field) && hasRuns(study.statistics))
         sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous));
     return sheet;

@@ -88,6 +88,10 @@ QString describeData(const std::string& attribution) {
     return source.isEmpty() ? QString() : QStringLiteral("Data: ") + source;
 }
 
+QString describeEngineUsed(const std::string& engine) {
+    return QString::fromStdString(engine.substr(0, engine.find(" (chosen: ")));
+}
+
 QString describeProgram() {
     const std::string_view number = version();
     return QStringLiteral("Noonmark ") + QString::fromUtf8(number.data(), qsizetype(number.size()));

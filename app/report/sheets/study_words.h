@@ -15,6 +15,9 @@ QString describePlace(const Region& region, const Frame& frame);
 QString describeSunlit(const Study& study);  ///< how long the sun is up during the measured hours
 QString describeData(const Study& study);    ///< data credit: "Data: © OpenStreetMap contributors"
 QString describeData(const std::string& attribution);
+/// An engine's name and settings without the reason for an automatic choice: the command that repeats the
+/// result names the engine, and must print the same page.
+QString describeEngineUsed(const std::string& engine);
 QString describeProgram();  ///< "Noonmark 0.1.0"
 
 /// A row of the table of figures.

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/console.h"
+#include "core/base/result.h"
+#include "core/study/verification/find_inputs.h"
+
+namespace noonmark::cli {
+
+/// A folder in which a recorded command runs: it holds only the files that the record names, under their
+/// recorded names, and what the command writes. Removed at the end.
+class RepeatFolder {
+public:
+    /// Error: the folder cannot be made, or two recorded files have the same name.
+    static Result<RepeatFolder> make(const std::vector<FoundFile>& files);
+    RepeatFolder(RepeatFolder&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
+    RepeatFolder& operator=(RepeatFolder&&) = delete;
+    ~RepeatFolder();
+
+    /// Adds a file under its own name. Files that are there already stay.
+    [[nodiscard]] Result<void> add(const std::filesystem::path& file) const;
+    /// Runs the words of a noonmark-cli command in the folder. Error: it failed, with what it said, or
+    /// cancelled().
+    [[nodiscard]] Result<void> run(const std::vector<std::string>& words, const Console& console) const;
+    [[nodiscard]] std::filesystem::path outputs() const { return path_ / "repeated"; }
+
+private:
+    explicit RepeatFolder(std::filesystem::path path) : path_(std::move(path)) {}
+    std::filesystem::path path_;
+};
+
+}  // namespace noonmark::cli

@@ -1,0 +1,141 @@
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
+#include "app/cli/verify/repeat_run.h"
+#include "app/cli/verify/verification.h"
+#include "app/report/files/read_report.h"
+#include "core/study/text/region_text.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerifyOptions {
+    std::string report;
+    std::string inputs;
+    bool json = false;
+};
+
+// The report that is written beside a record of that name.
+fs::path reportBeside(const std::string& recordName) {
+    static const std::map<std::string, const char*> reports{{"study.json", "report.pdf"},
+                                                            {"impact.json", "impact.pdf"},
+                                                            {"score.json", "score.pdf"},
+                                                            {"review.json", "sheets.pdf"}};
+    const auto found = reports.find(recordName);
+    return found == reports.end() ? fs::path() : fs::path(found->second);
+}
+
+// A record that was renamed is recognised by the command that made it.
+std::string recordNameOf(const ResultRecord& record) { return record.command[1] + ".json"; }
+
+Result<nlohmann::ordered_json> readComputed(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
+    if (json.is_discarded()) return failure("The repeated run wrote no record", file.string(), {});
+    return json;
+}
+
+// region.geojson is written beside a report whose command names it; it states no hash, but the figures do.
+Result<void> addRegionFile(const RepeatFolder& folder, const VerifyOptions& options) {
+    for (const fs::path& place : {fs::path(options.report).parent_path(), fs::path(options.inputs)})
+        if (std::error_code error; fs::exists(place / regionFileName, error))
+            return folder.add(place / regionFileName);
+    return {};
+}
+
+Result<void> repeat(const VerifyOptions& options, const ResultRecord& record, const FiledReport& filed,
+                    const Console& console, Verification& verification) {
+    const auto folder = RepeatFolder::make(verification.files);
+    if (!folder) return tl::make_unexpected(folder.error());
+    if (auto added = addRegionFile(*folder, options); !added) return added;
+    if (auto ran = folder->run(record.command, console); !ran) return ran;
+    const auto computed = readComputed(folder->outputs() / recordNameOf(record));
+    if (!computed) return tl::make_unexpected(computed.error());
+    verification.figures = compareRecords(record.json, *computed);
+    if (filed.printed.empty()) return {};
+    const auto printed = readPrintedWords(folder->outputs() / reportBeside(recordNameOf(record)));
+    if (!printed) return tl::make_unexpected(printed.error());
+    verification.printed = compareWords(filed.printed, *printed);
+    return {};
+}
+
+Result<Verification> verify(const VerifyOptions& options, const Console& console) {
+    const auto filed = readReport(options.report);
+    if (!filed) return tl::make_unexpected(filed.error());
+    const auto record = parseResultRecord(filed->record, options.report);
+    if (!record) return tl::make_unexpected(record.error());
+    Verification verification{.report = options.report,
+                              .recordName = filed->recordName,
+                              .program = record->json.value("program", std::string("an unknown program")),
+                              .files = {},
+                              .figures = {},
+                              .printed = {}};
+    {
+        const Interrupt interrupt;
+        verification.files = findInputs(record->files, options.inputs, interrupt.token());
+        if (interrupt.token().stop_requested()) return cancelled();
+    }
+    if (!areComplete(verification.files)) return verification;
+    if (auto repeated = repeat(options, *record, *filed, console, verification); !repeated)
+        return tl::make_unexpected(repeated.error());
+    return verification;
+}
+
+int runVerify(VerifyOptions options, const Console& console) {
+    const OffscreenQt qt;
+    options.report = fs::absolute(options.report).lexically_normal().string();
+    if (options.inputs.empty()) options.inputs = fs::path(options.report).parent_path().string();
+    options.inputs = fs::absolute(options.inputs).lexically_normal().string();
+    const auto verification = verify(options, console);
+    if (!verification) return fail(console, verification.error(), exitUsage);
+    if (options.json)
+        console.out << toJsonText(verificationJson(*verification)) << '\n';
+    else
+        console.out << describe(*verification);
+    switch (verification->verdict()) {
+        case Verdict::agrees:
+            return exitOk;
+        case Verdict::differs:
+            return exitFailed;
+        case Verdict::notComputed:
+            return exitUsage;
+    }
+    return exitFailed;
+}
+
+}  // namespace
+
+void addVerifyCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<VerifyOptions>();
+    CLI::App* command = app.add_subcommand(
+        "verify", "Check a filed report: are its inputs the same, and does computing it again agree?");
+    command
+        ->add_option("report", options->report,
+                     "The report (PDF), or its study.json, impact.json, score.json or review.json")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--inputs", options->inputs,
+                     "Folder with the project or city files that the report names (default: the report's)")
+        ->type_name("DIR");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    command->footer(
+        "Computes the result again in a folder of its own; nothing is written elsewhere. The exit code is 0 "
+        "if all figures agree, 1 if one differs, and 2 if nothing could be computed.");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runVerify(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

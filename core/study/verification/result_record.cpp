@@ -1,0 +1,90 @@
+#include "core/study/verification/result_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "core/study/provenance/command_words.h"
+
+namespace noonmark {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 4> knownCommands{"study", "impact", "score", "review"};
+
+std::string textAt(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::vector<RecordedFile> filesOf(const Json& record) {
+    std::vector<RecordedFile> files;
+    const auto project = record.find("project");
+    const bool saved = project != record.end() && project->is_object() && !textAt(*project, "file").empty() &&
+                       !textAt(*project, "file_sha256").empty();
+    if (saved) files.push_back({textAt(*project, "file"), textAt(*project, "file_sha256")});
+    if (const auto inputs = record.find("inputs"); inputs != record.end() && inputs->is_array())
+        for (const Json& input : *inputs)
+            if (input.is_object()) files.push_back({textAt(input, "path"), textAt(input, "sha256"), !saved});
+    return files;
+}
+
+// The command may only read files of the folder in which it runs, and only write into `repeated` there.
+bool leavesFolder(const std::string& word) {
+    const std::string value = word.starts_with("--") ? word.substr(word.find('=') + 1) : word;
+    return value.starts_with('/') || value.starts_with('\\') || value.starts_with('~') ||
+           value.find("..") != value.npos || value.find(":/") != value.npos ||
+           value.find(":\\") != value.npos;
+}
+
+// "sunrise+1h..sunset-1h" is no path.
+bool isWindow(const std::string& word) {
+    return word.starts_with("sunrise") || word.starts_with("--window=");
+}
+
+Result<void> checkCommand(const std::vector<std::string>& words, const std::string& where) {
+    const auto refuse = [&](const std::string& why) {
+        return failure(fmt::format("The recorded command is not run: {}", why), where,
+                       "Read the command in the report and run it yourself if you trust it");
+    };
+    if (words.size() < 2 || words[0] != "noonmark-cli" ||
+        std::ranges::find(knownCommands, words[1]) == knownCommands.end())
+        return refuse("it is not a study, an impact, a score or a review");
+    const auto out = std::ranges::find(words, std::string("--out"));
+    if (std::ranges::count_if(words, [](const auto& word) { return word.starts_with("--out"); }) != 1 ||
+        out == words.end() || std::next(out) == words.end() || *std::next(out) != "repeated")
+        return refuse("it does not write into the folder 'repeated'");
+    for (const std::string& word : words)
+        if (word.starts_with("--overwrite") || (leavesFolder(word) && !isWindow(word)))
+            return refuse(fmt::format("'{}' may reach files elsewhere", word));
+    return {};
+}
+
+}  // namespace
+
+Result<ResultRecord> parseResultRecord(const std::string& text, const std::string& where) {
+    ResultRecord record;
+    record.json = Json::parse(text, nullptr, false);
+    if (!record.json.is_object())
+        return failure("This is not the record of a result", where,
+                       "Give a report.pdf, study.json, impact.json, score.json or review.json of Noonmark");
+    const std::string command = textAt(record.json, "repeat");
+    if (command.empty()) {
+        const std::string note = textAt(record.json, "repeat_note");
+        return failure(
+            "The record has no command that repeats the result" + (note.empty() ? "" : ": " + note), where,
+            {});
+    }
+    auto words = splitCommand(command);
+    if (!words) return tl::make_unexpected(words.error());
+    if (auto known = checkCommand(*words, where); !known) return tl::make_unexpected(known.error());
+    record.command = *std::move(words);
+    record.files = filesOf(record.json);
+    return record;
+}
+
+}  // namespace noonmark

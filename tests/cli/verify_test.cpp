@@ -1,0 +1,97 @@
+#include <fstream>
+
+#include "tests/cli/project_command.h"
+
+// Results that others file are verified from the report alone and the files it names.
+namespace noonmark::cli::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* oneHouse = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"height":40},"geometry":{"type":"Polygon","coordinates":
+ [[[-73.98410,40.75300],[-73.98382,40.75300],[-73.98382,40.75321],[-73.98410,40.75321],[-73.98410,40.75300]]]}}]})";
+
+class VerifyCommand : public testing::Test {
+protected:
+    void SetUp() override {
+        std::ofstream(folder_.path("houses.geojson")) << oneHouse;
+        const Spoken study = noonmarkCli(
+            {"study", folder_.path("houses.geojson").string(), "--start", "2026-03-21", "--from", "09:00",
+             "--hours", "6", "--step", "10", "--zone", "America/New_York", "--region",
+             "-73.9845,40.7525,-73.9828,40.7536", "--cell", "2", "--out", folder_.path("out").string()});
+        ASSERT_EQ(study.code, exitOk) << study.err;
+    }
+
+    [[nodiscard]] Spoken verify(const std::string& report) const {
+        return noonmarkCli(
+            {"verify", folder_.path(report).string(), "--inputs", folder_.path("").string(), "--json"});
+    }
+
+    void alter(const std::string& file, const std::string& from, const std::string& to) const {
+        std::ifstream in(folder_.path(file), std::ios::binary);
+        std::string text{std::istreambuf_iterator<char>(in), {}};
+        const auto at = text.find(from);
+        ASSERT_NE(at, text.npos);
+        text.replace(at, from.size(), to);
+        std::ofstream(folder_.path(file), std::ios::binary) << text;
+    }
+
+    noonmark::tests::TemporaryFolder folder_;
+};
+
+TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
+    for (const char* report : {"out/report.pdf", "out/study.json"}) {
+        const Spoken spoken = verify(report);
+        EXPECT_EQ(spoken.code, exitOk) << spoken.err << spoken.out;
+        const auto json = spoken.json();
+        EXPECT_EQ(json["verdict"], "agrees");
+        EXPECT_GT(json["figures"]["compared"], 50);
+        EXPECT_EQ(json["inputs"][0]["agrees"], true);
+    }
+    EXPECT_GT(verify("out/report.pdf").json()["printed"]["figures"], 50);
+}
+
+// Whatever the working folder: it is the same afterwards, and nothing is left behind.
+TEST_F(VerifyCommand, LeavesNothingBehind) {
+    const fs::path before = fs::current_path();
+    const auto count = [this] {
+        return std::distance(fs::recursive_directory_iterator(folder_.path("")),
+                             fs::recursive_directory_iterator());
+    };
+    const auto files = count();
+    EXPECT_EQ(verify("out/report.pdf").code, exitOk);
+    EXPECT_EQ(fs::current_path(), before);
+    EXPECT_EQ(count(), files);
+}
+
+TEST_F(VerifyCommand, FindsAnAlteredFigure) {
+    alter("out/study.json", "\"receivers\": ", "\"receivers\": 1");
+    const Spoken spoken = verify("out/study.json");
+    EXPECT_EQ(spoken.code, exitFailed);
+    EXPECT_EQ(spoken.json()["verdict"], "differs");
+    EXPECT_EQ(spoken.json()["figures"]["differences"][0]["key"], "receivers");
+}
+
+TEST_F(VerifyCommand, ComputesNothingFromOtherInputs) {
+    alter("houses.geojson", "\"height\":40", "\"height\":41");
+    const Spoken other = verify("out/report.pdf");
+    EXPECT_EQ(other.code, exitUsage);
+    EXPECT_EQ(other.json()["verdict"], "not computed");
+    fs::remove(folder_.path("houses.geojson"));
+    EXPECT_EQ(verify("out/report.pdf").json()["inputs"][0]["found"], nullptr);
+}
+
+TEST_F(VerifyCommand, RefusesWhatIsNoReport) {
+    std::ofstream(folder_.path("empty.pdf")) << "%PDF-1.4\n";
+    std::ofstream(folder_.path("text.json")) << "{}";
+    for (const char* file : {"empty.pdf", "text.json", "houses.geojson", "gone.pdf", "out"}) {
+        const Spoken spoken = verify(file);
+        EXPECT_EQ(spoken.code, exitUsage) << file;
+        EXPECT_FALSE(spoken.err.empty()) << file;
+    }
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
