@@ -100,8 +100,10 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
     return placed;
 }
 
-StepMasks chooseReceivers(const StepMasks& all, std::span<const CellSpan> spans) {
-    StepMasks chosen(countOf(spans), all.steps);
+void chooseReceivers(const StepMasks& all, std::span<const CellSpan> spans, StepMasks& chosen) {
+    chosen.receivers = countOf(spans);
+    chosen.steps = all.steps;
+    chosen.words.assign(chosen.steps * chosen.wordsPerStep(), 0);
     for (std::size_t step = 0; step < all.steps; ++step) {
         const auto from = all.at(step);
         const auto to = chosen.at(step);
@@ -113,7 +115,6 @@ StepMasks chooseReceivers(const StepMasks& all, std::span<const CellSpan> spans)
                 bit += left;
             }
     }
-    return chosen;
 }
 
 }  // namespace noonmark

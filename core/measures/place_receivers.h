@@ -38,7 +38,7 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
                                               std::span<const Place> places, const ReceiverSettings& settings,
                                               const std::stop_token& stop = {});
 
-/// The masks of some receivers alone, in their order.
-StepMasks chooseReceivers(const StepMasks& all, std::span<const CellSpan> spans);
+/// The masks of some receivers alone, in their order. `chosen` is overwritten; its memory is used again.
+void chooseReceivers(const StepMasks& all, std::span<const CellSpan> spans, StepMasks& chosen);
 
 }  // namespace noonmark

@@ -22,9 +22,11 @@ Result<void> shadePlaces(const Engine& engine, const City& baseline, const City*
             shadow.steps = std::span(sun.steps).subspan(at.first, at.count);
             shadow.cellAreaM2 = places.receivers.grid.cellAreaM2();
             shadow.stepMinutes = sun.stepMinutes;
-            shadow.baseline = chooseReceivers(masks.front(), places.cellsOf[i]);
-            shadow.scenario =
-                scenario != nullptr ? chooseReceivers(masks.back(), places.cellsOf[i]) : shadow.baseline;
+            chooseReceivers(masks.front(), places.cellsOf[i], shadow.baseline);
+            if (scenario != nullptr)
+                chooseReceivers(masks.back(), places.cellsOf[i], shadow.scenario);
+            else
+                shadow.scenario = shadow.baseline;
         });
         return take(day, shadows);
     };

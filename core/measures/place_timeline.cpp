@@ -1,15 +1,13 @@
 #include "core/measures/place_timeline.h"
 
-#include <bit>
 #include <cmath>
 
 #include "core/measures/mask_runs.h"
+#include "core/measures/step_counts.h"
 
 namespace noonmark {
 
 namespace {
-
-using Words = std::span<const std::uint64_t>;
 
 /// The end of each step, and which steps begin a new span.
 class StepTimes {
@@ -29,26 +27,6 @@ public:
 private:
     const PlaceShadow& shadow_;
 };
-
-std::size_t countBits(std::size_t words, const auto& at) {
-    std::size_t bits = 0;
-    for (std::size_t i = 0; i < words; ++i) bits += std::size_t(std::popcount(at(i)));
-    return bits;
-}
-
-struct StepCounts {
-    std::size_t baseline = 0, scenario = 0, incremental = 0, gained = 0;
-};
-
-StepCounts countStep(Words baseline, Words scenario) {
-    StepCounts counts;
-    counts.baseline = countBits(baseline.size(), [&](std::size_t i) { return baseline[i]; });
-    counts.scenario = countBits(scenario.size(), [&](std::size_t i) { return scenario[i]; });
-    counts.incremental =
-        countBits(scenario.size(), [&](std::size_t i) { return scenario[i] & ~baseline[i]; });
-    counts.gained = counts.baseline + counts.incremental - counts.scenario;
-    return counts;
-}
 
 /// Adds up one kind of shadow step by step.
 class ShadowSum {
@@ -132,10 +110,10 @@ DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& s
     const std::size_t cells = shadow.baseline.receivers;
     for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
         const StepCounts counts = countStep(shadow.baseline.at(step), shadow.scenario.at(step));
-        const PlaceStep areas{shadow.steps[step].at, double(counts.baseline) * shadow.cellAreaM2,
-                              double(counts.scenario) * shadow.cellAreaM2,
-                              double(counts.incremental) * shadow.cellAreaM2,
-                              double(counts.gained) * shadow.cellAreaM2};
+        const PlaceStep areas{
+            shadow.steps[step].at, double(counts.baseline) * shadow.cellAreaM2,
+            double(counts.scenario) * shadow.cellAreaM2, double(counts.incremental) * shadow.cellAreaM2,
+            double(counts.baseline + counts.incremental - counts.scenario) * shadow.cellAreaM2};
         baseline.add(step, areas.baselineM2);
         scenario.add(step, areas.scenarioM2);
         incremental.add(step, areas.incrementalM2);

@@ -56,6 +56,7 @@ Result<std::vector<Place>> placesOf(const TimelineOptions& options, const Projec
 Result<Period> periodOf(const TimelineOptions& options, const Project& project, bool hoursGiven) {
     PeriodOptions asked = options.period;
     if (!hoursGiven) asked.window = "sunrise..sunset";
+    if (asked.zone.empty()) asked.zone = commonZone(project).value_or("");
     return periodIn(project, options.periodName, asked);
 }
 
@@ -106,7 +107,8 @@ std::string lineOf(const ShadowOnPlace& shadow, const Zone& zone) {
 void printDay(const DayTimeline& day, const TimelineAnswer& answer, std::ostream& out) {
     const Zone& zone = answer.labels.zone;
     Table table;
-    table.add("day", fmt::format("{}, {:.0f} min of sun", formatText(day.day), day.sunlitMinutes));
+    table.add("day", fmt::format("{}, {:.0f} min of sun; times of {}", formatText(day.day),
+                                 day.sunlitMinutes, zone.name()));
     table.add("baseline", lineOf(day.baseline, zone));
     if (!answer.labels.to.empty()) {
         table.add("scenario", lineOf(day.scenario, zone));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "app/input/load_city.h"
 #include "core/io/read_region.h"
@@ -38,6 +39,12 @@ void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, 
     named->type_name("NAME");
     for (CLI::Option* option : command.get_options())
         if (option != named && std::ranges::find(before, option) == before.end()) named->excludes(option);
+}
+
+std::optional<std::string> commonZone(const Project& project) {
+    std::set<std::string> zones;
+    for (const NamedPeriod& period : project.periods) zones.insert(period.period.zone);
+    return zones.size() == 1 ? std::optional(*zones.begin()) : std::nullopt;
 }
 
 Result<Period> periodIn(const Project& project, const std::string& name, const PeriodOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/cli/options/period_options.h"
@@ -14,6 +15,9 @@ Result<Region> regionIn(const Project& project, const City& city, const std::str
 /// Adds `--period NAME`, a period of the project. It excludes the options for days and hours, that is, those
 /// added to `command` since `before`.
 void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, std::string& name);
+
+/// The zone that all periods of the project have; none without periods, or if they have several.
+std::optional<std::string> commonZone(const Project& project);
 
 /// The named period of the project, or else the period of the options. Error: neither is given.
 Result<Period> periodIn(const Project& project, const std::string& name, const PeriodOptions& options);

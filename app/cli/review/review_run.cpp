@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <memory>
 #include <ostream>
-#include <set>
 
 #include "app/cli/interrupt.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/project/change_project.h"
+#include "app/cli/project/project_question.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/rule_options.h"
 #include "app/cli/table.h"
@@ -78,9 +78,7 @@ Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule
 Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project) {
     if (!options.settings.zone.empty())
         return Zone::named(options.settings.zone).map([](const Zone& zone) { return zone.name(); });
-    std::set<std::string> zones;
-    for (const NamedPeriod& period : project.periods) zones.insert(period.period.zone);
-    if (zones.size() == 1) return *zones.begin();
+    if (auto zone = commonZone(project)) return *std::move(zone);
     return failure("The rule's hours need a time zone", "--zone",
                    "Give --zone, for example --zone America/New_York");
 }

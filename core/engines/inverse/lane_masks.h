@@ -6,7 +6,7 @@
 
 #include "core/engines/common/shadow_mask.h"
 #include "core/engines/inverse/lanes.h"
-#include "core/simd/simd_lanes.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 
@@ -17,7 +17,7 @@ struct LaneMasks {
     /// Blocks x majors: for each lane the first position from this one on, and the last one up to this one,
     /// whose mask is wanted; majors and -1 if there is none. Masks of unwanted positions are unspecified
     /// after drawing.
-    std::vector<Line<std::int32_t>> nextWanted, lastWanted;
+    std::vector<CacheLine<std::int32_t>> nextWanted, lastWanted;
 
     /// Leaves the contents unspecified.
     void resize(int majorCount, int blocks) {
@@ -30,8 +30,8 @@ struct LaneMasks {
 
     /// Sets the wanted positions of a block; wanted(major, lane).
     void ask(int block, const auto& wanted) {
-        Line<std::int32_t>*next = &nextWanted[firstLine(block)], *last = &lastWanted[firstLine(block)];
-        Line<std::int32_t> seen;
+        CacheLine<std::int32_t>*next = &nextWanted[firstLine(block)], *last = &lastWanted[firstLine(block)];
+        CacheLine<std::int32_t> seen;
         std::ranges::fill(seen.values, -1);
         for (int major = 0; major < majors; last[major++] = seen)
             for (int lane = 0; lane < Lanes::perBlock; ++lane)

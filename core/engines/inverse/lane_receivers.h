@@ -6,7 +6,7 @@
 
 #include "core/engines/inverse/lanes.h"
 #include "core/receivers/receivers.h"
-#include "core/simd/simd_lanes.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 
@@ -19,7 +19,7 @@ public:
     LaneReceivers(const Receivers& receivers, int marginCells);
 
     /// numbers[major].values[lane]: the receiver's index in Receivers::cells, or none.
-    void find(const Lanes& lanes, int block, std::vector<Line<std::uint32_t>>& numbers) const;
+    void find(const Lanes& lanes, int block, std::vector<CacheLine<std::uint32_t>>& numbers) const;
 
 private:
     std::vector<std::uint32_t> ofCell_;  // for each cell of the extended grid

@@ -5,7 +5,7 @@
 
 #include "core/engines/inverse/lanes.h"
 #include "core/engines/inverse/source_runs.h"
-#include "core/simd/simd_lanes.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 
@@ -16,8 +16,8 @@ namespace noonmark {
 struct LaneSources {
     int levels = 0;
     int majors = 0;
-    std::vector<Line<float>> heightM;  ///< blocks x majors x levels; above the ground, metres; 0: no occluder
-    std::vector<Line<std::uint32_t>> building;  ///< the same shape; `nobody` if there is no occluder
+    std::vector<CacheLine<float>> heightM;  ///< blocks x majors x levels; above the ground, metres; 0: no occluder
+    std::vector<CacheLine<std::uint32_t>> building;  ///< the same shape; `nobody` if there is no occluder
     static constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
     /// Leaves the contents unspecified.
@@ -51,6 +51,6 @@ struct LaneSources {
     }
 };
 
-static_assert(Lanes::perBlock == sizeof(Line<float>) / sizeof(float));
+static_assert(Lanes::perBlock == sizeof(CacheLine<float>) / sizeof(float));
 
 }  // namespace noonmark

@@ -22,8 +22,8 @@ void shadeCells(const ShadowMask* before, const SweepPart& part, const CellRange
 
 /// A block's sources in the order in which shadows move.
 struct SourceLines {
-    const Line<float>* heightM;
-    const Line<std::uint32_t>* building;
+    const CacheLine<float>* heightM;
+    const CacheLine<std::uint32_t>* building;
     std::ptrdiff_t step;  ///< Lines from one position to the next; negative if shadows move against the lanes
     int levels;
 };

@@ -30,7 +30,7 @@ void takeMasks(const LineLeg& leg, const BlockWork& work, int slot, std::span<Sh
 
 /// Share of receivers that satisfy is(major, lane, number), among one in `stride` of a block's receivers.
 template <class Is>
-double shareOf(const std::vector<Line<std::uint32_t>>& numbers, int stride, const Is& is) {
+double shareOf(const std::vector<CacheLine<std::uint32_t>>& numbers, int stride, const Is& is) {
     std::size_t checked = 0, count = 0;
     for (int major = 0; major < int(numbers.size()); ++major)
         for (int lane = major % stride; lane < Lanes::perBlock; lane += stride) {

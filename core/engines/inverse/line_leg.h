@@ -27,7 +27,7 @@ struct LineLeg {
 struct BlockWork {
     LaneSources first, last;
     LaneMasks masks;
-    std::vector<std::vector<Line<std::uint32_t>>> numbers;  ///< receiver numbers, one entry per block
+    std::vector<std::vector<CacheLine<std::uint32_t>>> numbers;  ///< receiver numbers, one entry per block
 };
 
 /// Draws legs, all over the same lanes.

@@ -62,8 +62,8 @@ SeenEdge seeEdge(const WallOnBlock& wall, const BlockRows& rows, int row, int pl
     return seeWall(wall, rows, row, place, 1 / over);
 }
 
-void expectSameBits(const Line<float>* a, const Line<float>* b) {
-    EXPECT_EQ(std::memcmp(a, b, side * sizeof(Line<float>)), 0);
+void expectSameBits(const CacheLine<float>* a, const CacheLine<float>* b) {
+    EXPECT_EQ(std::memcmp(a, b, side * sizeof(CacheLine<float>)), 0);
 }
 
 TEST(HorizonKernels, WallsRaiseABlockAsScalarCodeDoes) {
@@ -150,7 +150,7 @@ TEST(HorizonKernels, AttributedHorizonsNameTheBuildingThatMakesThem) {
         forEachInstructionSet([&] {
             AttributedHorizons horizons;
             clearBlock(masks, horizons);
-            std::ranges::fill(horizons.grounds, Line<float>{});
+            std::ranges::fill(horizons.grounds, CacheLine<float>{});
             for (const WallOnBlock& wall : walls) raiseBlock(wall, rows, horizons);
             EXPECT_EQ(std::memcmp(horizons.highest.rows, best, sizeof best), 0);
             EXPECT_EQ(std::memcmp(horizons.others.rows, other, sizeof other), 0);

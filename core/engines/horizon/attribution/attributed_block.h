@@ -7,9 +7,9 @@ namespace noonmark {
 /// The horizons of a block's cells together with the buildings that make them.
 struct AttributedHorizons {
     BlockHorizons highest;
-    Line<std::int32_t> buildings[ReceiverBlocks::side];  ///< building that makes the horizon; -1: none
+    CacheLine<std::int32_t> buildings[ReceiverBlocks::side];  ///< building that makes the horizon; -1: none
     BlockHorizons others;                                ///< horizons without that building
-    Line<float> grounds[ReceiverBlocks::side];           ///< as in UnevenHorizons
+    CacheLine<float> grounds[ReceiverBlocks::side];           ///< as in UnevenHorizons
 };
 
 /// The codes of these horizons, 16 per row.

@@ -58,7 +58,7 @@ namespace noonmark {
 void clearBlock(const ReceiverBlocks::Masks& masks, AttributedHorizons& horizons) {
     clearBlock(masks, horizons.highest);
     horizons.others = horizons.highest;
-    for (Line<std::int32_t>& row : horizons.buildings) std::ranges::fill(row.values, -1);
+    for (CacheLine<std::int32_t>& row : horizons.buildings) std::ranges::fill(row.values, -1);
 }
 
 NOONMARK_KERNEL(raiseAttributedBlock);
@@ -70,7 +70,7 @@ void toCodes(const AttributedHorizons& horizons, HorizonCode lowest, AttributedC
     toCodes(horizons.highest, lowest, codes.codes);
     toCodes(horizons.others, lowest, codes.others);
     std::int32_t* to = codes.buildings;
-    for (const Line<std::int32_t>& row : horizons.buildings) to = std::ranges::copy(row.values, to).out;
+    for (const CacheLine<std::int32_t>& row : horizons.buildings) to = std::ranges::copy(row.values, to).out;
 }
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 constexpr std::size_t side = ReceiverBlocks::side;
-static_assert(sizeof(Line<float>) == side * sizeof(float));
+static_assert(sizeof(CacheLine<float>) == side * sizeof(float));
 }  // namespace
 
 BlockGrounds::BlockGrounds(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM) {

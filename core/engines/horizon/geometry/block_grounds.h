@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "core/engines/horizon/geometry/receiver_blocks.h"
-#include "core/simd/simd_lanes.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 
 /// Ground heights of the cells of a block.
 struct BlockGround {
-    const Line<float>* rowsM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
+    const CacheLine<float>* rowsM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
     float lowestM = 0;                   ///< lowest of the receivers
 };
 
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] BlockGround of(std::size_t block, bool swapped) const;
 
 private:
-    std::vector<Line<float>> rows_, columns_;  // 16 per block
+    std::vector<CacheLine<float>> rows_, columns_;  // 16 per block
     std::vector<float> lowestM_;               // one per block
 };
 

@@ -29,7 +29,7 @@ void BatchOverhangs::setBlock(const SweptBlock& swept, const ReceiverBlocks& blo
         std::copy_n(swept.codes, ReceiverBlocks::cells, codes_.values);
     from_.horizons = codes_;
     setOthers(blocks.masks(swept.block, swept.swapped), ViewingBlock::blind, from_.horizons);
-    const Line<float>* groundsM = grounds.of(swept.block, swept.swapped).rowsM;
+    const CacheLine<float>* groundsM = grounds.of(swept.block, swept.swapped).rowsM;
     from_.groundsM = groundsM == nullptr ? nullptr : groundsM->values;
 }
 

@@ -23,8 +23,8 @@ WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block, double k) {
 }
 
 // The horizons that an edge must exceed to change anything.
-const Line<float>* seenOver(const UnevenHorizons& horizons) { return horizons.rows; }
-const Line<float>* seenOver(const AttributedHorizons& horizons) { return horizons.others.rows; }
+const CacheLine<float>* seenOver(const UnevenHorizons& horizons) { return horizons.rows; }
+const CacheLine<float>* seenOver(const AttributedHorizons& horizons) { return horizons.others.rows; }
 
 }  // namespace
 

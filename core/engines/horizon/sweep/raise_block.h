@@ -8,7 +8,7 @@
 
 #include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
-#include "core/simd/simd_lanes.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 
@@ -16,7 +16,7 @@ namespace noonmark {
 /// height, which needs no division per cell. The higher a horizon, the smaller the cotangent.
 struct BlockHorizons {
     static constexpr float notReceiver = -1;  ///< for cells that are not receivers: no horizon is higher
-    Line<float> rows[ReceiverBlocks::side];
+    CacheLine<float> rows[ReceiverBlocks::side];
 };
 
 /// In cells; larger than any computeNearestAlong().

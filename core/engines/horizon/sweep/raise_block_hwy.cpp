@@ -159,7 +159,7 @@ void raiseGroup(std::span<const WallOnBlock> walls, const BlockRows& rows, Block
 
 float findLowest(const BlockHorizons& horizons) {
     V lowest = hn::Load(d, horizons.rows[0].values);
-    for (const Line<float>& row : horizons.rows)
+    for (const CacheLine<float>& row : horizons.rows)
         for (std::size_t place = 0; place < side; place += lanes)
             lowest = hn::Max(lowest, hn::Load(d, row.values + place));
     return hn::GetLane(hn::MaxOfLanes(d, lowest));
@@ -187,7 +187,7 @@ void toCodes(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* cod
     const hn::Rebind<HorizonCode, D> dc;
     const V levels = hn::Set(d, float(steepnessLevels)), most = hn::Set(d, float(steepnessLevels - 1));
     const auto none = hn::Set(di, std::int32_t{noHorizon}), least = hn::Set(di, std::int32_t{lowest});
-    for (const Line<float>& row : horizons.rows)
+    for (const CacheLine<float>& row : horizons.rows)
         for (std::size_t place = 0; place < side; place += lanes, codes += lanes) {
             const V cot = hn::Load(d, row.values + place);
             const V level = hn::Min(hn::Div(levels, hn::Add(hn::Set(d, 1), cot)), most);

@@ -33,7 +33,7 @@ void raiseUnevenBlock(const WallOnBlock& wall, const BlockRows& rows, UnevenHori
             });
 }
 
-void findNeed(const Line<float>* cots, const Line<float>* grounds, float lowest, BlockNeed& need) {
+void findNeed(const CacheLine<float>* cots, const CacheLine<float>* grounds, float lowest, BlockNeed& need) {
     const V upright = hn::Set(d, 1e-7F), never = hn::Set(d, unreachable);
     for (std::size_t row = 0; row < side; ++row)
         for (std::size_t place = 0; place < side; place += lanes) {
@@ -65,7 +65,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace noonmark {
 
-void setGrounds(const BlockGround& ground, float risePerMetre, Line<float>* grounds) {
+void setGrounds(const BlockGround& ground, float risePerMetre, CacheLine<float>* grounds) {
     for (std::size_t row = 0; row < ReceiverBlocks::side; ++row)
         for (std::size_t i = 0; i < ReceiverBlocks::side; ++i)
             grounds[row].values[i] = ground.rowsM == nullptr ? 0 : ground.rowsM[row].values[i] * risePerMetre;
@@ -77,7 +77,7 @@ void raiseBlock(const WallOnBlock& wall, const BlockRows& rows, UnevenHorizons& 
 }
 
 NOONMARK_KERNEL(findNeed);
-void findNeed(const Line<float>* cots, const Line<float>* grounds, float lowest, BlockNeed& need) {
+void findNeed(const CacheLine<float>* cots, const CacheLine<float>* grounds, float lowest, BlockNeed& need) {
     NOONMARK_CALL(findNeed)(cots, grounds, lowest, need);
 }
 

@@ -9,8 +9,8 @@ namespace noonmark {
 
 /// A block's levels in memory; those of one major position are contiguous.
 struct BlockLevels {
-    Line<float>* heightM;
-    Line<std::uint32_t>* building;
+    CacheLine<float>* heightM;
+    CacheLine<std::uint32_t>* building;
     int count;
 };
 

@@ -86,10 +86,10 @@ NearestLevels::NearestLevels(LaneSources& sources, int into)
     : sources_(sources),
       firstLine_(sources.line(into, 0)),
       lines_(std::size_t(sources.majors) * std::size_t(sources.levels)) {
-    Line<float> unknown;
+    CacheLine<float> unknown;
     std::ranges::fill(unknown.values, std::numeric_limits<float>::infinity());
     std::fill_n(sources_.heightM.begin() + std::ptrdiff_t(firstLine_), lines_, unknown);
-    std::fill_n(sources_.building.begin() + std::ptrdiff_t(firstLine_), lines_, Line<std::uint32_t>{});
+    std::fill_n(sources_.building.begin() + std::ptrdiff_t(firstLine_), lines_, CacheLine<std::uint32_t>{});
 }
 
 BlockLevels NearestLevels::levels() const {

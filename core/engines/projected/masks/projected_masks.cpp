@@ -53,6 +53,18 @@ struct DayInWork {
     SunSteps sun;  // of that day
     std::vector<StepMasks> masks;
 
+    // All receivers lit.
+    void reset(std::size_t which, const SunSteps& period, std::size_t cities, std::size_t receivers) {
+        day = which;
+        const std::size_t numbers[]{which};
+        sun = chooseDays(period, numbers);
+        masks.resize(cities);
+        for (StepMasks& city : masks) {
+            city.receivers = receivers;
+            city.steps = sun.steps.size();
+            city.words.assign(city.steps * city.wordsPerStep(), 0);
+        }
+    }
     [[nodiscard]] std::size_t tasks() const { return (sun.steps.size() + stepsATask - 1) / stepsATask; }
 };
 
@@ -73,8 +85,9 @@ public:
     }
 
     Result<void> run(const TakeDay& take) {
+        std::vector<DayInWork> storage;  // memory that is used again costs no page faults
         for (std::size_t day = 0; day < sun_.days.size();) {
-            std::vector<DayInWork> days = begin(day);
+            const std::span<DayInWork> days = begin(day, storage);
             fill(days);
             if (stop_.stop_requested()) return cancelled();
             for (DayInWork& done : days)
@@ -92,20 +105,19 @@ private:
     };
 
     // As many days as keep all cores busy.
-    std::vector<DayInWork> begin(std::size_t day) const {
+    std::span<DayInWork> begin(std::size_t day, std::vector<DayInWork>& storage) const {
         const auto enough = std::size_t(4 * tbb::info::default_concurrency());
-        std::vector<DayInWork> days;
+        std::size_t count = 0;
         for (std::size_t tasks = 0; day < sun_.days.size() && tasks < enough; ++day) {
-            const std::size_t numbers[]{day};
-            days.push_back({day, chooseDays(sun_, numbers), {}});
-            days.back().masks.assign(cities_,
-                                     StepMasks(receivers_.cells.size(), days.back().sun.steps.size()));
-            tasks += std::max<std::size_t>(1, days.back().tasks());
+            if (count == storage.size()) storage.emplace_back();
+            DayInWork& next = storage[count++];
+            next.reset(day, sun_, cities_, receivers_.cells.size());
+            tasks += std::max<std::size_t>(1, next.tasks());
         }
-        return days;
+        return std::span(storage).first(count);
     }
 
-    void fill(std::vector<DayInWork>& days) {
+    void fill(std::span<DayInWork> days) {
         std::vector<Task> tasks;
         for (DayInWork& day : days)
             for (std::size_t i = 0; i < day.tasks(); ++i) tasks.push_back({&day, i * stepsATask});
