@@ -14,7 +14,8 @@ LaneReceivers::LaneReceivers(const Receivers& receivers, int marginCells) {
     }
 }
 
-void LaneReceivers::find(const Lanes& lanes, int block, std::vector<CacheLine<std::uint32_t>>& numbers) const {
+void LaneReceivers::find(const Lanes& lanes, int block,
+                         std::vector<CacheLine<std::uint32_t>>& numbers) const {
     numbers.resize(std::size_t(lanes.majors()));
     const std::size_t across = lanes.cellAt(0, 1) - lanes.cellAt(0, 0);
     for (int major = 0; major < lanes.majors(); ++major) {

@@ -16,7 +16,8 @@ namespace noonmark {
 struct LaneSources {
     int levels = 0;
     int majors = 0;
-    std::vector<CacheLine<float>> heightM;  ///< blocks x majors x levels; above the ground, metres; 0: no occluder
+    std::vector<CacheLine<float>>
+        heightM;  ///< blocks x majors x levels; above the ground, metres; 0: no occluder
     std::vector<CacheLine<std::uint32_t>> building;  ///< the same shape; `nobody` if there is no occluder
     static constexpr std::uint32_t nobody = ~std::uint32_t{0};
 

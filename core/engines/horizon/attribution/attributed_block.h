@@ -8,7 +8,7 @@ namespace noonmark {
 struct AttributedHorizons {
     BlockHorizons highest;
     CacheLine<std::int32_t> buildings[ReceiverBlocks::side];  ///< building that makes the horizon; -1: none
-    BlockHorizons others;                                ///< horizons without that building
+    BlockHorizons others;                                     ///< horizons without that building
     CacheLine<float> grounds[ReceiverBlocks::side];           ///< as in UnevenHorizons
 };
 

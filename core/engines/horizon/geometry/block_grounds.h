@@ -9,8 +9,9 @@ namespace noonmark {
 
 /// Ground heights of the cells of a block.
 struct BlockGround {
-    const CacheLine<float>* rowsM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
-    float lowestM = 0;                   ///< lowest of the receivers
+    const CacheLine<float>* rowsM =
+        nullptr;        ///< above the datum, row by row, 16 each; null: all at the datum
+    float lowestM = 0;  ///< lowest of the receivers
 };
 
 /// Elevations of a tile's receivers, in the row order of its blocks; empty if they are flat. They are those
@@ -26,7 +27,7 @@ public:
 
 private:
     std::vector<CacheLine<float>> rows_, columns_;  // 16 per block
-    std::vector<float> lowestM_;               // one per block
+    std::vector<float> lowestM_;                    // one per block
 };
 
 }  // namespace noonmark
