@@ -257,6 +257,19 @@ Result<std::string> makeRepeatCommand(const Study& study, std::size_t width, con
     return makeRepeatCommand(question, width);
 }
 
+std::string makeCommandLine(const std::string& command, const std::string& file,
+                            const std::vector<RepeatOption>& options, std::size_t width) {
+    CommandLine line("noonmark-cli " + command);
+    line.file(file);
+    for (const RepeatOption& option : options) {
+        if (option.values.empty())
+            line.flag(true, option.name.c_str());
+        else
+            line.option(option);
+    }
+    return line.wrapped(width);
+}
+
 bool needsRegionFile(const Study& study) { return regionOf(study) == regionFileName; }
 
 }  // namespace noonmark

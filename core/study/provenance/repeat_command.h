@@ -40,6 +40,10 @@ Result<std::string> makeRepeatCommand(const Study& study, std::size_t width = 12
                                       const std::string& command = "study",
                                       std::vector<RepeatOption> more = {});
 
+/// A command line of options alone, quoted for a POSIX shell, with lines broken as above.
+std::string makeCommandLine(const std::string& command, const std::string& file,
+                            const std::vector<RepeatOption>& options, std::size_t width = 120);
+
 /// Whether the command names region.geojson, which must then be written beside the outputs.
 bool needsRegionFile(const Study& study);
 

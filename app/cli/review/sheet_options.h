@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/report/book/review/review_book.h"
+
+namespace noonmark::cli {
+
+/// How sheets.pdf is laid out, and what its title block states.
+struct SheetOptions {
+    std::string paper = "A4";
+    bool landscape = false;
+    double scale = 0;  ///< 0: chosen to fit
+    std::string project, author, client, date, prefix, logo;
+};
+
+/// Adds --paper, --landscape, --scale, and the texts of the title block. `options` must outlive the command.
+void addSheetOptions(CLI::App& command, SheetOptions& options);
+
+/// `titleBlock`: what the project states; options replace its texts. Error: the logo cannot be read.
+Result<BookSettings> bookSettingsOf(const SheetOptions& options, TitleBlock titleBlock);
+
+}  // namespace noonmark::cli

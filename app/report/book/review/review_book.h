@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "app/report/book/book.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/io/heights/height_facts.h"
+#include "core/study/text/review_text.h"
+
+namespace noonmark {
+
+struct BookSettings {
+    static constexpr double leastScale = 100, mostScale = 50000;
+    PageSetup setup;
+    std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
+    TitleBlock titleBlock;
+};
+
+/// What a review's book is made from. All but the heights and the command must outlive the call.
+struct ReviewBookSource {
+    const ReviewStudy& study;  ///< with timelines, or the book has no charts
+    const ReviewLabels& labels;
+    const City& baseline;
+    const City& scenario;
+    const std::vector<Place>& places;  ///< those that were reviewed; of rules with lines the parcels
+    HeightFacts heights{};
+    Result<std::string> repeatCommand;  ///< or why there is none
+};
+
+/// The book of a review: summary with a picture of the worst moment, diagrams of the rule's days and hours,
+/// views from the sun, timelines, the rule's table, method and sources. Computes the shadows of each diagram.
+/// Errors of outlineShadows() and computeRuleSun(); cancelled().
+Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& settings, Progress& progress,
+                            const std::stop_token& stop);
+
+}  // namespace noonmark

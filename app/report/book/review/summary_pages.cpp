@@ -1,0 +1,167 @@
+#include <algorithm>
+
+#include "app/report/book/flow.h"
+#include "app/report/book/review/review_pages.h"
+#include "app/report/sheets/study_words.h"
+#include "core/review/rule_names.h"
+#include "core/review/rule_text.h"
+#include "core/study/text/height_words.h"
+
+namespace noonmark {
+
+namespace {
+
+QColor colourOf(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::pass:
+            return {0x00, 0x9e, 0x73};
+        case Verdict::borderline:
+            return {0xe6, 0x9f, 0x00};
+        case Verdict::fail:
+            return {0xb0, 0x2a, 0x1a};
+        case Verdict::notApplicable:
+        case Verdict::notChecked:
+            break;
+    }
+    return ink::line;
+}
+
+PageTable verdictTable(const ReviewStudy& study, double points) {
+    PageTable table{{QStringLiteral("Place"), QStringLiteral("Kind"), QStringLiteral("Area"),
+                     QStringLiteral("Verdict"), QStringLiteral("Reason")},
+                    {},
+                    {},
+                    {},
+                    points};
+    for (const PlaceReview& place : study.places) {
+        table.rows.push_back({plainText(place.name), plainText(nameOf(place.kind)),
+                              describeAmount(place.areaM2, 0) + QStringLiteral(" m²"),
+                              plainText(nameOf(place.verdict)), plainText(place.reason)});
+        table.marks.push_back(colourOf(place.verdict));
+    }
+    return table;
+}
+
+TextBlocks introduction(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    TextBlocks blocks;
+    if (const auto headline = makeAssumedHeadline(countHeights(scene.source.scenario)))
+        blocks.push_back(heading(QString::fromStdString(*headline)));
+    blocks.push_back(body(plainText(study.rule.summary)));
+    blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
+                              .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
+    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. %3, every %4 min, cells of %5 m.")
+                              .arg(plainText(study.clock))
+                              .arg(study.year)
+                              .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
+                                   describeAmount(study.settings.cellM, 2))));
+    const FigureStatus status = leastSure(study.rule);
+    blocks.push_back(
+        body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
+                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));
+    return blocks;
+}
+
+TextBlocks notCheckedBlocks(const ReviewStudy& study) {
+    TextBlocks blocks{heading(QStringLiteral("Not checked"))};
+    for (const std::string& text : study.notChecked) blocks.push_back(body(plainText(text)));
+    if (study.notChecked.empty()) blocks.push_back(body(QStringLiteral("Nothing is stated as unchecked.")));
+    return blocks;
+}
+
+/// The picture's half of the first page, and that of the text.
+std::pair<QRectF, QRectF> halvesOf(const PageSetup& setup) {
+    const QRectF all = contentArea(setup);
+    const double gap = 14 * textScale(setup);
+    if (setup.landscape) {
+        const double width = all.width() * 0.56;
+        return {{all.left(), all.top(), width, all.height()},
+                {all.left() + width + gap, all.top(), all.width() - width - gap, all.height()}};
+    }
+    const double height = all.height() * 0.5;
+    return {{all.left(), all.top(), all.width(), height},
+            {all.left(), all.top() + height + gap, all.width(), all.height() - height - gap}};
+}
+
+/// A view of the summary shows what the diagrams show, at a round scale of its own.
+DiagramLayout summaryLayout(const ReviewScene& scene, const QRectF& map) {
+    const DiagramLayout diagrams = layoutOf(scene);
+    const Box2 reach = reachOf(scene);
+    const glm::dvec2 size = glm::max(glm::dvec2(reach.high - reach.low), glm::dvec2(1));
+    for (const double scale : {500.0, 1000.0, 2000.0, 2500.0, 5000.0, 10000.0})
+        if (size.x * pointsPerMetre(scale) <= map.width() && size.y * pointsPerMetre(scale) <= map.height())
+            return {1, 1, scale, glm::dvec2(reach.low + reach.high) / 2.0};
+    return {1, 1, 10000, diagrams.centre};
+}
+
+Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& area, Progress& progress,
+                        const std::stop_token& stop) {
+    const auto moment = worstMoment(scene);
+    if (!moment) return {};
+    const PageSetup& setup = scene.settings.setup;
+    const double foot = diagramFootPt(textScale(setup));
+    const QRectF picture = area.adjusted(0, 0, 0, -foot);
+    const DiagramLayout layout = summaryLayout(scene, mapAreaOf(picture, textScale(setup)));
+    auto diagram = makeDiagram(scene, *moment, layout, picture, progress, stop);
+    if (!diagram) return tl::make_unexpected(diagram.error());
+    const bool anyIncremental = std::ranges::any_of(
+        scene.source.study.places, [](const PlaceReview& place) { return place.totals.incrementalM2h > 0; });
+    if (anyIncremental && !scene.source.study.timelines.empty())
+        diagram->caption.first += QStringLiteral(": the most incremental shadow on a place at one moment");
+    page.items.push_back({picture, *std::move(diagram)});
+    page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot},
+                          DiagramFoot{layout.scale, plainText(nameOf(setup.paper)), {}, textScale(setup)}});
+    return {};
+}
+
+/// Text, then as much of the table as fits, then what is not checked where there is room. Returns what was
+/// left over as pages.
+std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const QRectF& area) {
+    MeasuringCanvas measure;
+    const PageSetup& setup = scene.settings.setup;
+    const double scale = textScale(setup), points = 7.6 * scale, gap = 8 * scale;
+    const auto heightPt = [&](const TextBlocks& blocks) {
+        return heightOf(measure.canvas(), blocks, area.width() * MeasuringCanvas::unitsPerPoint, points) /
+               MeasuringCanvas::unitsPerPoint;
+    };
+    const TextBlocks intro = introduction(scene), rest = notCheckedBlocks(scene.source.study);
+    const double introPt = std::min(heightPt(intro) + 1, area.height() * 0.6);
+    page.items.push_back({{area.left(), area.top(), area.width(), introPt}, PageText{intro, points}});
+    QRectF left = area.adjusted(0, introPt + gap, 0, 0);
+    PageTable table = verdictTable(scene.source.study, points);
+    table.widthsPt = fitColumns(table, area.width());
+    std::vector<BookPage> pages;
+    auto parts = flowTable(table, left.height(), left.height());
+    const double used = tableHeightPt(parts.front());
+    if (!parts.front().rows.empty()) page.items.push_back({left, parts.front()});
+    if (const std::size_t shown = parts.front().rows.size(); shown < table.rows.size()) {
+        PageTable more = verdictTable(scene.source.study, points);
+        more.rows.erase(more.rows.begin(), more.rows.begin() + std::ptrdiff_t(shown));
+        more.marks.erase(more.marks.begin(), more.marks.begin() + std::ptrdiff_t(shown));
+        pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}}, std::move(more));
+    }
+    left = left.adjusted(0, used + gap, 0, 0);
+    if (pages.empty() && heightPt(rest) + 1 <= left.height()) {
+        page.items.push_back({left, PageText{rest, points}});
+        return pages;
+    }
+    for (BookPage& more : makeTextPages(setup, {QStringLiteral("Not checked"), {}, {}, 0, {}}, rest))
+        pages.push_back(std::move(more));
+    return pages;
+}
+
+}  // namespace
+
+Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progress& progress,
+                                               const std::stop_token& stop) {
+    const Rule& rule = scene.source.study.rule;
+    BookPage page{plainText(rule.name), plainText(rule.where), QStringLiteral("Summary"), 0, {}};
+    const auto [picture, text] = halvesOf(scene.settings.setup);
+    if (const auto done = addPicture(scene, page, picture, progress, stop); !done)
+        return tl::make_unexpected(done.error());
+    std::vector<BookPage> more = fillText(scene, page, text);
+    more.insert(more.begin(), std::move(page));
+    return more;
+}
+
+}  // namespace noonmark
