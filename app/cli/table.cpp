@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <ostream>
 
+#include "core/base/display_units.h"
+
 namespace noonmark::cli {
 
 void Table::print(std::ostream& out) const {
@@ -13,11 +15,7 @@ void Table::print(std::ostream& out) const {
     for (const auto& [label, value] : rows_) out << fmt::format("{:<{}}  {}\n", label, width, value);
 }
 
-std::string withCommas(std::size_t number) {
-    std::string text = std::to_string(number);
-    for (auto at = std::ptrdiff_t(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), 1, ',');
-    return text;
-}
+std::string withCommas(std::size_t number) { return formatNumber(double(number)); }
 
 void printWarnings(std::ostream& out, const Warnings& warnings) {
     if (warnings.empty()) return;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,12 +14,19 @@ enum class UnitSystem {
     both,  ///< metric, followed by imperial in parentheses
 };
 
+inline constexpr std::array unitSystems{UnitSystem::metric, UnitSystem::imperial, UnitSystem::both};
+
 /// "metric", "imperial", "both": the names in project files and on the command line.
 std::string_view nameOf(UnitSystem units);
+/// The system of that name; nothing for any other text.
+std::optional<UnitSystem> parseUnitSystem(std::string_view name);
+
+/// "1,234.5": with commas between thousands
+std::string formatNumber(double value, int decimals = 0);
 
 /// "124.3 m"; "407.8 ft"; "124.3 m (407.8 ft)". `decimals`: of the metric value, 0 to 3; feet have as many.
 std::string formatLength(double metres, UnitSystem units, int decimals = 1);
-/// "1,204 m²"; "12,960 sq ft"; from 10 acres on acres, from 10 ha on hectares.
+/// "1,204 m²"; "12,960 sq ft"; "12.5 acres", "12.5 ha" from ten of them on.
 std::string formatArea(double squareMetres, UnitSystem units);
 /// "1,204 m² h"; "12,960 sq ft h", square-foot-hours.
 std::string formatAreaHours(double squareMetreHours, UnitSystem units);

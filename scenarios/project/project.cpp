@@ -79,6 +79,7 @@ Result<void> validate(const Project& project) {
     if (sound) sound = checkNames(project.results, sharedName, "result");
     for (const TimeWeights& table : project.weights)
         if (sound) sound = validate(table);
+    if (sound) sound = validate(project.sheets.titleBlock);
     return sound;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/display_units.h"
 #include "core/city/city.h"
 #include "core/geo/grid.h"
 #include "core/io/heights/height_facts.h"
@@ -19,6 +20,7 @@
 #include "core/receivers/region.h"
 #include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
+#include "scenarios/project/title_block.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/time_weights.h"
 
@@ -65,6 +67,13 @@ struct SavedResult {
     std::vector<SavedLayer> layers;
 };
 
+/// What the sheets of a project carry, and the units in which its results are shown.
+struct SheetSettings {
+    TitleBlock titleBlock;
+    UnitSystem units = UnitSystem::metric;
+    bool operator==(const SheetSettings&) const = default;
+};
+
 /// The whole content of one project file. A value: cheap to copy for undo, because the city and the results
 /// are shared. City, results and reading compare by pointer.
 struct Project {
@@ -81,6 +90,7 @@ struct Project {
     std::vector<TimeWeights> weights{makeMonthlyWeights()};
     std::vector<NamedPeriod> periods;
     std::vector<std::shared_ptr<const SavedResult>> results;
+    SheetSettings sheets;
     std::map<std::string, std::string> view;  ///< camera, layout, switches: the window defines the keys
 };
 

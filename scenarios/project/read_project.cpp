@@ -213,6 +213,7 @@ Project readProject(Database& database) {
     project.weights = readWeights(database);
     project.periods = readPeriods(database);
     project.results = readResults(database);
+    project.sheets = readSheetSettings(database);
     project.view = readView(database);
     const std::string buildings = readFact(database, "buildings");
     if (buildings != std::to_string(project.city->buildings.size())) throwDamaged("buildings are missing");

@@ -12,5 +12,6 @@ Project readProject(Database& database);
 std::shared_ptr<const City> readCityTables(Database& database);
 std::shared_ptr<const CityReading> readReading(Database& database);
 std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database);
+SheetSettings readSheetSettings(Database& database);
 
 }  // namespace noonmark

@@ -1,21 +1,29 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
-#include <vector>
+
+#include "core/base/result.h"
 
 namespace noonmark {
 
-/// What the title block of every sheet states about the project. Text in UTF-8, at most 200 characters each;
-/// an empty text is left out.
+/// What the title block of every sheet states about the project. Text in UTF-8 of one line; an empty text is
+/// left out.
 struct TitleBlock {
     std::string project;
     std::string author;
     std::string client;
     std::string date;         ///< as it shall be printed; empty: the day on which the sheets are made
     std::string sheetPrefix;  ///< "A-" numbers the sheets A-1, A-2, ...
-    std::vector<std::uint8_t> logo;  ///< a PNG or JPEG picture of at most 1 MiB; empty: none
+    std::string logo;         ///< the bytes of a PNG or JPEG picture; empty: none
     bool operator==(const TitleBlock&) const = default;
+
+    static constexpr std::size_t mostBytesOfText = 800;  ///< of each text
+    static constexpr std::size_t mostBytesOfLogo = std::size_t{1} << 20U;
 };
+
+/// Error: a text that is too long or holds control characters, or a logo that is too large or neither PNG nor
+/// JPEG by its first bytes.
+Result<void> validate(const TitleBlock& block);
 
 }  // namespace noonmark

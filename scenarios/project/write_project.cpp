@@ -153,6 +153,7 @@ void writeChanges(Database& database, const Project* before, const Project& afte
     if (changed(&Project::weights)) writeWeights(database, after.weights);
     if (changed(&Project::periods)) writePeriods(database, after.periods);
     if (changed(&Project::results)) writeResults(database, before, after);
+    if (changed(&Project::sheets)) writeSheetSettings(database, after.sheets);
     if (changed(&Project::view)) writeView(database, after.view);
 }
 

@@ -62,6 +62,16 @@ protected:
     TemporaryFolder folder_;
 };
 
+TEST_F(HostileProject, TitleBlocksAreChecked) {
+    expectRefused("UPDATE sheet_settings SET value = 'furlongs' WHERE key = 'units'", "units");
+    expectRefused("UPDATE sheet_settings SET value = 'GIF89a' WHERE key = 'logo'", "logo");
+    expectRefused("UPDATE sheet_settings SET value = zeroblob(2000000) WHERE key = 'logo'", "logo");
+    expectRefused("UPDATE sheet_settings SET value = printf('%.*c', 801, 'x') WHERE key = 'author'",
+                  "title block");
+    expectRefused("UPDATE sheet_settings SET value = 'a' || char(10) || 'b' WHERE key = 'client'",
+                  "title block");
+}
+
 TEST_F(HostileProject, NumbersAreCheckedWhereTheyEnter) {
     expectRefused("UPDATE terrain SET elevations_m = x''", "terrain, row 1: elevations_m");
     expectRefused("UPDATE terrain SET elevations_m = x'00000000'", "terrain, row 1: elevations_m");

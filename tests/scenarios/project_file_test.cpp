@@ -45,18 +45,18 @@ protected:
     TemporaryFolder folder_;
 };
 
+// Version 2 stored no places and no title block.
+Project asVersion2Holds(Project project) {
+    project.places.clear();
+    project.sheets = {};
+    return project;
+}
+
 // The part of a project that version 1 stored: no warnings of reading and no terrain source.
 Project asVersion1Holds(Project project) {
     CityReading reading{std::nullopt, {{WarningKind::leftOut, noReadingText, "project file"}}};
     project.reading = std::make_shared<const CityReading>(reading);
-    project.places.clear();
-    return project;
-}
-
-// Version 2 stored no places.
-Project asVersion2Holds(Project project) {
-    project.places.clear();
-    return project;
+    return asVersion2Holds(std::move(project));
 }
 
 void expectSame(const Project& a, const Project& b) {
@@ -77,6 +77,7 @@ void expectSame(const Project& a, const Project& b) {
     EXPECT_EQ(a.lots, b.lots);
     EXPECT_EQ(a.regions, b.regions);
     EXPECT_EQ(a.places, b.places);
+    EXPECT_EQ(a.sheets, b.sheets);
     EXPECT_EQ(a.weights, b.weights);
     EXPECT_EQ(a.periods, b.periods);
     EXPECT_EQ(a.view, b.view);
@@ -185,14 +186,23 @@ TEST_F(ProjectFileTest, AFileOfVersion2IsOpenedAndSaved) {
     Project project = disk.project();
     project.view["camera"] = "new";
     project.places = sampleProject().places;
+    project.sheets = sampleProject().sheets;
     ASSERT_TRUE(disk.save(project));
     expectSame(opened(), project);
 }
 
-TEST_F(ProjectFileTest, ATableOfPlacesThatIsNotOursIsNotOverwritten) {
-    fs::copy_file(testFile("scenarios/files/version-2.noonmark.gpkg"), file());
-    Database(file(), Database::Access::write).execute("CREATE TABLE Places (x INTEGER)");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("places"));
+TEST_F(ProjectFileTest, AFileOfVersion3IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-3.noonmark.gpkg"), file());
+    expectSame(opened(), sampleProject());
+}
+
+TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {
+    for (const std::string name : {"Places", "sheet_settings"}) {
+        fs::remove(file());
+        fs::copy_file(testFile("scenarios/files/version-2.noonmark.gpkg"), file());
+        Database(file(), Database::Access::write).execute("CREATE TABLE " + name + " (x INTEGER)");
+        EXPECT_THAT(troubleOfOpening(), HasSubstr(name == "Places" ? "places" : name));
+    }
 }
 
 TEST_F(ProjectFileTest, PlacesThatAGisProgramLeftIncompleteAreCompleted) {

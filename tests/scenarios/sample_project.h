@@ -80,6 +80,9 @@ inline Project sampleProject() {
                          .zone = "America/New_York",
                          .refraction = false}}};
     project.results = {makeSavedResult("first")};
+    project.sheets = {
+        {"Tower \"A\"", "Ä. Planer", "城市", "1 May 2026", "A-", std::string("\x89PNG\r\n\x1a\n\0x", 10)},
+        UnitSystem::both};
     project.view = {{"camera", "1 2 3"}, {"palette", "divergent"}};
     return project;
 }

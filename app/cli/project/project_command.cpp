@@ -23,6 +23,7 @@ void addProjectCommand(CLI::App& app, Run& run) {
     addProjectPlace(*project, run);
     addProjectPeriod(*project, run);
     addProjectWeights(*project, run);
+    addProjectSheets(*project, run);
     addProjectResult(*project, run);
     addProjectExport(*project, run);
     project->footer(

@@ -25,6 +25,7 @@ void addProjectRegion(CLI::App& project, Run& run);
 void addProjectPlace(CLI::App& project, Run& run);
 void addProjectWeights(CLI::App& project, Run& run);
 void addProjectPeriod(CLI::App& project, Run& run);
+void addProjectSheets(CLI::App& project, Run& run);
 void addProjectResult(CLI::App& project, Run& run);
 void addProjectExport(CLI::App& project, Run& run);
 

@@ -19,7 +19,6 @@
 #include "app/report/files/review_files.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
-#include "core/study/provenance/repeat_command.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 
@@ -95,29 +94,6 @@ int yearOf(const ReviewRunOptions& options, const Project& project) {
     return project.periods.empty() ? 2026 : int(project.periods.front().period.start.year());
 }
 
-/// The command that repeats the review, with the texts of the title block left out.
-Result<std::string> repeatCommandOf(const ReviewRunOptions& options, const ReviewSettings& settings,
-                                    const Provenance& provenance) {
-    if (!provenance.project || !provenance.project->saved())
-        return failure("The command cannot be stated, as the project's file does not hold this state", {},
-                       "Save the project");
-    std::vector<RepeatOption> more{{"--rule", {options.rule}}};
-    for (const std::string& choice : options.rules.choices) more.push_back({"--choose", {choice}});
-    for (const std::string& folder : options.rules.folders) more.push_back({"--rules", {folder}});
-    more.insert(more.end(), {{"--from", {options.from}},
-                             {"--to", {options.to}},
-                             {"--places", options.places},
-                             {"--zone", {settings.zone}},
-                             {"--year", {fmt::to_string(settings.year)}},
-                             {"--cell", {fmt::format("{:g}", settings.cellM)}},
-                             {"--paper", {options.sheets.paper}}});
-    if (options.sheets.landscape) more.push_back({"--landscape", {}});
-    if (options.sheets.scale > 0) more.push_back({"--scale", {fmt::format("{:g}", options.sheets.scale)}});
-    more.push_back({"--out", {"review"}});
-    constexpr std::size_t columnWidth = 60;
-    return makeCommandLine("review run", provenance.project->file, more, columnWidth);
-}
-
 Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const ProjectFile& disk,
                                    const OutputRules& outputs, const Console& console) {
     const Project& project = disk.project();
@@ -134,7 +110,7 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!after) return tl::make_unexpected(after.error());
     if (const auto may = checkOutputs(options.out, reviewFileNames(), outputs); !may)
         return tl::make_unexpected(may.error());
-    const auto sheets = bookSettingsOf(options.sheets, TitleBlock{});
+    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
     const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true};
     const Interrupt interrupt;
@@ -145,10 +121,11 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
     putBefore(study->warnings, project.reading->warnings);
     const ReviewLabels labels{options.from, options.to,
-                              provenanceOf(project, &disk, {options.to, options.from, {}, {}})};
-    auto book = makeReviewBook({*study, labels, before->city, after->city, *places, project.reading->heights,
-                                repeatCommandOf(options, settings, labels.provenance)},
-                               *sheets, progress, interrupt.token());
+                              provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
+                              options.places};
+    auto book = makeReviewBook(
+        {*study, labels, before->city, after->city, *places, project.reading->heights}, *sheets, progress,
+        interrupt.token());
     if (!book) return tl::make_unexpected(book.error());
     return ReviewAnswer{*std::move(study), labels, *std::move(book)};
 }

@@ -10,16 +10,14 @@ namespace noonmark::cli {
 
 namespace {
 
-constexpr std::uintmax_t mostLogoBytes = 1 << 20;
-
-Result<std::vector<std::uint8_t>> readLogo(const std::string& file) {
+Result<std::string> readLogo(const std::string& file) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
     if (error) return failure("The logo cannot be read: " + error.message(), file);
-    if (bytes > mostLogoBytes)
+    if (bytes > TitleBlock::mostBytesOfLogo)
         return failure("The logo has more than 1 MiB", file, "Give a smaller PNG or JPEG picture");
     std::ifstream stream(file, std::ios::binary);
-    return std::vector<std::uint8_t>{std::istreambuf_iterator<char>(stream), {}};
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
 }
 
 void replace(std::string& text, const std::string& by) {
@@ -51,8 +49,9 @@ void addSheetOptions(CLI::App& command, SheetOptions& options) {
         ->type_name("FILE");
 }
 
-Result<BookSettings> bookSettingsOf(const SheetOptions& options, TitleBlock titleBlock) {
-    BookSettings settings{{*parsePaper(options.paper), options.landscape}, {}, std::move(titleBlock)};
+Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject) {
+    BookSettings settings{
+        {*parsePaper(options.paper), options.landscape}, {}, ofProject.titleBlock, ofProject.units};
     if (options.scale > 0) settings.scale = options.scale;
     TitleBlock& block = settings.titleBlock;
     replace(block.project, options.project);
@@ -65,7 +64,7 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, TitleBlock titl
         if (!logo) return tl::make_unexpected(logo.error());
         block.logo = *std::move(logo);
     }
-    return settings;
+    return validate(block).map([&] { return settings; });
 }
 
 }  // namespace noonmark::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/report/book/review/review_book.h"
+#include "scenarios/project/project.h"
 
 namespace noonmark::cli {
 
@@ -18,7 +19,8 @@ struct SheetOptions {
 /// Adds --paper, --landscape, --scale, and the texts of the title block. `options` must outlive the command.
 void addSheetOptions(CLI::App& command, SheetOptions& options);
 
-/// `titleBlock`: what the project states; options replace its texts. Error: the logo cannot be read.
-Result<BookSettings> bookSettingsOf(const SheetOptions& options, TitleBlock titleBlock);
+/// `ofProject`: units, and a title block of which the options replace texts. Error: the logo cannot be read,
+/// and those of validate() for title blocks.
+Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject);
 
 }  // namespace noonmark::cli

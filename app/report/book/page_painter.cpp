@@ -127,7 +127,7 @@ private:
     double paintLogo(const QRectF& strip) {
         const auto& bytes = book_.titleBlock.logo;
         if (bytes.empty()) return 0;
-        QByteArray data(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
+        QByteArray data = QByteArray::fromStdString(bytes);
         QBuffer device(&data);
         QImageReader reader(&device);
         constexpr int mostPixels = 4096;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -15,64 +14,6 @@
 namespace noonmark {
 
 namespace {
-
-/// Unchanged if a shell cannot misread it, else in single quotes.
-std::string quoted(const std::string& text) {
-    const auto harmless = [](unsigned char c) {
-        return std::isalnum(c) != 0 || c > 127 ||
-               std::string_view("-_./,:+@%=").find(char(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::ranges::all_of(text, harmless)) return text;
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
-
-// "--region=-x": a value that looks like an option is joined to its option by =; negative numbers need not
-// be.
-bool looksLikeOption(const std::string& value) {
-    return value.size() > 1 && value[0] == '-' && std::isdigit(static_cast<unsigned char>(value[1])) == 0;
-}
-
-/// Collects options; those with default values are left out.
-class CommandLine {
-public:
-    explicit CommandLine(std::string program) : pieces_{std::move(program)} {}
-    void file(const std::string& name) {
-        pieces_.push_back(quoted(name.starts_with('-') ? "./" + name : name));
-    }
-    void option(const char* name, const std::string& value) {
-        pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoted(value)));
-    }
-    void option(const RepeatOption& option) {
-        if (option.values.size() == 1) return this->option(option.name.c_str(), option.values.front());
-        std::string piece = option.name;
-        for (const std::string& value : option.values) piece += ' ' + quoted(value);
-        pieces_.push_back(std::move(piece));
-    }
-    void unless(bool isDefault, const char* name, const std::string& value) {
-        if (!isDefault) option(name, value);
-    }
-    void flag(bool set, const char* name) {
-        if (set) pieces_.emplace_back(name);
-    }
-
-    /// Breaks lines between options, with a backslash.
-    [[nodiscard]] std::string wrapped(std::size_t width) const {
-        std::string text;
-        std::size_t used = 0;
-        for (const std::string& piece : pieces_) {
-            const bool breaks = used > 0 && used + 1 + piece.size() + 2 > width;
-            if (used > 0) text += breaks ? " \\\n    " : " ";
-            used = (breaks ? 4 : used + (used > 0 ? 1 : 0)) + piece.size();
-            text += piece;
-        }
-        return text;
-    }
-
-private:
-    std::vector<std::string> pieces_;
-};
 
 std::string nameOf(LengthUnit unit) {
     switch (unit) {
@@ -94,7 +35,7 @@ std::string nameOf(TerrainFromBases choice) {
                                                : "auto";
 }
 
-void addReading(CommandLine& line, const ReadSettings& reading) {
+void addReading(CommandWords& line, const ReadSettings& reading) {
     const ReadSettings usual;
     line.unless(reading.heightField.empty(), "--height-field", reading.heightField);
     line.unless(reading.levelsField.empty(), "--levels-field", reading.levelsField);
@@ -111,7 +52,7 @@ void addReading(CommandLine& line, const ReadSettings& reading) {
     line.unless(reading.farAwayM == usual.farAwayM, "--far-away", fmt::to_string(reading.farAwayM));
 }
 
-void addMesh(CommandLine& line, const ReadSettings& reading) {
+void addMesh(CommandWords& line, const ReadSettings& reading) {
     line.unless(reading.upAxis == UpAxis::y, "--up", "z");
     line.unless(reading.meshUnit == LengthUnit::metres, "--mesh-unit", nameOf(reading.meshUnit));
     line.unless(reading.meshNorthDeg == 0, "--mesh-north", fmt::to_string(reading.meshNorthDeg));
@@ -126,7 +67,7 @@ std::string windowText(const SolarWindow& window) {
            minutes("sunset", -long(window.beforeSunset.count()));
 }
 
-void addPeriod(CommandLine& line, const Period& period, const std::string& hourOption) {
+void addPeriod(CommandWords& line, const Period& period, const std::string& hourOption) {
     line.option("--start", fmt::format("{:04}-{:02}-{:02}", int(period.start.year()),
                                        unsigned(period.start.month()), unsigned(period.start.day())));
     line.option("--days", fmt::to_string(period.days));
@@ -150,7 +91,7 @@ std::string engineToName(const RepeatQuestion& question) {
     return plain && !question.engineKey.empty() ? question.engineKey : settings.engine;
 }
 
-void addSettings(CommandLine& line, const RepeatQuestion& question) {
+void addSettings(CommandWords& line, const RepeatQuestion& question) {
     const StudySettings& settings = question.settings;
     const StudySettings usual;
     line.unless(settings.pressureHPa == usual.pressureHPa, "--pressure",
@@ -175,7 +116,7 @@ bool goesAlong(const std::filesystem::path& file) {
 }
 
 // File names, or paths if two names are equal: paths do not hold elsewhere, but they distinguish the files.
-void addInputs(CommandLine& line, const std::vector<InputFile>& inputs) {
+void addInputs(CommandWords& line, const std::vector<InputFile>& inputs) {
     std::set<std::filesystem::path> names;
     std::vector<const InputFile*> named;
     for (const InputFile& input : inputs)
@@ -205,7 +146,7 @@ tl::unexpected<Error> notRepeatable(const Provenance& provenance) {
         "Save the project, then export again: the command names the project file");
 }
 
-void addSource(CommandLine& line, const RepeatQuestion& question) {
+void addSource(CommandWords& line, const RepeatQuestion& question) {
     const Provenance& provenance = question.provenance;
     if (namesProject(provenance)) {
         line.file(provenance.project->file);
@@ -240,7 +181,7 @@ void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>
 Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_t width) {
     if (!namesProject(question.provenance) && !namesInputs(question))
         return notRepeatable(question.provenance);
-    CommandLine line("noonmark-cli " + question.command);
+    CommandWords line("noonmark-cli " + question.command);
     addSource(line, question);
     addPeriod(line, question.settings.period, question.hourOption);
     addSettings(line, question);
@@ -255,19 +196,6 @@ Result<std::string> makeRepeatCommand(const Study& study, std::size_t width, con
     question.options = optionsOf(study.settings);
     question.options.insert(question.options.end(), more.begin(), more.end());
     return makeRepeatCommand(question, width);
-}
-
-std::string makeCommandLine(const std::string& command, const std::string& file,
-                            const std::vector<RepeatOption>& options, std::size_t width) {
-    CommandLine line("noonmark-cli " + command);
-    line.file(file);
-    for (const RepeatOption& option : options) {
-        if (option.values.empty())
-            line.flag(true, option.name.c_str());
-        else
-            line.option(option);
-    }
-    return line.wrapped(width);
 }
 
 bool needsRegionFile(const Study& study) { return regionOf(study) == regionFileName; }

@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "core/study/provenance/command_words.h"
 #include "core/study/study.h"
 
 namespace noonmark {
-
-/// An option of a command with its values; no values: a flag.
-struct RepeatOption {
-    std::string name;
-    std::vector<std::string> values;
-};
 
 /// Adds --error-sample if it differs from the default.
 void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options);
@@ -39,10 +34,6 @@ Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_
 Result<std::string> makeRepeatCommand(const Study& study, std::size_t width = 120,
                                       const std::string& command = "study",
                                       std::vector<RepeatOption> more = {});
-
-/// A command line of options alone, quoted for a POSIX shell, with lines broken as above.
-std::string makeCommandLine(const std::string& command, const std::string& file,
-                            const std::vector<RepeatOption>& options, std::size_t width = 120);
 
 /// Whether the command names region.geojson, which must then be written beside the outputs.
 bool needsRegionFile(const Study& study);

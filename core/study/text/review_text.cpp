@@ -176,6 +176,7 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
                "limit is borderline"},
               {"warnings", warningsJson(study.warnings)}};
     addProvenance(json, labels.provenance);
+    addRepeat(json, makeRepeatCommand(study, labels));
     return json;
 }
 

@@ -3,17 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/study/provenance/provenance.h"
+#include "core/study/provenance/repeat_review.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {
-
-/// What a review is stated with.
-struct ReviewLabels {
-    std::string from;  ///< name of the baseline
-    std::string to;    ///< name of the scenario
-    Provenance provenance;
-};
 
 /// The review as JSON; docs/rules.md lists the keys. Scripts rely on `rule`, `from`, `to`, `places` (`name`,
 /// `kind`, `verdict`, `rows` of `day`, `enters`, `exits`, `duration_min`, `max_area_m2`, `max_point_min`,

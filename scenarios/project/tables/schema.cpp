@@ -63,6 +63,9 @@ constexpr std::array readingTableNames{"warning_texts", "warnings"};
 constexpr const char* placeTable = R"sql(
 CREATE TABLE places (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, kind TEXT, source TEXT, area_m2 REAL);
 )sql";
+constexpr const char* sheetTable = R"sql(
+CREATE TABLE sheet_settings (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value BLOB NOT NULL);
+)sql";
 
 struct FeatureTable {
     const char* table;
@@ -107,6 +110,11 @@ void addPlaceTable(Database& database) {
     registerLayer(database, placeLayer);
 }
 
+void addSheetTable(Database& database) {
+    database.execute(sheetTable);
+    contentsOf(database).run("sheet_settings", "attributes", "sheet_settings", "", std::optional<int>{});
+}
+
 void registerTables(Database& database) {
     Statement contents = contentsOf(database);
     for (const FeatureTable& layer : featureTables) registerLayer(database, layer);
@@ -122,6 +130,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         memory.execute(projectTables);
         memory.execute(readingTables);
         memory.execute(placeTable);
+        memory.execute(sheetTable);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
         while (table.step()) made[table.text(0)].push_back(table.text(1));
@@ -139,10 +148,19 @@ void toVersion2(Database& database) {
 }
 
 // A table of that name can only be one that a GIS program added; it is not overwritten.
+void refuseForeignTable(Database& database, const char* name) {
+    Statement found = database.prepare("SELECT 1 FROM sqlite_master WHERE name = ? COLLATE NOCASE");
+    found.begin(name);
+    if (found.step())
+        throwDamaged(
+            fmt::format("it has a table '{}' that is not the program's; rename it in a GIS program", name));
+}
+
 void toVersion3(Database& database) {
-    const auto there = database.value("SELECT 1 FROM sqlite_master WHERE name = 'places' COLLATE NOCASE");
-    if (there) throwDamaged("it has a table 'places' that is not the program's; rename it in a GIS program");
+    refuseForeignTable(database, "places");
+    refuseForeignTable(database, "sheet_settings");
     addPlaceTable(database);
+    addSheetTable(database);
     if (database.value("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles' AND type = 'table'"))
         addPlaceStyle(database);
 }
@@ -161,6 +179,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     registerTables(database);
     addReadingTables(database);
     addPlaceTable(database);
+    addSheetTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));

@@ -29,8 +29,6 @@ std::vector<QRectF> chartAreas(const PageSetup& setup, int columns, int rows) {
     return areas;
 }
 
-QString areaText(double m2) { return describeAmount(m2, 0) + QStringLiteral(" m²"); }
-
 /// Charts of one place.
 class PlaceCharts {
 public:
@@ -71,6 +69,10 @@ public:
     }
 
 private:
+    [[nodiscard]] QString areaText(double m2) const {
+        return QString::fromStdString(formatArea(m2, scene_.settings.units));
+    }
+
     [[nodiscard]] BookPage page(const QString& what, bool isFirst) const {
         const QString name = plainText(review_.name);
         return {what + QStringLiteral(": ") + name,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/report/book/book.h"
+#include "core/base/display_units.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/heights/height_facts.h"
@@ -17,9 +18,10 @@ struct BookSettings {
     PageSetup setup;
     std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
     TitleBlock titleBlock;
+    UnitSystem units = UnitSystem::metric;
 };
 
-/// What a review's book is made from. All but the heights and the command must outlive the call.
+/// What a review's book is made from. All but the heights must outlive the call.
 struct ReviewBookSource {
     const ReviewStudy& study;  ///< with timelines, or the book has no charts
     const ReviewLabels& labels;
@@ -27,7 +29,6 @@ struct ReviewBookSource {
     const City& scenario;
     const std::vector<Place>& places;  ///< those that were reviewed; of rules with lines the parcels
     HeightFacts heights{};
-    Result<std::string> repeatCommand;  ///< or why there is none
 };
 
 /// The book of a review: summary with a picture of the worst moment, diagrams of the rule's days and hours,

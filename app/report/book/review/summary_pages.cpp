@@ -26,7 +26,8 @@ QColor colourOf(Verdict verdict) {
     return ink::line;
 }
 
-PageTable verdictTable(const ReviewStudy& study, double points) {
+PageTable verdictTable(const ReviewScene& scene, double points) {
+    const ReviewStudy& study = scene.source.study;
     PageTable table{{QStringLiteral("Place"), QStringLiteral("Kind"), QStringLiteral("Area"),
                      QStringLiteral("Verdict"), QStringLiteral("Reason")},
                     {},
@@ -35,7 +36,7 @@ PageTable verdictTable(const ReviewStudy& study, double points) {
                     points};
     for (const PlaceReview& place : study.places) {
         table.rows.push_back({plainText(place.name), plainText(nameOf(place.kind)),
-                              describeAmount(place.areaM2, 0) + QStringLiteral(" m²"),
+                              QString::fromStdString(formatArea(place.areaM2, scene.settings.units)),
                               plainText(nameOf(place.verdict)), plainText(place.reason)});
         table.marks.push_back(colourOf(place.verdict));
     }
@@ -128,14 +129,14 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
     const double introPt = std::min(heightPt(intro) + 1, area.height() * 0.6);
     page.items.push_back({{area.left(), area.top(), area.width(), introPt}, PageText{intro, points}});
     QRectF left = area.adjusted(0, introPt + gap, 0, 0);
-    PageTable table = verdictTable(scene.source.study, points);
+    PageTable table = verdictTable(scene, points);
     table.widthsPt = fitColumns(table, area.width());
     std::vector<BookPage> pages;
     auto parts = flowTable(table, left.height(), left.height());
     const double used = tableHeightPt(parts.front());
     if (!parts.front().rows.empty()) page.items.push_back({left, parts.front()});
     if (const std::size_t shown = parts.front().rows.size(); shown < table.rows.size()) {
-        PageTable more = verdictTable(scene.source.study, points);
+        PageTable more = verdictTable(scene, points);
         more.rows.erase(more.rows.begin(), more.rows.begin() + std::ptrdiff_t(shown));
         more.marks.erase(more.marks.begin(), more.marks.begin() + std::ptrdiff_t(shown));
         pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}}, std::move(more));

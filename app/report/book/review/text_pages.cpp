@@ -14,6 +14,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr std::size_t commandLetters = 60;  // in a line of a column
 constexpr double tablePt = 7.4;
 constexpr std::size_t mostDaysAll = 31;  // of longer ranges only days with incremental shadow are listed
 
@@ -87,7 +88,9 @@ std::vector<BookPage> criteriaPages(const ReviewScene& scene) {
     return makeTablePages(scene.settings.setup, chapter(QStringLiteral("Criteria"), {}), std::move(table));
 }
 
-QString areaHours(double m2h) { return describeAmount(m2h, 0); }
+QString areaHours(const ReviewScene& scene, double m2h) {
+    return QString::fromStdString(formatAreaHours(m2h, scene.settings.units));
+}
 
 QString shareText(const ReviewTotals& totals, double m2h) {
     if (totals.theoreticalM2h <= 0) return QStringLiteral("-");
@@ -99,9 +102,9 @@ std::vector<BookPage> sumPages(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     if (scene.sun.sun.days.size() <= mostDaysAll) return {};
     PageTable table{
-        {QStringLiteral("Place"), QStringLiteral("Theoretical sun, m² h"),
-         QStringLiteral("Existing shadow, m² h"), QStringLiteral("share"),
-         QStringLiteral("With proposal, m² h"), QStringLiteral("share"), QStringLiteral("Incremental, m² h"),
+        {QStringLiteral("Place"), QStringLiteral("Theoretical sun"),
+         QStringLiteral("Existing shadow"), QStringLiteral("share"),
+         QStringLiteral("With proposal"), QStringLiteral("share"), QStringLiteral("Incremental"),
          QStringLiteral("share"), QStringLiteral("Days with incremental shadow"),
          QStringLiteral("Day of most"), QStringLiteral("Duration on it")},
         {},
@@ -110,10 +113,10 @@ std::vector<BookPage> sumPages(const ReviewScene& scene) {
         tablePt * textScale(scene.settings.setup)};
     for (const PlaceReview& review : study.places) {
         const ReviewTotals& sum = review.totals;
-        table.rows.push_back({plainText(review.name), areaHours(sum.theoreticalM2h),
-                              areaHours(sum.baselineM2h), shareText(sum, sum.baselineM2h),
-                              areaHours(sum.scenarioM2h), shareText(sum, sum.scenarioM2h),
-                              areaHours(sum.incrementalM2h), shareText(sum, sum.incrementalM2h),
+        table.rows.push_back({plainText(review.name), areaHours(scene, sum.theoreticalM2h),
+                              areaHours(scene, sum.baselineM2h), shareText(sum, sum.baselineM2h),
+                              areaHours(scene, sum.scenarioM2h), shareText(sum, sum.scenarioM2h),
+                              areaHours(scene, sum.incrementalM2h), shareText(sum, sum.incrementalM2h),
                               describeAmount(sum.daysWithIncremental, 0),
                               sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("-"),
                               describeAmount(sum.largestDayDurationMin, 0) + QStringLiteral(" min")});
@@ -121,8 +124,7 @@ std::vector<BookPage> sumPages(const ReviewScene& scene) {
     return makeTablePages(
         scene.settings.setup,
         chapter(QStringLiteral("Sums"),
-                QStringLiteral("Over the days of the rule; shares of the theoretical sun. 1 "
-                               "m² h is 10.764 square-foot-hours")),
+                QStringLiteral("Over the days of the rule; shares of the theoretical sun"                               "m² h is 10.764 square-foot-hours")),
         std::move(table));
 }
 
@@ -194,7 +196,7 @@ std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene) {
     TextBlocks blocks = methodOf(scene);
     addBlocks(blocks, sourcesOf(scene));
-    addBlocks(blocks, repeatBlocks(scene.source.repeatCommand, false));
+    addBlocks(blocks, repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, commandLetters), false));
     addBlocks(blocks, ruleBlocks(scene.source.study.rule));
     return makeTextPages(scene.settings.setup, chapter(QStringLiteral("Method and sources"), {}), blocks);
 }

@@ -1,0 +1,133 @@
+#include "core/study/provenance/command_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace noonmark {
+
+namespace {
+
+/// Unchanged if a shell cannot misread it, else in single quotes.
+std::string quoted(const std::string& text) {
+    const auto harmless = [](unsigned char c) {
+        return std::isalnum(c) != 0 || c > 127 ||
+               std::string_view("-_./,:+@%=").find(char(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::ranges::all_of(text, harmless)) return text;
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+// "--region=-x": a value that looks like an option is joined to its option by =; negative numbers need not
+// be.
+bool looksLikeOption(const std::string& value) {
+    return value.size() > 1 && value[0] == '-' && std::isdigit(static_cast<unsigned char>(value[1])) == 0;
+}
+
+// Splits one command line, letter by letter.
+class WordSplitter {
+public:
+    explicit WordSplitter(const std::string& command) : rest_(command) {}
+
+    Result<std::vector<std::string>> split() {
+        while (!rest_.empty()) {
+            const char letter = take();
+            if (letter == '\'' || letter == '"') {
+                if (!takeQuoted(letter)) return failure("A quote does not end", "command", {});
+            } else if (letter == '\\') {
+                takeEscaped();
+            } else if (letter == ' ' || letter == '\t' || letter == '\n') {
+                endWord();
+            } else if (std::string_view("$`|;&<>()*?#").find(letter) != std::string_view::npos) {
+                return failure(fmt::format("'{}' is more than a word to a shell", letter), "command", {});
+            } else {
+                add(letter);
+            }
+        }
+        endWord();
+        return words_;
+    }
+
+private:
+    char take() {
+        const char letter = rest_.front();
+        rest_.remove_prefix(1);
+        return letter;
+    }
+    void add(char letter) {
+        word_ += letter;
+        inWord_ = true;
+    }
+    bool takeQuoted(char quote) {
+        inWord_ = true;  // '' is an empty word
+        while (!rest_.empty()) {
+            char letter = take();
+            if (letter == quote) return true;
+            if (quote == '"' && letter == '\\' && !rest_.empty()) letter = take();
+            add(letter);
+        }
+        return false;
+    }
+    void takeEscaped() {
+        if (rest_.empty()) return;
+        const char letter = take();
+        if (letter != '\n') add(letter);
+    }
+    void endWord() {
+        if (inWord_) words_.push_back(word_);
+        word_.clear();
+        inWord_ = false;
+    }
+
+    std::string_view rest_;
+    std::vector<std::string> words_;
+    std::string word_;
+    bool inWord_ = false;
+};
+
+}  // namespace
+
+void CommandWords::file(const std::string& name) {
+    pieces_.push_back(quoted(name.starts_with('-') ? "./" + name : name));
+}
+
+void CommandWords::option(const char* name, const std::string& value) {
+    pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoted(value)));
+}
+
+void CommandWords::option(const RepeatOption& option) {
+    if (option.values.size() == 1) return this->option(option.name.c_str(), option.values.front());
+    std::string piece = option.name;
+    for (const std::string& value : option.values) piece += ' ' + quoted(value);
+    pieces_.push_back(std::move(piece));
+}
+
+void CommandWords::unless(bool isDefault, const char* name, const std::string& value) {
+    if (!isDefault) option(name, value);
+}
+
+void CommandWords::flag(bool set, const char* name) {
+    if (set) pieces_.emplace_back(name);
+}
+
+std::string CommandWords::wrapped(std::size_t width) const {
+    std::string text;
+    std::size_t used = 0;
+    for (const std::string& piece : pieces_) {
+        const bool breaks = used > 0 && used + 1 + piece.size() + 2 > width;
+        if (used > 0) text += breaks ? " \\\n    " : " ";
+        used = (breaks ? 4 : used + (used > 0 ? 1 : 0)) + piece.size();
+        text += piece;
+    }
+    return text;
+}
+
+Result<std::vector<std::string>> splitCommand(const std::string& command) {
+    return WordSplitter(command).split();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace noonmark {
+
+/// An option of a command with its values; no values: a flag.
+struct RepeatOption {
+    std::string name;
+    std::vector<std::string> values;
+};
+
+/// A noonmark-cli command line for a POSIX shell, piece by piece: words are quoted where a shell could
+/// misread them.
+class CommandWords {
+public:
+    explicit CommandWords(std::string program) : pieces_{std::move(program)} {}
+
+    void file(const std::string& name);
+    void option(const char* name, const std::string& value);
+    void option(const RepeatOption& option);
+    void unless(bool isDefault, const char* name, const std::string& value);
+    void flag(bool set, const char* name);
+
+    /// Lines longer than `width` letters are continued on the next after a backslash, between pieces.
+    [[nodiscard]] std::string wrapped(std::size_t width) const;
+
+private:
+    std::vector<std::string> pieces_;
+};
+
+/// The words of a command line as a POSIX shell splits it: single and double quotes, backslashes, continued
+/// lines. Error: a quote that does not end, or a character outside quotes to which a shell gives another
+/// meaning ($, `, |, ;, &, <, >, (, ), *, ?, #).
+Result<std::vector<std::string>> splitCommand(const std::string& command);
+
+}  // namespace noonmark

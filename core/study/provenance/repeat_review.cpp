@@ -1,0 +1,50 @@
+#include "core/study/provenance/repeat_review.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/study/provenance/command_words.h"
+
+namespace noonmark {
+
+namespace {
+
+// A parcel of a rule with lines has two reviews.
+std::vector<std::string> namesOf(const std::vector<PlaceReview>& reviews) {
+    std::vector<std::string> names;
+    for (const PlaceReview& review : reviews)
+        if (std::ranges::find(names, review.name) == names.end()) names.push_back(review.name);
+    return names;
+}
+
+void addRule(CommandWords& line, const Rule& rule) {
+    line.option("--rule", rule.key);
+    for (const auto& [choice, option] : rule.chosen) line.option("--choose", choice + "=" + option);
+    line.unless(rule.file.empty(), "--rules", ".");
+}
+
+}  // namespace
+
+Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabels& labels,
+                                      std::size_t width) {
+    const auto& project = labels.provenance.project;
+    if (!project || !project->saved())
+        return failure(
+            "No command can repeat this review yet: the project has not been saved in the state that was "
+            "reviewed",
+            fmt::format("scenario '{}'", labels.to), "Save the project, then export again");
+    CommandWords line("noonmark-cli review run");
+    line.file(project->file);
+    addRule(line, study.rule);
+    line.option("--from", labels.from);
+    line.option("--to", labels.to);
+    line.option({"--places", labels.places.empty() ? namesOf(study.places) : labels.places});
+    line.option("--year", fmt::to_string(study.year));
+    line.option("--zone", study.settings.zone);
+    line.option("--cell", fmt::format("{}", study.settings.cellM));
+    line.option("--out", "repeated");
+    return line.wrapped(width);
+}
+
+}  // namespace noonmark

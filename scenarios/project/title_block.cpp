@@ -1,0 +1,34 @@
+#include "scenarios/project/title_block.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace noonmark {
+
+namespace {
+
+bool isPrintable(const std::string& text) {
+    return std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; });
+}
+
+bool isPicture(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    return bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || bytes.starts_with("\xff\xd8\xff"sv);
+}
+
+}  // namespace
+
+Result<void> validate(const TitleBlock& block) {
+    for (const std::string* text :
+         {&block.project, &block.author, &block.client, &block.date, &block.sheetPrefix})
+        if (text->size() > TitleBlock::mostBytesOfText || !isPrintable(*text))
+            return failure("A text of the title block is too long or holds control characters", "title block",
+                           "Use one line of at most 200 characters");
+    if (!block.logo.empty() && (block.logo.size() > TitleBlock::mostBytesOfLogo || !isPicture(block.logo)))
+        return failure("The logo is not a PNG or JPEG picture of at most 1 MiB", "title block",
+                       "Choose another picture, or export this one smaller");
+    return {};
+}
+
+}  // namespace noonmark
