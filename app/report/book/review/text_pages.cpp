@@ -124,7 +124,7 @@ std::vector<BookPage> sumPages(const ReviewScene& scene) {
     return makeTablePages(
         scene.settings.setup,
         chapter(QStringLiteral("Sums"),
-                QStringLiteral("Over the days of the rule; shares of the theoretical sun"                               "m² h is 10.764 square-foot-hours")),
+                QStringLiteral("Over the days of the rule; shares of the theoretical sun")),
         std::move(table));
 }
 
