@@ -30,8 +30,8 @@ struct OutlineSettings {
 /// The shadows of a baseline and of a scenario (null: the baseline alone) at a step of the sun. On level
 /// ground, the buildings whose shadow can reach the area are projected and joined; on terrain, cells are
 /// traced by the ray reference. Error: an empty area, the polygons cannot be joined, errors of the ray
-/// reference and of placing its cells, or cancelled(). A square kilometre of Midtown takes some 0.2 s on two
-/// cores, on level ground.
+/// reference and of placing its cells, or cancelled(). A square kilometre of Midtown takes some 0.3 s on two
+/// cores, on level ground; of these 0.1 s join the tiles and are not interrupted.
 Result<ShadowOutlines> outlineShadows(const City& baseline, const City* scenario, const SunStep& step,
                                       const OutlineSettings& settings, Progress& progress,
                                       const std::stop_token& stop);

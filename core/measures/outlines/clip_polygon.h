@@ -9,4 +9,8 @@ namespace noonmark {
 /// exactly.
 ConvexPolygon clipToBox(const ConvexPolygon& polygon, const Box2& box);
 
+/// Leaves out the polygons that lie in another one of the list, so that fewer have to be joined. Largest
+/// first. O(polygons x polygons left).
+void dropContained(std::vector<ConvexPolygon>& polygons);
+
 }  // namespace noonmark

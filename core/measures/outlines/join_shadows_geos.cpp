@@ -90,6 +90,7 @@ public:
             ConvexPolygon piece = clipToBox(polygons_[i], box);
             if (!piece.empty()) pieces.push_back(std::move(piece));
         }
+        dropContained(pieces);
         return pieces;
     }
 
@@ -149,10 +150,10 @@ struct TiledShadows {
         const Box2 box = tiles.box(tile);
         std::vector<Footprint> over;
         for (const std::uint32_t i : coverOfTile[tile]) over.push_back(cover[i]);
-        const Geometry shared = unite(geos, common.in(tile, box)),
+        const Geometry covered = coverGeometry(geos, std::move(over), box),
+                       shared = unite(geos, common.in(tile, box)),
                        before = unite(geos, baseline.in(tile, box)),
-                       after = unite(geos, scenario.in(tile, box)),
-                       covered = coverGeometry(geos, std::move(over), box);
+                       after = unite(geos, scenario.in(tile, box));
         const Geometry wasDark = joinTwo(geos, shared, before), isDark = joinTwo(geos, shared, after);
         return {subtractGeometry(geos, wasDark, covered),
                 subtractGeometry(geos, subtractGeometry(geos, after, wasDark), covered),
