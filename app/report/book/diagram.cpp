@@ -4,6 +4,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/report/book/paper.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double heightLabelPt = 4.6;
 constexpr double nameLabelPt = 6.6;
+constexpr double mostScaleOfHeights = 2500;  // beyond, numbers would cover the map
 
 QPainterPath pathOf(const std::vector<Footprint>& polygons, const MapView& view) {
     QPainterPath path;
@@ -47,9 +49,11 @@ public:
         paintRemoved();
         paintBuildings(canvas_, view_, scene_.proposal, {shade::proposal, ink::text, 0.9});
         paintPlaceLines();
+        paintValueLines();
+        paintFanTimes();
         paintPlaceNames();
         paintHeights(scene_.proposal, ink::paper, true);
-        paintHeights(scene_.city, ink::quiet, false);
+        if (diagram_.scale <= mostScaleOfHeights) paintHeights(scene_.city, ink::quiet, false);
         painter.restore();
         painter.setBrush(Qt::NoBrush);
         painter.setPen(linePen(canvas_, ink::quiet, 0.6));
@@ -66,6 +70,64 @@ private:
         fill(pathOf(diagram_.shadows.baseline, view_), shade::baseline);
         fill(pathOf(diagram_.shadows.gained, view_), shade::gained);
         fill(pathOf(diagram_.shadows.incremental, view_), shade::incremental);
+        for (const FanShadow& shadow : diagram_.fan) {
+            QColor pale = shade::incremental;
+            pale.setAlpha(46);
+            canvas_.painter.setBrush(pale);
+            canvas_.painter.setPen(linePen(canvas_, shade::incremental, 0.5));
+            canvas_.painter.drawPath(pathOf(shadow.polygons, view_));
+        }
+    }
+
+    /// A label with a white plate, where no other label is.
+    void paintMark(QPointF at, const QString& text, const QColor& colour) {
+        const QFont font = textFont(canvas_, nameLabelPt * 0.9 * diagram_.textScale, QFont::Medium);
+        const QFontMetricsF metrics(font, canvas_.painter.device());
+        QRectF box(0, 0, metrics.horizontalAdvance(text) + 2 * canvas_.point,
+                   metrics.capHeight() + 3 * canvas_.point);
+        box.moveCenter(at);
+        box = inside(box, 2 * canvas_.point);
+        if (!isFree(box)) return;
+        labels_.push_back(box);
+        canvas_.painter.fillRect(box, QColor(255, 255, 255, 225));
+        canvas_.painter.setFont(font);
+        canvas_.painter.setPen(colour);
+        canvas_.painter.drawText(QPointF(box.left() + canvas_.point, box.bottom() - 1.5 * canvas_.point),
+                                 text);
+    }
+
+    /// Each at the point of its shadow that is farthest from the proposal.
+    void paintFanTimes() {
+        Box2 box;
+        for (const auto& building : scene_.proposal.buildings) box.add(bounds(*building));
+        if (box.empty()) return;
+        const glm::vec2 foot = (box.low + box.high) / 2.0F;
+        for (const FanShadow& shadow : diagram_.fan) {
+            glm::vec2 tip = foot;
+            for (const Footprint& polygon : shadow.polygons)
+                for (const glm::vec2 point : polygon.outer)
+                    if (glm::distance(point, foot) > glm::distance(tip, foot)) tip = point;
+            if (tip != foot)
+                paintMark(view_.at(glm::dvec2(tip)), shadow.time, shade::incremental.darker(130));
+        }
+    }
+
+    void paintValueLines() {
+        canvas_.painter.setBrush(Qt::NoBrush);
+        for (const ValueLine& value : diagram_.valueLines) {
+            std::size_t longest = 0;
+            for (const auto& line : value.lines) {
+                QPolygonF points;
+                for (const glm::dvec2 point : line) points << view_.at(point);
+                canvas_.painter.setPen(linePen(canvas_, shade::incremental, 1));
+                canvas_.painter.drawPolyline(points);
+                if (line.size() > value.lines[longest].size())
+                    longest = std::size_t(&line - value.lines.data());
+            }
+            if (!value.lines.empty() && !value.lines[longest].empty())
+                paintMark(view_.at(value.lines[longest][value.lines[longest].size() / 2]), value.label,
+                          shade::incremental.darker(130));
+        }
     }
 
     void paintRemoved() {
@@ -177,7 +239,12 @@ struct LegendEntry {
 
 std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
     std::vector<LegendEntry> entries;
-    if (foot.hasShadows)
+    if (foot.subject == DiagramFoot::Subject::fan)
+        entries = {{QStringLiteral("shadow of the proposal alone"), shade::incremental.lighter(190),
+                    shade::incremental, 0.5}};
+    else if (foot.subject == DiagramFoot::Subject::valueLines)
+        entries = {{QStringLiteral("hours of shadow"), ink::paper, shade::incremental, 1}};
+    else
         entries = {{QStringLiteral("existing shadow"), shade::baseline, shade::baseline, 0.2},
                    {QStringLiteral("incremental shadow"), shade::incremental, shade::incremental, 0.2},
                    {QStringLiteral("sun gained"), shade::gained, ink::quiet, 0.3}};

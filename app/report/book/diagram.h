@@ -31,11 +31,25 @@ struct DiagramScene {
     std::vector<Place> places;
 };
 
+/// One shadow of a fan.
+struct FanShadow {
+    QString time;  ///< painted at its tip
+    std::vector<Footprint> polygons;
+};
+
+/// A line on which a value is the same.
+struct ValueLine {
+    QString label;
+    std::vector<std::vector<glm::dvec2>> lines;  ///< local metres
+};
+
 /// A plan view at a scale, north up, as vectors, with its caption below. Ground that does not fit is cut off
 /// at the frame of the view.
 struct Diagram {
     std::shared_ptr<const DiagramScene> scene;  ///< not null
     ShadowOutlines shadows;
+    std::vector<FanShadow> fan{};
+    std::vector<ValueLine> valueLines{};
     glm::dvec2 centre{};  ///< local metres, in the middle of the view
     double scale = 2000;  ///< 1:scale on paper
     Caption caption;
@@ -48,7 +62,8 @@ struct DiagramFoot {
     QString paper;  ///< "A3"; the scale holds on it
     QString note;   ///< the clock of the captions; may be empty
     double textScale = 1;
-    bool hasShadows = true;  ///< false: only places and buildings
+    enum class Subject { shadows, fan, valueLines };
+    Subject subject = Subject::shadows;
 };
 constexpr double diagramFootPt(double scale) { return 40 * scale; }
 

@@ -96,6 +96,59 @@ BookPage pageAfter(const BookPage& first) {
     return {first.title, first.subtitle.isEmpty() ? QStringLiteral("continued") : first.subtitle, {}, 0};
 }
 
+/// Puts tables below each other.
+class TablePages {
+public:
+    TablePages(const PageSetup& setup, const BookPage& page)
+        : page_(page), content_(contentArea(setup)), scale_(textScale(setup)), pages_{page} {}
+
+    void add(NamedTable named) {
+        PageTable& table = named.table;
+        table.widthsPt = fitColumns(table, content_.width());
+        const TextBlocks title = titleOf(named);
+        const double titlePt = heightPt(measure_.canvas(), title, content_.width(), textPt * scale_) + 1;
+        constexpr double leastRowsPt = 70;
+        const double needed = std::min(tableHeightPt(table), leastRowsPt * scale_);
+        if (used_ > 0 && used_ + titlePt + needed > content_.height()) addPage();
+        pages_.back().items.push_back({area(titlePt), PageText{title, textPt * scale_}});
+        used_ += titlePt;
+        for (PageTable& part : flowTable(table, content_.height() - used_, content_.height())) {
+            if (part.rows.empty() && !table.rows.empty()) {
+                addPage();
+                continue;
+            }
+            const double height = tableHeightPt(part);
+            if (used_ + height > content_.height() + 1 && used_ > 0) addPage();
+            pages_.back().items.push_back({area(height), std::move(part)});
+            used_ += height;
+        }
+        used_ += gutterPt * scale_;
+    }
+
+    std::vector<BookPage> finish() { return std::move(pages_); }
+
+private:
+    static TextBlocks titleOf(const NamedTable& named) {
+        TextBlocks blocks{heading(named.title)};
+        if (!named.note.isEmpty()) blocks.push_back(body(named.note));
+        return blocks;
+    }
+    [[nodiscard]] QRectF area(double height) const {
+        return {content_.left(), content_.top() + used_, content_.width(), height};
+    }
+    void addPage() {
+        pages_.push_back(pageAfter(page_));
+        used_ = 0;
+    }
+
+    MeasuringCanvas measure_;
+    BookPage page_;
+    QRectF content_;
+    double scale_;
+    std::vector<BookPage> pages_;
+    double used_ = 0;
+};
+
 }  // namespace
 
 MeasuringCanvas::MeasuringCanvas() : image_(1, 1, QImage::Format_RGB32), painter_(&image_) {}
@@ -176,16 +229,11 @@ std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page
     return pages;
 }
 
-std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page, PageTable table) {
-    const QRectF content = contentArea(setup);
-    table.widthsPt = fitColumns(table, content.width());
-    std::vector<BookPage> pages;
-    for (PageTable& part : flowTable(table, content.height(), content.height())) {
-        if (part.rows.empty() && !table.rows.empty()) continue;  // its first row is higher than the page
-        pages.push_back(pages.empty() ? page : pageAfter(page));
-        pages.back().items.push_back({content, std::move(part)});
-    }
-    return pages;
+std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page,
+                                     std::vector<NamedTable> tables) {
+    TablePages pages(setup, page);
+    for (NamedTable& table : tables) pages.add(std::move(table));
+    return pages.finish();
 }
 
 }  // namespace noonmark

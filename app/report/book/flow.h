@@ -37,7 +37,16 @@ double tableHeightPt(const PageTable& table);
 /// its title alone.
 std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page, const TextBlocks& blocks);
 
-/// Pages of a table over the whole width.
-std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page, PageTable table);
+/// A table with its heading, for makeTablePages().
+struct NamedTable {
+    QString title;
+    QString note;     ///< below the title; may be empty
+    PageTable table;  ///< its widths are set by makeTablePages()
+};
+
+/// Pages of tables over the whole width, one below the other. A table begins on a new page where fewer than
+/// some rows of it would fit.
+std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page,
+                                     std::vector<NamedTable> tables);
 
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/report/maps/map_view.h"
@@ -39,25 +40,28 @@ QImage maskOf(const std::vector<Place>& places, const Box2& area) {
     return mask;
 }
 
-/// Parallel rays of a view: the ground's area fills the picture.
+/// Parallel rays of a view that shows certain points.
 struct Projection {
     glm::vec3 middle, right, up, sun;
     float perPixel = 1;  // metres
 
-    Projection(const Box2& area, glm::vec3 towardsSun, const QSize& size) : sun(towardsSun) {
-        middle = glm::vec3((area.low + area.high) / 2.0F, 0);
+    Projection(const std::vector<glm::vec3>& shown, glm::vec3 towardsSun, const QSize& size)
+        : sun(towardsSun) {
         const glm::vec3 ahead = -sun;
         right = std::abs(sun.z) > 0.9999F ? glm::vec3(1, 0, 0)
                                           : glm::normalize(glm::cross(ahead, glm::vec3(0, 0, 1)));
         up = glm::cross(right, ahead);
-        float width = 1, height = 1;
-        for (const glm::vec2 corner :
-             {area.low, area.high, glm::vec2(area.low.x, area.high.y), glm::vec2(area.high.x, area.low.y)}) {
-            const glm::vec3 from = glm::vec3(corner, 0) - middle;
-            width = std::max(width, 2 * std::abs(glm::dot(from, right)));
-            height = std::max(height, 2 * std::abs(glm::dot(from, up)));
+        glm::vec2 low(1e9F), high(-1e9F);
+        for (const glm::vec3 point : shown) {
+            const glm::vec2 at(glm::dot(point, right), glm::dot(point, up));
+            low = glm::min(low, at);
+            high = glm::max(high, at);
         }
-        perPixel = std::max(width / float(size.width()), height / float(size.height()));
+        middle = right * ((low.x + high.x) / 2) + up * ((low.y + high.y) / 2);
+        // Along the rays, so that they start above the ground.
+        middle += sun * glm::dot(shown.front() - middle, sun);
+        perPixel = std::max(
+            {(high.x - low.x) / float(size.width()), (high.y - low.y) / float(size.height()), 0.01F});
     }
 
     [[nodiscard]] glm::vec3 originOf(int column, int row, const QSize& size) const {
@@ -78,6 +82,19 @@ Seen seenOf(const RayHit& hit, bool isProposal, glm::vec3 sun) {
     const QColor base = isProposal ? QColor(0x7a, 0x5c, 0xc8) : QColor(0xe9, 0xe6, 0xdf);
     const auto side = std::int64_t(std::lround((hit.normal.x + 2 * hit.normal.y + 4 * hit.normal.z) * 50));
     return {(std::int64_t(*hit.building) + 2) * 2000 + side, shaded(base, light).rgb()};
+}
+
+/// The corners of the ground, and of the boxes around the proposal's buildings.
+std::vector<glm::vec3> pointsToShow(const City& proposal, const Box2& area) {
+    std::vector<glm::vec3> points;
+    const auto add = [&](const Box2& box, float height) {
+        for (const glm::vec2 corner :
+             {box.low, box.high, glm::vec2(box.low.x, box.high.y), glm::vec2(box.high.x, box.low.y)})
+            points.emplace_back(corner, height);
+    };
+    add(area, 0);
+    for (const auto& building : proposal.buildings) add(bounds(*building), topM(*building));
+    return points;
 }
 
 void drawEdges(QImage& image, const std::vector<std::int64_t>& surfaces) {
@@ -101,7 +118,8 @@ Result<SunViewScene> SunViewScene::make(const DiagramScene& scene, const Box2& a
     std::fill(isProposal.begin() + std::ptrdiff_t(scene.city.buildings.size()), isProposal.end(), true);
     auto rays = RayScene::over(all, stop);
     if (!rays) return tl::make_unexpected(rays.error());
-    return SunViewScene(*std::move(rays), std::move(isProposal), maskOf(scene.places, area), area);
+    return SunViewScene(*std::move(rays), std::move(isProposal), maskOf(scene.places, area), area,
+                        pointsToShow(scene.proposal, area));
 }
 
 bool SunViewScene::isPlace(glm::vec2 ground) const {
@@ -112,7 +130,7 @@ bool SunViewScene::isPlace(glm::vec2 ground) const {
 }
 
 QImage SunViewScene::paint(const SunStep& sun, const QSize& size) const {
-    const Projection projection(area_, sun.direction, size);
+    const Projection projection(shown_, sun.direction, size);
     QImage image(size, QImage::Format_RGB32);
     std::vector<std::int64_t> surfaces(std::size_t(size.width()) * std::size_t(size.height()));
     uchar* const bits = image.bits();

@@ -13,7 +13,8 @@ namespace noonmark {
 /// What views from the sun show: the scenario's city with its rays, and the places on its ground.
 class SunViewScene {
 public:
-    /// `area`: the ground in the middle of the views, local metres. Error: out of memory, or cancelled().
+    /// `area`: the ground that the views show, local metres; they show all of the proposal, too. Error: out
+    /// of memory, or cancelled().
     static Result<SunViewScene> make(const DiagramScene& scene, const Box2& area,
                                      const std::stop_token& stop);
 
@@ -23,11 +24,13 @@ public:
     [[nodiscard]] QImage paint(const SunStep& sun, const QSize& size) const;
 
 private:
-    SunViewScene(RayScene rays, std::vector<bool> isProposal, QImage places, const Box2& area)
+    SunViewScene(RayScene rays, std::vector<bool> isProposal, QImage places, const Box2& area,
+                 std::vector<glm::vec3> shown)
         : rays_(std::move(rays)),
           isProposal_(std::move(isProposal)),
           places_(std::move(places)),
-          area_(area) {}
+          area_(area),
+          shown_(std::move(shown)) {}
 
     [[nodiscard]] bool isPlace(glm::vec2 ground) const;
 
@@ -35,6 +38,7 @@ private:
     std::vector<bool> isProposal_;  ///< by building
     QImage places_;                 ///< cells of 1 m or more over the area: not 0 on a place
     Box2 area_;
+    std::vector<glm::vec3> shown_;  ///< points that lie in every view
 };
 
 }  // namespace noonmark

@@ -15,20 +15,6 @@ constexpr std::size_t mostFixedDays = 31;
 constexpr double carpetStepMin = 10;
 constexpr std::size_t mostDaysDrawn = 6;
 
-/// Cells of a grid over the page, for charts of a readable size.
-std::vector<QRectF> chartAreas(const PageSetup& setup, int columns, int rows) {
-    const QRectF all = contentArea(setup);
-    const double gap = 12 * textScale(setup);
-    const double width = (all.width() - gap * (columns - 1)) / columns;
-    const double height = (all.height() - gap * (rows - 1)) / rows;
-    std::vector<QRectF> areas;
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            areas.emplace_back(all.left() + column * (width + gap), all.top() + row * (height + gap), width,
-                               height);
-    return areas;
-}
-
 /// Charts of one place.
 class PlaceCharts {
 public:
@@ -47,7 +33,7 @@ public:
 
     [[nodiscard]] std::vector<BookPage> timelinePages() const {
         const PageSetup& setup = scene_.settings.setup;
-        const auto areas = chartAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 4);
+        const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 4);
         std::vector<BookPage> pages;
         const auto drawn = drawnDays();
         for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -60,7 +46,7 @@ public:
     [[nodiscard]] std::vector<BookPage> yearPages() const {
         if (!coversARange()) return {};
         BookPage carpets = page(QStringLiteral("Hours of the year in shadow"), false);
-        const auto areas = chartAreas(scene_.settings.setup, 1, 2);
+        const auto areas = gridAreas(scene_.settings.setup, 1, 2);
         carpets.items.push_back({areas[0], carpetOf(false)});
         carpets.items.push_back({areas[1], carpetOf(true)});
         BookPage months = page(QStringLiteral("Shadow by month"), false);

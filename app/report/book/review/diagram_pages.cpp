@@ -1,10 +1,11 @@
 #include <algorithm>
+#include <cmath>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
 #include "app/report/sheets/study_words.h"
-#include "core/base/progress_share.h"
+#include "core/measures/outlines/shadow_fan.h"
 
 namespace noonmark {
 
@@ -29,7 +30,7 @@ Box2 groundOf(glm::dvec2 centre, double scale, const QRectF& map) {
     return {glm::vec2(centre - half), glm::vec2(centre + half)};
 }
 
-PageItem footOf(const ReviewScene& scene, double scale, double cellM) {
+PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoot::Subject subject) {
     const PageSetup& setup = scene.settings.setup;
     const double height = diagramFootPt(textScale(setup));
     const QRectF all = contentArea(setup);
@@ -38,7 +39,7 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM) {
         note += QStringLiteral(" Edges of shadows follow cells of %1 m, because the ground is not level.")
                     .arg(describeAmount(cellM, 2));
     return {{all.left(), all.bottom() - height, all.width(), height},
-            DiagramFoot{scale, plainText(nameOf(setup.paper)), note, textScale(setup)}};
+            DiagramFoot{scale, plainText(nameOf(setup.paper)), note, textScale(setup), subject}};
 }
 
 QString fromTo(const ReviewScene& scene) {
@@ -72,17 +73,52 @@ std::vector<DiagramMoment> fewOf(const std::vector<DiagramMoment>& all) {
     return few;
 }
 
-BookPage pageOf(const QString& what, CivilDate day, const QString& subtitle, bool isFirst) {
-    const QString title = what + QStringLiteral(", ") + dayText(day);
-    return {title, subtitle, isFirst ? dayText(day) : QString(), 1, {}};
+/// Puts items into the cells of pages, one after the other. A page is named by the days that begin on it.
+class MomentPages {
+public:
+    MomentPages(QString title, QString subtitle, std::vector<QRectF> areas)
+        : title_(std::move(title)), subtitle_(std::move(subtitle)), areas_(std::move(areas)) {}
+
+    /// The next cell; true where it is the first of its page.
+    std::pair<QRectF, bool> next(CivilDate day) {
+        const bool isFirst = used_ % areas_.size() == 0;
+        if (isFirst) pages_.push_back({title_, subtitle_, {}, 1, {}});
+        if (!day_ || *day_ != day) {
+            QString& bookmark = pages_.back().bookmark;
+            bookmark += (bookmark.isEmpty() ? QString() : QStringLiteral("; ")) + dayText(day);
+        }
+        day_ = day;
+        return {areas_[used_++ % areas_.size()], isFirst};
+    }
+
+    BookPage& page() { return pages_.back(); }
+
+    /// The first page is the chapter's; the days on it come with its name.
+    std::vector<BookPage> finish() {
+        if (pages_.empty()) return {};
+        pages_.front().level = 0;
+        pages_.front().bookmark = title_ + QStringLiteral(": ") + pages_.front().bookmark;
+        return std::move(pages_);
+    }
+
+private:
+    QString title_, subtitle_;
+    std::vector<QRectF> areas_;
+    std::vector<BookPage> pages_;
+    std::size_t used_ = 0;
+    std::optional<CivilDate> day_;
+};
+
+DiagramFoot::Subject subjectOf(const Diagram& diagram) {
+    if (!diagram.fan.empty()) return DiagramFoot::Subject::fan;
+    return diagram.valueLines.empty() ? DiagramFoot::Subject::shadows : DiagramFoot::Subject::valueLines;
 }
 
-/// A page without items that only carries the bookmark of a chapter is not wanted: the chapter's bookmark is
-/// that of its first page, and the days are below it.
-void addChapter(std::vector<BookPage>& pages, const QString& chapter) {
-    if (pages.empty()) return;
-    pages.front().bookmark = chapter;
-    pages.front().level = 0;
+void addDiagram(const ReviewScene& scene, MomentPages& pages, CivilDate day, Diagram diagram) {
+    const auto [area, isFirst] = pages.next(day);
+    if (isFirst)
+        pages.page().items.push_back(footOf(scene, diagram.scale, diagram.shadows.cellM, subjectOf(diagram)));
+    pages.page().items.push_back({area, std::move(diagram)});
 }
 
 }  // namespace
@@ -95,7 +131,7 @@ Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& momen
     auto shadows = outlineShadows(scene.before, &scene.after, moment.sun,
                                   {ground, scene.source.study.settings.cellM}, progress, stop);
     if (!shadows) return tl::make_unexpected(shadows.error());
-    return Diagram{scene.diagrams, *std::move(shadows), layout.centre,
+    return Diagram{scene.diagrams, *std::move(shadows), {},   {}, layout.centre,
                    layout.scale,   captionOf(moment),   scale};
 }
 
@@ -103,57 +139,83 @@ Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progres
                                                const std::stop_token& stop) {
     const DiagramLayout layout = layoutOf(scene);
     const auto areas = diagramAreas(scene.settings.setup, layout.columns, layout.rows);
-    std::vector<BookPage> pages;
-    std::size_t done = 0;
-    for (const auto& [day, moments] : byDay(scene.moments))
-        for (std::size_t i = 0; i < moments.size(); ++i) {
-            if (i % areas.size() == 0)
-                pages.push_back(pageOf(QStringLiteral("Shadow diagrams"), day, fromTo(scene), i == 0));
-            progress.report(double(done++) / double(scene.moments.size()), "drawing diagrams");
-            NoProgress quiet;
-            const QRectF& area = areas[i % areas.size()];
-            auto diagram = makeDiagram(scene, moments[i], layout, area, quiet, stop);
-            if (!diagram) return tl::make_unexpected(diagram.error());
-            const double cellM = diagram->shadows.cellM;
-            pages.back().items.push_back({area, *std::move(diagram)});
-            if (i % areas.size() == 0) pages.back().items.push_back(footOf(scene, layout.scale, cellM));
-        }
-    addChapter(pages, QStringLiteral("Shadow diagrams"));
-    return pages;
+    MomentPages pages(QStringLiteral("Shadow diagrams"), fromTo(scene), areas);
+    for (const DiagramMoment& moment : scene.moments) {
+        progress.report(double(&moment - scene.moments.data()) / double(scene.moments.size()),
+                        "drawing diagrams");
+        NoProgress quiet;
+        auto diagram = makeDiagram(scene, moment, layout, areas.front(), quiet, stop);
+        if (!diagram) return tl::make_unexpected(diagram.error());
+        addDiagram(scene, pages, moment.day, *std::move(diagram));
+    }
+    return pages.finish();
+}
+
+Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& progress,
+                                           const std::stop_token& stop) {
+    if (scene.diagrams->proposal.buildings.empty()) return std::vector<BookPage>{};
+    const PageSetup& setup = scene.settings.setup;
+    const double scale = textScale(setup);
+    const auto grid = setup.landscape ? std::pair{2, 1} : std::pair{1, 2};
+    const auto areas = diagramAreas(setup, grid.first, grid.second);
+    BookSettings fitted = scene.settings;
+    fitted.scale.reset();
+    MomentPages pages(
+        QStringLiteral("Shadow fans"),
+        QStringLiteral("All shadows of a day that the proposal would cast if it stood alone, %1. "
+                       "North is up.")
+            .arg(plainText(scene.source.labels.to)),
+        areas);
+    for (const auto& [day, moments] : byDay(scene.moments)) {
+        progress.report(0, "drawing shadow fans");
+        const Box2 reach = reachOf(scene, moments);
+        const DiagramLayout layout = fitInto(areas.front(), scale, reach);
+        const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
+        std::vector<SunStep> steps;
+        for (const DiagramMoment& moment : moments) steps.push_back(moment.sun);
+        NoProgress quiet;
+        auto fan = outlineShadowFan(scene.before, scene.after, steps,
+                                    {ground, scene.source.study.settings.cellM}, quiet, stop);
+        if (!fan) return tl::make_unexpected(fan.error());
+        Diagram diagram{scene.diagrams, {}, {}, {}, layout.centre, layout.scale, {}, scale};
+        diagram.shadows.cellM = fan->cellM;
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            diagram.fan.push_back({moments[i].time, std::move(fan->ofStep[i])});
+        diagram.caption = {
+            dayText(day) + QStringLiteral(", %1 to %2").arg(moments.front().time, moments.back().time),
+            QStringLiteral("1:%1. Existing buildings do not hide these shadows")
+                .arg(std::llround(layout.scale))};
+        addDiagram(scene, pages, day, std::move(diagram));
+    }
+    return pages.finish();
 }
 
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop) {
     const PageSetup& setup = scene.settings.setup;
-    const bool wide = setup.landscape;
-    const auto areas = diagramAreas(setup, wide ? 2 : 1, wide ? 2 : 3);
+    const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 3);
+    const double scale = textScale(setup);
+    const QSize size = (mapAreaOf(areas.front(), scale).size() * pictureDpi / 72).toSize();
     const DiagramLayout layout = layoutOf(scene);
-    const QRectF picture = mapAreaOf(areas.front(), textScale(setup));
-    const QSize size = (picture.size() * pictureDpi / 72).toSize();
-    std::vector<BookPage> pages;
-    const QRectF shown =
-        mapAreaOf(diagramAreas(setup, layout.columns, layout.rows).front(), textScale(setup));
+    const QRectF shown = mapAreaOf(diagramAreas(setup, layout.columns, layout.rows).front(), scale);
     const auto views =
         SunViewScene::make(*scene.diagrams, groundOf(layout.centre, layout.scale, shown), stop);
     if (!views) return tl::make_unexpected(views.error());
-    for (const auto& [day, moments] : byDay(scene.moments)) {
-        const auto few = fewOf(moments);
-        for (std::size_t i = 0; i < few.size(); ++i) {
+    MomentPages pages(
+        QStringLiteral("Views from the sun"),
+        QStringLiteral("%1, without perspective, as the sun sees it: what is visible is sunlit, "
+                       "what is hidden is in shadow. The proposal is violet, places are green.")
+            .arg(plainText(scene.source.labels.to)),
+        areas);
+    for (const auto& [day, moments] : byDay(scene.moments))
+        for (const DiagramMoment& moment : fewOf(moments)) {
             if (stop.stop_requested()) return cancelled();
             progress.report(0, "drawing views from the sun");
-            if (i % areas.size() == 0)
-                pages.push_back(pageOf(QStringLiteral("View from the sun"), day,
-                                       QStringLiteral("%1, without perspective, as the sun sees it: what is "
-                                                      "visible is sunlit, what is hidden is in shadow. "
-                                                      "The proposal is violet, places are green.")
-                                           .arg(plainText(scene.source.labels.to)),
-                                       i == 0));
-            pages.back().items.push_back(
-                {areas[i % areas.size()], PagePicture{views->paint(few[i].sun, size), captionOf(few[i])}});
+            const QRectF area = pages.next(day).first;
+            pages.page().items.push_back(
+                {area, PagePicture{views->paint(moment.sun, size), captionOf(moment)}});
         }
-    }
-    addChapter(pages, QStringLiteral("Views from the sun"));
-    return pages;
+    return pages.finish();
 }
 
 }  // namespace noonmark

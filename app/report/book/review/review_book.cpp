@@ -32,7 +32,7 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
               settings.titleBlock.date.empty() ? today() : plainText(settings.titleBlock.date),
               describeData(source.labels.provenance.attribution),
               {}};
-    for (const MakePages make : {makeSummaryPages, makeDiagramPages, makeSunViewPages}) {
+    for (const MakePages make : {makeSummaryPages, makeDiagramPages, makeFanPages, makeSunViewPages}) {
         auto pages = make(*scene, progress, stop);
         if (!pages) return tl::make_unexpected(pages.error());
         appendPages(book.pages, *std::move(pages));

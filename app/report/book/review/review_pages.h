@@ -39,6 +39,8 @@ struct DiagramLayout {
 
 /// The areas of the diagrams of a page, row by row, in points; their foot is below them.
 std::vector<QRectF> diagramAreas(const PageSetup& setup, int columns, int rows);
+/// The same without room for a foot.
+std::vector<QRectF> gridAreas(const PageSetup& setup, int columns, int rows);
 
 /// The round scale and the most views a page that show all of `reach` (or, where that takes more than 1:5000,
 /// all of `focus`). With a given scale: the most views that show `focus`; if none does, one view of what is
@@ -47,8 +49,12 @@ DiagramLayout chooseLayout(const BookSettings& settings, const Box2& proposal, c
                            const Box2& reach);
 
 /// Where the shadows of what changes reach at the moments, cut at 1.5 km.
-Box2 reachOf(const ReviewScene& scene);
+Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
+/// What changes, and the places as far as its shadows reach.
+Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
 DiagramLayout layoutOf(const ReviewScene& scene);
+/// One view in an area, at the largest round scale at which it shows a box; at most 1:5000.
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown);
 
 /// The moment at which most of any place is in incremental shadow; else the moment nearest to noon. Nothing
 /// without any sun.
@@ -63,6 +69,8 @@ Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progres
                                                const std::stop_token& stop);
 Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
+Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& progress,
+                                           const std::stop_token& stop);
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
 std::vector<BookPage> makeChartPages(const ReviewScene& scene);

@@ -16,7 +16,7 @@ using std::chrono::month_day;
 constexpr int mostHoursADay = 6;
 constexpr double farthestM = 1500;
 constexpr double marginM = 12;
-constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 5000.0};
+constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 4000.0, 5000.0};
 
 SunStep sunAt(const Observer& observer, Instant at) {
     const SolarPosition sun = computeSolarPosition(observer, at);
@@ -116,6 +116,17 @@ Box2 unionOf(Box2 a, const Box2& b) {
     return a;
 }
 
+std::vector<QRectF> divide(const QRectF& all, int columns, int rows, double gap) {
+    const double width = (all.width() - gap * (columns - 1)) / columns;
+    const double height = (all.height() - gap * (rows - 1)) / rows;
+    std::vector<QRectF> areas;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            areas.emplace_back(all.left() + column * (width + gap), all.top() + row * (height + gap), width,
+                               height);
+    return areas;
+}
+
 /// Metres of ground that one view of a grid shows.
 glm::dvec2 groundOf(const PageSetup& setup, int columns, int rows, double scale) {
     const QRectF area = diagramAreas(setup, columns, rows).front();
@@ -149,16 +160,12 @@ std::vector<std::pair<int, int>> gridsOf(const PageSetup& setup) {
 }  // namespace
 
 std::vector<QRectF> diagramAreas(const PageSetup& setup, int columns, int rows) {
-    const double scale = textScale(setup), gap = 8 * scale;
-    const QRectF all = contentArea(setup).adjusted(0, 0, 0, -diagramFootPt(scale));
-    const double width = (all.width() - gap * (columns - 1)) / columns;
-    const double height = (all.height() - gap * rows) / rows;
-    std::vector<QRectF> areas;
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            areas.emplace_back(all.left() + column * (width + gap), all.top() + row * (height + gap), width,
-                               height);
-    return areas;
+    const double foot = diagramFootPt(textScale(setup));
+    return divide(contentArea(setup).adjusted(0, 0, 0, -foot), columns, rows, 8 * textScale(setup));
+}
+
+std::vector<QRectF> gridAreas(const PageSetup& setup, int columns, int rows) {
+    return divide(contentArea(setup), columns, rows, 12 * textScale(setup));
 }
 
 void appendPages(std::vector<BookPage>& to, std::vector<BookPage> pages) {
@@ -194,12 +201,12 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
     return scene;
 }
 
-Box2 reachOf(const ReviewScene& scene) {
+Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
     const Box2 changed = changedBounds(*scene.diagrams);
     if (changed.empty()) return grown(boundsOfPlaces(scene.diagrams->places), marginM);
     Box2 reach = changed;
     const double height = highestChangeM(*scene.diagrams);
-    for (const DiagramMoment& moment : scene.moments) {
+    for (const DiagramMoment& moment : moments) {
         const glm::dvec3 sun(moment.sun.direction);
         glm::dvec2 shift = -glm::dvec2(sun) / sun.z * height;
         const double length = glm::length(shift);
@@ -232,12 +239,30 @@ DiagramLayout chooseLayout(const BookSettings& settings, const Box2& proposal, c
     return make(grids[1], roundScales.back(), proposal.empty() ? focus : proposal);
 }
 
-DiagramLayout layoutOf(const ReviewScene& scene) {
-    const Box2 reach = reachOf(scene), changed = grown(changedBounds(*scene.diagrams), marginM);
-    Box2 focus = changed;
+Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
+    const Box2 reach = reachOf(scene, moments), changed = changedBounds(*scene.diagrams);
+    Box2 focus = changed.empty() ? reach : grown(changed, marginM);
     for (const Place& place : scene.diagrams->places)
         focus = unionOf(focus, intersectionOf(boundsOfPlaces({place}), reach));
-    return chooseLayout(scene.settings, changed, focus.empty() ? reach : focus, unionOf(reach, focus));
+    return focus;
+}
+
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown) {
+    const QSizeF map = mapAreaOf(area, textScale).size();
+    const glm::dvec2 size = glm::max(glm::dvec2(shown.high - shown.low), glm::dvec2(1));
+    const auto holds = [&](double scale) {
+        return size.x * pointsPerMetre(scale) <= map.width() &&
+               size.y * pointsPerMetre(scale) <= map.height();
+    };
+    const auto scale = std::ranges::find_if(roundScales, holds);
+    return {1, 1, scale == roundScales.end() ? roundScales.back() : *scale,
+            glm::dvec2(shown.low + shown.high) / 2.0};
+}
+
+DiagramLayout layoutOf(const ReviewScene& scene) {
+    const Box2 changed = grown(changedBounds(*scene.diagrams), marginM);
+    const Box2 reach = reachOf(scene, scene.moments), focus = focusOf(scene, scene.moments);
+    return chooseLayout(scene.settings, changed, focus, unionOf(reach, focus));
 }
 
 std::optional<DiagramMoment> worstMoment(const ReviewScene& scene) {

@@ -51,7 +51,7 @@ TextBlocks introduction(const ReviewScene& scene) {
     blocks.push_back(body(plainText(study.rule.summary)));
     blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
                               .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
-    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. %3, every %4 min, cells of %5 m.")
+    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m.")
                               .arg(plainText(study.clock))
                               .arg(study.year)
                               .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
@@ -84,15 +84,9 @@ std::pair<QRectF, QRectF> halvesOf(const PageSetup& setup) {
             {all.left(), all.top() + height + gap, all.width(), all.height() - height - gap}};
 }
 
-/// A view of the summary shows what the diagrams show, at a round scale of its own.
-DiagramLayout summaryLayout(const ReviewScene& scene, const QRectF& map) {
-    const DiagramLayout diagrams = layoutOf(scene);
-    const Box2 reach = reachOf(scene);
-    const glm::dvec2 size = glm::max(glm::dvec2(reach.high - reach.low), glm::dvec2(1));
-    for (const double scale : {500.0, 1000.0, 2000.0, 2500.0, 5000.0, 10000.0})
-        if (size.x * pointsPerMetre(scale) <= map.width() && size.y * pointsPerMetre(scale) <= map.height())
-            return {1, 1, scale, glm::dvec2(reach.low + reach.high) / 2.0};
-    return {1, 1, 10000, diagrams.centre};
+/// The view of the summary shows what changes, its shadow at the moment, and the places in reach of it.
+DiagramLayout summaryLayout(const ReviewScene& scene, const DiagramMoment& moment, const QRectF& area) {
+    return fitInto(area, textScale(scene.settings.setup), focusOf(scene, {moment}));
 }
 
 Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& area, Progress& progress,
@@ -102,7 +96,7 @@ Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& 
     const PageSetup& setup = scene.settings.setup;
     const double foot = diagramFootPt(textScale(setup));
     const QRectF picture = area.adjusted(0, 0, 0, -foot);
-    const DiagramLayout layout = summaryLayout(scene, mapAreaOf(picture, textScale(setup)));
+    const DiagramLayout layout = summaryLayout(scene, *moment, picture);
     auto diagram = makeDiagram(scene, *moment, layout, picture, progress, stop);
     if (!diagram) return tl::make_unexpected(diagram.error());
     const bool anyIncremental = std::ranges::any_of(
@@ -139,7 +133,8 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         PageTable more = verdictTable(scene, points);
         more.rows.erase(more.rows.begin(), more.rows.begin() + std::ptrdiff_t(shown));
         more.marks.erase(more.marks.begin(), more.marks.begin() + std::ptrdiff_t(shown));
-        pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}}, std::move(more));
+        pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}},
+                               {{QStringLiteral("Verdicts, continued"), {}, std::move(more)}});
     }
     left = left.adjusted(0, used + gap, 0, 0);
     if (pages.empty() && heightPt(rest) + 1 <= left.height()) {

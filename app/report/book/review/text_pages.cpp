@@ -21,12 +21,12 @@ constexpr std::size_t mostDaysAll = 31;  // of longer ranges only days with incr
 BookPage chapter(const QString& title, const QString& subtitle) { return {title, subtitle, title, 0, {}}; }
 
 /// The rule's own table.
-std::vector<BookPage> rulePages(const ReviewScene& scene) {
+std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     PageTable table{{}, {}, {}, {}, tablePt * textScale(scene.settings.setup)};
     for (const RuleColumn& column : study.rule.deliverables.columns)
         table.titles.push_back(plainText(column.title));
-    if (table.titles.empty()) return {};
+    if (table.titles.empty()) return std::nullopt;
     std::size_t leftOut = 0;
     for (const PlaceReview& review : study.places)
         for (const ReviewRow& row : review.rows) {
@@ -42,12 +42,10 @@ std::vector<BookPage> rulePages(const ReviewScene& scene) {
                              ? QString()
                              : QStringLiteral(". %1 days without incremental shadow are in review.csv only")
                                    .arg(describeCount(leftOut));
-    return makeTablePages(
-        scene.settings.setup,
-        chapter(
-            QStringLiteral("Table of the rule"),
-            QStringLiteral("%1, clock: %2%3").arg(plainText(study.rule.name), plainText(study.clock), note)),
-        std::move(table));
+    return NamedTable{
+        QStringLiteral("Table of the rule"),
+        QStringLiteral("%1, clock: %2%3").arg(plainText(study.rule.name), plainText(study.clock), note),
+        std::move(table)};
 }
 
 QString limitText(const Criterion& criterion) {
@@ -61,7 +59,7 @@ QString limitText(const Criterion& criterion) {
 }
 
 /// The numbers behind the verdicts.
-std::vector<BookPage> criteriaPages(const ReviewScene& scene) {
+std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
     PageTable table{{QStringLiteral("Place"), QStringLiteral("Criterion"), QStringLiteral("Measured"),
                      QStringLiteral("Former"), QStringLiteral("Limit"), QStringLiteral("Deciding day"),
                      QStringLiteral("Result")},
@@ -84,8 +82,8 @@ std::vector<BookPage> criteriaPages(const ReviewScene& scene) {
                                   result.day ? dayText(*result.day) : none,
                                   plainText(nameOf(result.verdict))});
         }
-    if (table.rows.empty()) return {};
-    return makeTablePages(scene.settings.setup, chapter(QStringLiteral("Criteria"), {}), std::move(table));
+    if (table.rows.empty()) return std::nullopt;
+    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"), {}, std::move(table)};
 }
 
 QString areaHours(const ReviewScene& scene, double m2h) {
@@ -98,19 +96,18 @@ QString shareText(const ReviewTotals& totals, double m2h) {
 }
 
 /// Sums over the rule's days, for rules about a range of days.
-std::vector<BookPage> sumPages(const ReviewScene& scene) {
+std::optional<NamedTable> sumTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
-    if (scene.sun.sun.days.size() <= mostDaysAll) return {};
-    PageTable table{
-        {QStringLiteral("Place"), QStringLiteral("Theoretical sun"),
-         QStringLiteral("Existing shadow"), QStringLiteral("share"),
-         QStringLiteral("With proposal"), QStringLiteral("share"), QStringLiteral("Incremental"),
-         QStringLiteral("share"), QStringLiteral("Days with incremental shadow"),
-         QStringLiteral("Day of most"), QStringLiteral("Duration on it")},
-        {},
-        {},
-        {},
-        tablePt * textScale(scene.settings.setup)};
+    if (scene.sun.sun.days.size() <= mostDaysAll) return std::nullopt;
+    PageTable table{{QStringLiteral("Place"), QStringLiteral("Theoretical sun"),
+                     QStringLiteral("Existing shadow"), QStringLiteral("share"),
+                     QStringLiteral("With proposal"), QStringLiteral("share"), QStringLiteral("Incremental"),
+                     QStringLiteral("share"), QStringLiteral("Days with incremental shadow"),
+                     QStringLiteral("Day of most"), QStringLiteral("Duration on it")},
+                    {},
+                    {},
+                    {},
+                    tablePt * textScale(scene.settings.setup)};
     for (const PlaceReview& review : study.places) {
         const ReviewTotals& sum = review.totals;
         table.rows.push_back({plainText(review.name), areaHours(scene, sum.theoreticalM2h),
@@ -121,11 +118,9 @@ std::vector<BookPage> sumPages(const ReviewScene& scene) {
                               sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("-"),
                               describeAmount(sum.largestDayDurationMin, 0) + QStringLiteral(" min")});
     }
-    return makeTablePages(
-        scene.settings.setup,
-        chapter(QStringLiteral("Sums"),
-                QStringLiteral("Over the days of the rule; shares of the theoretical sun")),
-        std::move(table));
+    return NamedTable{QStringLiteral("Sums"),
+                      QStringLiteral("Over the days of the rule; shares of the theoretical sun"),
+                      std::move(table)};
 }
 
 TextBlocks methodOf(const ReviewScene& scene) {
@@ -187,16 +182,18 @@ TextBlocks sourcesOf(const ReviewScene& scene) {
 }  // namespace
 
 std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
-    std::vector<BookPage> pages = rulePages(scene);
-    appendPages(pages, criteriaPages(scene));
-    appendPages(pages, sumPages(scene));
-    return pages;
+    std::vector<NamedTable> tables;
+    for (auto& table : {sumTable(scene), criteriaTable(scene), ruleTable(scene)})
+        if (table) tables.push_back(table.value());
+    if (tables.empty()) return {};
+    return makeTablePages(scene.settings.setup, chapter(QStringLiteral("Tables"), {}), std::move(tables));
 }
 
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene) {
     TextBlocks blocks = methodOf(scene);
     addBlocks(blocks, sourcesOf(scene));
-    addBlocks(blocks, repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, commandLetters), false));
+    addBlocks(blocks, repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, commandLetters),
+                                   false));
     addBlocks(blocks, ruleBlocks(scene.source.study.rule));
     return makeTextPages(scene.settings.setup, chapter(QStringLiteral("Method and sources"), {}), blocks);
 }
