@@ -47,6 +47,7 @@ public:
         paintGround();
         paintBuildings(canvas_, view_, scene_.city, {shade::building, shade::buildingLine, 0.25});
         paintRemoved();
+        paintFan();
         paintBuildings(canvas_, view_, scene_.proposal, {shade::proposal, ink::text, 0.9});
         paintPlaceLines();
         paintValueLines();
@@ -70,13 +71,15 @@ private:
         fill(pathOf(diagram_.shadows.baseline, view_), shade::baseline);
         fill(pathOf(diagram_.shadows.gained, view_), shade::gained);
         fill(pathOf(diagram_.shadows.incremental, view_), shade::incremental);
-        for (const FanShadow& shadow : diagram_.fan) {
-            QColor pale = shade::incremental;
-            pale.setAlpha(46);
-            canvas_.painter.setBrush(pale);
-            canvas_.painter.setPen(linePen(canvas_, shade::incremental, 0.5));
-            canvas_.painter.drawPath(pathOf(shadow.polygons, view_));
-        }
+    }
+
+    /// Above other buildings, which do not hide it.
+    void paintFan() {
+        QColor pale = shade::incremental;
+        pale.setAlpha(56);
+        canvas_.painter.setBrush(pale);
+        canvas_.painter.setPen(linePen(canvas_, shade::incremental, 0.6));
+        for (const FanShadow& shadow : diagram_.fan) canvas_.painter.drawPath(pathOf(shadow.polygons, view_));
     }
 
     /// A label with a white plate, where no other label is.

@@ -160,7 +160,7 @@ QString sheetNumber(const Book& book, std::size_t index) {
 
 std::vector<TextBlocks> flowText(const TextBlocks& blocks, const QSizeF& sizePt, double points) {
     TextFlow flow(sizePt, points);
-    for (const TextBlock& block : blocks) flow.add(block);
+    for (const TextBlock& block : blocks) flow.add({block.kind, plainLines(block.text)});
     return flow.finish();
 }
 

@@ -76,12 +76,16 @@ double paintRow(const Canvas& canvas, const PageTable& table, const std::vector<
 
 }  // namespace
 
-QString plainText(QString text) {
+QString plainLines(QString text) {
     text.removeIf(turnsDirection);
     for (QChar& c : text)
-        if (c.category() == QChar::Other_Control || c == QChar::LineSeparator ||
-            c == QChar::ParagraphSeparator)
-            c = u' ';
+        if (c.category() == QChar::Other_Control && c != u'\n') c = u' ';
+    return text;
+}
+
+QString plainText(QString text) {
+    text = plainLines(std::move(text));
+    text.replace(QChar::LineSeparator, u' ').replace(QChar::ParagraphSeparator, u' ');
     return text.simplified();
 }
 

@@ -35,6 +35,8 @@ struct Caption {
 /// direction of all later text are left out.
 QString plainText(std::string_view text);
 QString plainText(QString text);
+/// The same with its lines.
+QString plainLines(QString text);
 
 /// The height of a text that is broken into lines of `width` (painter units).
 double textHeight(const Canvas& canvas, const QString& text, const QFont& font, double width);

@@ -33,6 +33,7 @@ void expectNothingCutOff(const Book& book) {
         record(book, i, page);
         ASSERT_FALSE(page.texts().empty());
         for (const PaintedText& text : page.texts()) {
+            if (text.box.width() <= 0) continue;  // marks without ink
             EXPECT_TRUE(frame.contains(text.box))
                 << "page " << i << ": " << text.text.toStdString() << " at " << text.box.left() / unit << ","
                 << text.box.top() / unit << " size " << text.box.width() / unit << " in a frame of "

@@ -11,6 +11,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr double mostFanScale = 10000;
 constexpr double pictureDpi = 200;
 constexpr std::size_t mostSunViewsADay = 3;
 
@@ -158,8 +159,6 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     const double scale = textScale(setup);
     const auto grid = setup.landscape ? std::pair{2, 1} : std::pair{1, 2};
     const auto areas = diagramAreas(setup, grid.first, grid.second);
-    BookSettings fitted = scene.settings;
-    fitted.scale.reset();
     MomentPages pages(
         QStringLiteral("Shadow fans"),
         QStringLiteral("All shadows of a day that the proposal would cast if it stood alone, %1. "
@@ -169,7 +168,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     for (const auto& [day, moments] : byDay(scene.moments)) {
         progress.report(0, "drawing shadow fans");
         const Box2 reach = reachOf(scene, moments);
-        const DiagramLayout layout = fitInto(areas.front(), scale, reach);
+        const DiagramLayout layout = fitInto(areas.front(), scale, reach, mostFanScale);
         const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
         std::vector<SunStep> steps;
         for (const DiagramMoment& moment : moments) steps.push_back(moment.sun);

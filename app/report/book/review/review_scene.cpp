@@ -24,6 +24,14 @@ SunStep sunAt(const Observer& observer, Instant at) {
     return {glm::vec3(direction), float(sun.azimuth.value), float(sun.altitudeApparent.value), 0, at};
 }
 
+/// Whether one of the days lies within a week, when the sun is nearly the same.
+bool isNear(CivilDate date, const std::set<month_day>& days) {
+    return std::ranges::any_of(days, [&](month_day day) {
+        const std::chrono::sys_days other{CivilDate{date.year(), day.month(), day.day()}};
+        return std::abs((std::chrono::sys_days{date} - other).count()) <= 7;
+    });
+}
+
 /// Of a rule about a range of days: the days on which planners draw, and those of most shadow.
 std::vector<RuleDay> drawnDays(const ReviewBookSource& source, const RuleSun& sun) {
     const Rule& rule = source.study.rule;
@@ -39,7 +47,8 @@ std::vector<RuleDay> drawnDays(const ReviewBookSource& source, const RuleSun& su
     for (const PlaceReview& place : source.study.places)
         if (place.totals.largestDay && (!worst || place.totals.incrementalM2h > worst->totals.incrementalM2h))
             worst = &place;
-    if (worst) days.insert({worst->totals.largestDay->month(), worst->totals.largestDay->day()});
+    if (worst && !isNear(*worst->totals.largestDay, days))
+        days.insert({worst->totals.largestDay->month(), worst->totals.largestDay->day()});
     if (days.empty()) days.insert({first.month(), first.day()});
     std::vector<RuleDay> drawn;
     for (const month_day day : days) drawn.push_back({day, {}, {}, {}});
@@ -147,6 +156,8 @@ double middleOf(double wideLow, double wideHigh, double narrowLow, double narrow
     return low <= high ? std::clamp(wide, low, high) : (narrowLow + narrowHigh) / 2;
 }
 
+glm::dvec2 middleOf(const Box2& box) { return glm::dvec2(box.low + box.high) / 2.0; }
+
 glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
     return {middleOf(wide.low.x, wide.high.x, narrow.low.x, narrow.high.x, shown.x),
             middleOf(wide.low.y, wide.high.y, narrow.low.y, narrow.high.y, shown.y)};
@@ -229,13 +240,15 @@ DiagramLayout chooseLayout(const BookSettings& settings, const Box2& proposal, c
     const auto grids = gridsOf(settings.setup);
     if (settings.scale) {
         for (const auto& grid : grids)
-            if (holds(grid, *settings.scale, focus)) return make(grid, *settings.scale, focus);
+            if (holds(grid, *settings.scale, focus))
+                return make(grid, *settings.scale, holds(grid, *settings.scale, reach) ? reach : focus);
         return make(grids.back(), *settings.scale, proposal.empty() ? focus : proposal);
     }
     for (const double scale : roundScales)
         if (holds(grids[1], scale, reach)) return make(grids[1], scale, reach);
     for (std::size_t i = 1; i < grids.size(); ++i)
-        if (holds(grids[i], roundScales.back(), focus)) return make(grids[i], roundScales.back(), focus);
+        if (holds(grids[i], roundScales.back(), focus))
+            return {grids[i].first, grids[i].second, roundScales.back(), middleOf(focus)};
     return make(grids[1], roundScales.back(), proposal.empty() ? focus : proposal);
 }
 
@@ -247,7 +260,7 @@ Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments
     return focus;
 }
 
-DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown) {
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double mostScale) {
     const QSizeF map = mapAreaOf(area, textScale).size();
     const glm::dvec2 size = glm::max(glm::dvec2(shown.high - shown.low), glm::dvec2(1));
     const auto holds = [&](double scale) {
@@ -255,8 +268,7 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown) {
                size.y * pointsPerMetre(scale) <= map.height();
     };
     const auto scale = std::ranges::find_if(roundScales, holds);
-    return {1, 1, scale == roundScales.end() ? roundScales.back() : *scale,
-            glm::dvec2(shown.low + shown.high) / 2.0};
+    return {1, 1, scale == roundScales.end() ? mostScale : *scale, glm::dvec2(shown.low + shown.high) / 2.0};
 }
 
 DiagramLayout layoutOf(const ReviewScene& scene) {

@@ -70,6 +70,28 @@ TextBlocks notCheckedBlocks(const ReviewStudy& study) {
     return blocks;
 }
 
+/// Of rules about many days: what the sums say about each place.
+TextBlocks sumBlocks(const ReviewScene& scene) {
+    constexpr std::size_t fewDays = 31;
+    if (scene.sun.sun.days.size() <= fewDays) return {};
+    TextBlocks blocks{heading(QStringLiteral("Sums over the days of the rule"))};
+    for (const PlaceReview& place : scene.source.study.places) {
+        const ReviewTotals& sum = place.totals;
+        if (sum.theoreticalM2h <= 0) continue;
+        const auto text = [&](double m2h) {
+            return QStringLiteral("%1, %2 %")
+                .arg(QString::fromStdString(formatAreaHours(m2h, scene.settings.units)),
+                     describeAmount(100 * m2h / sum.theoreticalM2h, 3));
+        };
+        blocks.push_back(
+            body(QStringLiteral("%1: existing shadow %2 of the theoretical sun; incremental %3; "
+                                "most on %4.")
+                     .arg(plainText(place.name), text(sum.baselineM2h), text(sum.incrementalM2h),
+                          sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("no day"))));
+    }
+    return blocks;
+}
+
 /// The picture's half of the first page, and that of the text.
 std::pair<QRectF, QRectF> halvesOf(const PageSetup& setup) {
     const QRectF all = contentArea(setup);
@@ -119,7 +141,9 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         return heightOf(measure.canvas(), blocks, area.width() * MeasuringCanvas::unitsPerPoint, points) /
                MeasuringCanvas::unitsPerPoint;
     };
-    const TextBlocks intro = introduction(scene), rest = notCheckedBlocks(scene.source.study);
+    const TextBlocks intro = introduction(scene);
+    TextBlocks rest = sumBlocks(scene);
+    for (TextBlock& block : notCheckedBlocks(scene.source.study)) rest.push_back(std::move(block));
     const double introPt = std::min(heightPt(intro) + 1, area.height() * 0.6);
     page.items.push_back({{area.left(), area.top(), area.width(), introPt}, PageText{intro, points}});
     QRectF left = area.adjusted(0, introPt + gap, 0, 0);
@@ -141,7 +165,7 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         page.items.push_back({left, PageText{rest, points}});
         return pages;
     }
-    for (BookPage& more : makeTextPages(setup, {QStringLiteral("Not checked"), {}, {}, 0, {}}, rest))
+    for (BookPage& more : makeTextPages(setup, {QStringLiteral("Summary"), {}, {}, 0, {}}, rest))
         pages.push_back(std::move(more));
     return pages;
 }
