@@ -26,6 +26,19 @@ QColor colourOf(Verdict verdict) {
     return ink::line;
 }
 
+/// Places that fail, then borderline ones, then the others; among equals those with most incremental shadow.
+std::vector<const PlaceReview*> worstFirst(const ReviewStudy& study) {
+    std::vector<const PlaceReview*> places;
+    for (const PlaceReview& place : study.places) places.push_back(&place);
+    const auto rank = [](const PlaceReview* place) {
+        const bool isBad = place->verdict == Verdict::fail || place->verdict == Verdict::borderline;
+        const int order = !isBad ? 2 : place->verdict == Verdict::borderline ? 1 : 0;
+        return std::pair(order, -place->totals.incrementalM2h);
+    };
+    std::ranges::stable_sort(places, {}, rank);
+    return places;
+}
+
 PageTable verdictTable(const ReviewScene& scene, double points) {
     const ReviewStudy& study = scene.source.study;
     PageTable table{{QStringLiteral("Place"), QStringLiteral("Kind"), QStringLiteral("Area"),
@@ -34,7 +47,8 @@ PageTable verdictTable(const ReviewScene& scene, double points) {
                     {},
                     {},
                     points};
-    for (const PlaceReview& place : study.places) {
+    for (const PlaceReview* of : worstFirst(study)) {
+        const PlaceReview& place = *of;
         table.rows.push_back({plainText(place.name), plainText(nameOf(place.kind)),
                               QString::fromStdString(formatArea(place.areaM2, scene.settings.units)),
                               plainText(nameOf(place.verdict)), plainText(place.reason)});
@@ -149,6 +163,12 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
     QRectF left = area.adjusted(0, introPt + gap, 0, 0);
     PageTable table = verdictTable(scene, points);
     table.widthsPt = fitColumns(table, area.width());
+    const double restPt = heightPt(rest) + 1;
+    const bool isRestFirst = tableHeightPt(table) + gap + restPt > left.height() && restPt < left.height() / 2;
+    if (isRestFirst) {
+        page.items.push_back({{left.left(), left.top(), left.width(), restPt}, PageText{rest, points}});
+        left = left.adjusted(0, restPt + gap, 0, 0);
+    }
     std::vector<BookPage> pages;
     auto parts = flowTable(table, left.height(), left.height());
     const double used = tableHeightPt(parts.front());
@@ -160,8 +180,9 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}},
                                {{QStringLiteral("Verdicts, continued"), {}, std::move(more)}});
     }
+    if (isRestFirst) return pages;
     left = left.adjusted(0, used + gap, 0, 0);
-    if (pages.empty() && heightPt(rest) + 1 <= left.height()) {
+    if (pages.empty() && restPt <= left.height()) {
         page.items.push_back({left, PageText{rest, points}});
         return pages;
     }
