@@ -9,13 +9,14 @@
 #include "app/cli/offscreen_qt.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/sheet_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/rule_options.h"
-#include "app/cli/review/sheet_options.h"
 #include "app/cli/table.h"
 #include "app/input/output_rules.h"
+#include "app/report/book/review/review_book.h"
 #include "app/report/files/review_files.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
@@ -123,9 +124,8 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     const ReviewLabels labels{options.from, options.to,
                               provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
                               options.places};
-    auto book = makeReviewBook(
-        {*study, labels, before->city, after->city, *places, project.reading->heights}, *sheets, progress,
-        interrupt.token());
+    auto book = makeReviewBook({*study, labels, before->city, after->city, *places, project.reading->heights},
+                               *sheets, progress, interrupt.token());
     if (!book) return tl::make_unexpected(book.error());
     return ReviewAnswer{*std::move(study), labels, *std::move(book)};
 }
@@ -226,6 +226,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->required()
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
+    addDiagramScale(command, options.sheets);
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--json", options.json, "Print only JSON to standard output");
 }

@@ -9,6 +9,8 @@
 #include <QImage>
 #include <QRectF>
 #include <QString>
+#include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -16,6 +18,8 @@
 #include "app/report/book/diagram.h"
 #include "app/report/book/page_text.h"
 #include "app/report/book/paper.h"
+#include "app/report/sheets/sheet.h"
+#include "core/base/display_units.h"
 #include "scenarios/project/title_block.h"
 
 namespace noonmark {
@@ -26,8 +30,15 @@ struct PagePicture {
     Caption caption;
 };
 
+/// A map of cells with its legend, as large as its area allows. The map must not be null, and the data that
+/// it refers to must outlive the book.
+struct PageMap {
+    std::shared_ptr<const SheetMap> map;
+    Caption caption{};  ///< empty: none
+};
+
 using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, TimelineChart, CarpetChart,
-                                 MonthChart, PagePicture>;
+                                 BarChart, PagePicture, PageMap>;
 
 /// `area`: in points from the top left corner of the page, inside contentArea().
 struct PageItem {
@@ -45,6 +56,14 @@ struct BookPage {
     std::vector<PageItem> items{};
 };
 
+struct BookSettings {
+    static constexpr double leastScale = 100, mostScale = 50000;
+    PageSetup setup;
+    std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
+    TitleBlock titleBlock;
+    UnitSystem units = UnitSystem::metric;
+};
+
 struct Book {
     PageSetup setup;
     TitleBlock titleBlock;
@@ -53,6 +72,9 @@ struct Book {
     QString credit;  ///< credit of the data, at the foot of each page
     std::vector<BookPage> pages;
 };
+
+/// A book without pages.
+Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution);
 
 /// "A-3": of page `index` (from 0).
 QString sheetNumber(const Book& book, std::size_t index);

@@ -33,8 +33,9 @@ QString timeText(double minutes) {
 /// The plot of a chart with its axes. Values grow upwards.
 class Plot {
 public:
-    Plot(const Canvas& canvas, const QRectF& area, double scale, double fromX, double toX, double toY)
-        : canvas_(canvas), scale_(scale), fromX_(fromX), toX_(toX), toY_(toY) {
+    Plot(const Canvas& canvas, const QRectF& area, double scale, double fromX, double toX, double toY,
+         double fromY = 0)
+        : canvas_(canvas), scale_(scale), fromX_(fromX), toX_(toX), toY_(toY), fromY_(fromY) {
         const double unit = scale * canvas.point;
         area_ = area.adjusted(52 * unit, 6 * unit, -10 * unit, -14 * unit);
         font_ = textFont(canvas, labelPt * scale);
@@ -44,17 +45,20 @@ public:
     [[nodiscard]] double xAt(double value) const {
         return area_.left() + (value - fromX_) / (toX_ - fromX_) * area_.width();
     }
-    [[nodiscard]] double yAt(double value) const { return area_.bottom() - value / toY_ * area_.height(); }
+    [[nodiscard]] double yAt(double value) const {
+        return area_.bottom() - (value - fromY_) / (toY_ - fromY_) * area_.height();
+    }
     [[nodiscard]] QPointF at(double x, double y) const { return {xAt(x), yAt(y)}; }
 
     /// Lines across with their values, and the share of `whole` at the last one if there is a whole.
     void paintValues(const QString& unit) const {
-        const double step = roundStep(toY_, 5);
-        for (double value = 0; value <= toY_ * (1 + 1e-9); value += step) {
+        const double step = roundStep(toY_ - fromY_, 5);
+        for (double value = fromY_; value <= toY_ * (1 + 1e-9); value += step) {
             line({area_.left(), yAt(value)}, {area_.right(), yAt(value)});
             const bool isTop = value + step > toY_ * (1 + 1e-9);
             label({area_.left() - 3 * canvas_.point, yAt(value)},
-                  describeAmount(value, value < 10 && value > 0 ? 2 : 0) + (isTop ? unit : QString()),
+                  describeAmount(value, std::abs(value) < 10 && value != 0 ? 2 : 0) +
+                      (isTop ? unit : QString()),
                   Qt::AlignRight | Qt::AlignVCenter);
         }
     }
@@ -94,7 +98,7 @@ public:
 
 private:
     Canvas canvas_;
-    double scale_, fromX_, toX_, toY_;
+    double scale_, fromX_, toX_, toY_, fromY_;
     QRectF area_;
     QFont font_;
 };
@@ -217,25 +221,27 @@ void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& ch
     canvas.painter.restore();
 }
 
-void paintMonths(const Canvas& canvas, const QRectF& area, const MonthChart& chart) {
+void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart) {
+    constexpr double groupShare = 0.8;
     const QRectF rest = withoutCaption(canvas, area, chart.caption, chart.textScale);
-    double most = 1;
-    for (const auto& month : chart.months)
-        most = std::max({most, month.baselineM2h, month.scenarioM2h, month.incrementalM2h});
-    const double top = std::ceil(most / roundStep(most, 5)) * roundStep(most, 5);
-    const Plot plot(canvas, rest, chart.textScale, 0, double(chart.months.size()), top);
+    double most = 0, least = 0;
+    for (const auto& group : chart.groups)
+        for (const double value : group.values) most = std::max(most, value), least = std::min(least, value);
+    const double step = roundStep(std::max(1.0, most - least), 5);
+    const Plot plot(canvas, rest, chart.textScale, 0, double(chart.groups.size()),
+                    std::max(1.0, std::ceil(most / step)) * step, std::floor(least / step) * step);
     canvas.painter.save();
-    plot.paintValues(QStringLiteral(" m² h"));
-    for (std::size_t i = 0; i < chart.months.size(); ++i) {
-        const auto& month = chart.months[i];
-        const auto bar = [&](double from, double m2h, const QColor& colour) {
+    plot.paintValues(u' ' + chart.unit);
+    for (std::size_t i = 0; i < chart.groups.size(); ++i) {
+        const auto& group = chart.groups[i];
+        const double width = groupShare / double(group.values.size());
+        for (std::size_t k = 0; k < group.values.size(); ++k) {
+            const double from = double(i) + (1 - groupShare) / 2 + double(k) * width;
             canvas.painter.fillRect(
-                QRectF(plot.at(double(i) + from, m2h), plot.at(double(i) + from + 0.26, 0)), colour);
-        };
-        bar(0.1, month.baselineM2h, shade::baseline);
-        bar(0.37, month.scenarioM2h, shade::proposal);
-        bar(0.64, month.incrementalM2h, shade::incremental);
-        plot.label({plot.xAt(double(i) + 0.5), plot.area().bottom() + 2 * canvas.point}, month.month,
+                QRectF(plot.at(from, group.values[k]), plot.at(from + 0.92 * width, 0)).normalized(),
+                chart.colours[k]);
+        }
+        plot.label({plot.xAt(double(i) + 0.5), plot.area().bottom() + 2 * canvas.point}, group.name,
                    Qt::AlignHCenter | Qt::AlignTop);
     }
     plot.frame();

@@ -43,19 +43,21 @@ struct CarpetChart {
 /// Colours of carpets. NaN: the sun is not measured.
 QColor carpetColour(double share, bool isIncremental);
 
-/// Area x hours by month.
-struct MonthChart {
+/// Bars in groups, one bar a series: values by month. Values may be negative.
+struct BarChart {
     Caption caption;
-    struct Bars {
-        QString month;
-        double baselineM2h = 0, scenarioM2h = 0, incrementalM2h = 0;
+    QString unit;                 ///< of the values
+    std::vector<QColor> colours;  ///< by series
+    struct Group {
+        QString name;
+        std::vector<double> values;  ///< as many as series
     };
-    std::vector<Bars> months;  ///< at least one
+    std::vector<Group> groups;  ///< at least one
     double textScale = 1;
 };
 
 void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart& chart);
 void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart);
-void paintMonths(const Canvas& canvas, const QRectF& area, const MonthChart& chart);
+void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart);
 
 }  // namespace noonmark

@@ -1,10 +1,14 @@
 #include "app/report/book/flow.h"
 
+#include <QDate>
 #include <QFontMetricsF>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "app/report/sheets/period_words.h"
+#include "app/report/sheets/study_words.h"
 
 namespace noonmark {
 
@@ -153,6 +157,19 @@ private:
 
 MeasuringCanvas::MeasuringCanvas() : image_(1, 1, QImage::Format_RGB32), painter_(&image_) {}
 MeasuringCanvas::~MeasuringCanvas() = default;
+
+Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution) {
+    const QDate day = QDate::currentDate();
+    const CivilDate today{std::chrono::year{day.year()}, std::chrono::month{unsigned(day.month())},
+                          std::chrono::day{unsigned(day.day())}};
+    const std::string& date = settings.titleBlock.date;
+    return {settings.setup,
+            settings.titleBlock,
+            title,
+            date.empty() ? describeDates(today) : plainText(date),
+            describeData(attribution),
+            {}};
+}
 
 QString sheetNumber(const Book& book, std::size_t index) {
     return plainText(book.titleBlock.sheetPrefix) + QString::number(index + 1);

@@ -32,6 +32,20 @@ void paintPicture(const Canvas& canvas, const QRectF& area, const PagePicture& p
                  scale);
 }
 
+void paintPageMap(const Canvas& canvas, const QRectF& area, const PageMap& map, double scale) {
+    const Canvas larger{canvas.painter, canvas.point * scale};
+    const double foot = (legendHeightPt + 8) * larger.point;
+    const bool hasCaption = !map.caption.first.isEmpty();
+    const double caption = hasCaption ? captionPt(scale) * canvas.point : 0;
+    const QRectF room = area.adjusted(0, caption, 0, -foot);
+    if (hasCaption)
+        paintCaption(canvas, {area.left(), area.top(), area.width(), caption}, map.caption, scale);
+    const MapView view = makeMapView(map.map->scene, room);
+    paintMap(canvas, view, map.map->scene);
+    paintMapFoot(larger, {area.left(), room.bottom() + 8 * larger.point, area.width(), foot}, view,
+                 map.map->legend);
+}
+
 /// Paints the content of an item in its area.
 struct ContentPainter {
     const Canvas& canvas;
@@ -44,7 +58,8 @@ struct ContentPainter {
     void operator()(const DiagramFoot& foot) const { paintDiagramFoot(canvas, area, foot); }
     void operator()(const TimelineChart& chart) const { paintTimeline(canvas, area, chart); }
     void operator()(const CarpetChart& chart) const { paintCarpet(canvas, area, chart); }
-    void operator()(const MonthChart& chart) const { paintMonths(canvas, area, chart); }
+    void operator()(const BarChart& chart) const { paintBars(canvas, area, chart); }
+    void operator()(const PageMap& map) const { paintPageMap(canvas, area, map, scale); }
     void operator()(const PagePicture& picture) const { paintPicture(canvas, area, picture, scale); }
 };
 

@@ -220,6 +220,26 @@ TEST(Book, WithoutAProposalStillHasItsPages) {
     expectNothingCutOff(book);
 }
 
+TEST(Book, BarsMayBeNegative) {
+    BarChart chart{{QStringLiteral("Score"), {}}, QStringLiteral("m²"), {Qt::red}, {}, 1};
+    chart.groups = {{QStringLiteral("Jan"), {100}}, {QStringLiteral("Feb"), {-100}}};
+    QImage image(400, 300, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    paintBars({painter, 1}, QRectF(0, 0, 400, 300), chart);
+    painter.end();
+    const auto heights = [&](int x) {
+        std::pair rows{300, 0};
+        for (int y = 0; y < 300; ++y)
+            if (image.pixelColor(x, y) == QColor(Qt::red)) rows = {std::min(rows.first, y), y};
+        return rows;
+    };
+    // The plot lies between 52 points from the left and 10 from the right.
+    const auto january = heights(52 + 338 / 4), february = heights(52 + 338 * 3 / 4);
+    EXPECT_LE(std::abs(january.second - february.first), 2) << "both begin at zero";
+    EXPECT_NEAR(january.second - january.first, february.second - february.first, 2);
+}
+
 TEST(Book, StopsWhenAsked) {
     const ReviewedPark park;
     std::stop_source stop;

@@ -191,25 +191,29 @@ private:
                 chart.months.push_back({double((day - first).count()), monthName(date)});
     }
 
-    [[nodiscard]] MonthChart monthsChart() const {
-        std::map<unsigned, MonthChart::Bars> months;
+    [[nodiscard]] BarChart monthsChart() const {
+        std::map<unsigned, BarChart::Group> months;
         for (std::size_t i = 0; i < days_.size(); ++i) {
             const double weight = i < scene_.sun.weights.size() ? scene_.sun.weights[i] : 1;
-            auto& bars = months[unsigned(days_[i].day.month())];
-            bars.month = monthName(days_[i].day);
-            bars.baselineM2h += weight * days_[i].baseline.areaHoursM2;
-            bars.scenarioM2h += weight * days_[i].scenario.areaHoursM2;
-            bars.incrementalM2h += weight * days_[i].incremental.areaHoursM2;
+            auto& group = months[unsigned(days_[i].day.month())];
+            group.name = monthName(days_[i].day);
+            group.values.resize(3);
+            group.values[0] += weight * days_[i].baseline.areaHoursM2;
+            group.values[1] += weight * days_[i].scenario.areaHoursM2;
+            group.values[2] += weight * days_[i].incremental.areaHoursM2;
         }
         const bool mirrored = scene_.source.study.rule.days.mirrored;
-        MonthChart chart{.caption = {QStringLiteral("Area × hours in shadow by month, m² h"),
-                                     mirrored
-                                         ? QStringLiteral("The measured half of the year stands for both "
-                                                          "halves: each month counts twice")
-                                         : QStringLiteral("Grey: baseline. Violet: with the proposal. "
-                                                          "Orange: incremental")}};
-        chart.textScale = scale_;
-        for (auto& [month, bars] : months) chart.months.push_back(std::move(bars));
+        BarChart chart{
+            {QStringLiteral("Area × hours in shadow by month, m² h"),
+             mirrored ? QStringLiteral("The measured half of the year stands for both halves: each "
+                                       "month counts twice")
+                      : QStringLiteral("Grey: baseline. Violet: with the proposal. Orange: "
+                                       "incremental")},
+            QStringLiteral("m² h"),
+            {shade::baseline, shade::proposal, shade::incremental},
+            {},
+            scale_};
+        for (auto& [month, group] : months) chart.groups.push_back(std::move(group));
         return chart;
     }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double mostFanScale = 10000;
 constexpr double pictureDpi = 200;
+constexpr double mostPicturePixels = 2200;  // a picture for large paper need not be finer
 constexpr std::size_t mostSunViewsADay = 3;
 
 QString sunText(const SunStep& sun) {
@@ -194,7 +195,8 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
     const PageSetup& setup = scene.settings.setup;
     const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 3);
     const double scale = textScale(setup);
-    const QSize size = (mapAreaOf(areas.front(), scale).size() * pictureDpi / 72).toSize();
+    const QSizeF picture = mapAreaOf(areas.front(), scale).size() * pictureDpi / 72;
+    const QSize size = (picture * std::min(1.0, mostPicturePixels / picture.width())).toSize();
     const DiagramLayout layout = layoutOf(scene);
     const QRectF shown = mapAreaOf(diagramAreas(setup, layout.columns, layout.rows).front(), scale);
     const auto views =

@@ -1,25 +1,15 @@
 #pragma once
 
-#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "app/report/book/book.h"
-#include "core/base/display_units.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/heights/height_facts.h"
 #include "core/study/text/review_text.h"
 
 namespace noonmark {
-
-struct BookSettings {
-    static constexpr double leastScale = 100, mostScale = 50000;
-    PageSetup setup;
-    std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
-    TitleBlock titleBlock;
-    UnitSystem units = UnitSystem::metric;
-};
 
 /// What a review's book is made from. All but the heights must outlive the call.
 struct ReviewBookSource {

@@ -164,7 +164,8 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
     PageTable table = verdictTable(scene, points);
     table.widthsPt = fitColumns(table, area.width());
     const double restPt = heightPt(rest) + 1;
-    const bool isRestFirst = tableHeightPt(table) + gap + restPt > left.height() && restPt < left.height() / 2;
+    const bool isRestFirst =
+        tableHeightPt(table) + gap + restPt > left.height() && restPt < left.height() / 2;
     if (isRestFirst) {
         page.items.push_back({{left.left(), left.top(), left.width(), restPt}, PageText{rest, points}});
         left = left.adjusted(0, restPt + gap, 0, 0);

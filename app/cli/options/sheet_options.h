@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "app/report/book/review/review_book.h"
+#include "app/report/book/book.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark::cli {
@@ -12,12 +12,17 @@ namespace noonmark::cli {
 struct SheetOptions {
     std::string paper = "A4";
     bool landscape = false;
-    double scale = 0;  ///< 0: chosen to fit
+    bool wanted = false;  ///< --sheets
+    double scale = 0;     ///< 0: chosen to fit
     std::string project, author, client, date, prefix, logo;
 };
 
-/// Adds --paper, --landscape, --scale, and the texts of the title block. `options` must outlive the command.
+/// Adds --paper, --landscape, and the texts of the title block. `options` must outlive the command.
 void addSheetOptions(CLI::App& command, SheetOptions& options);
+/// Adds --scale.
+void addDiagramScale(CLI::App& command, SheetOptions& options);
+/// Adds --sheets, for commands that write sheets.pdf on request only.
+void addSheetSwitch(CLI::App& command, SheetOptions& options);
 
 /// `ofProject`: units, and a title block of which the options replace texts. Error: the logo cannot be read,
 /// and those of validate() for title blocks.

@@ -1,4 +1,4 @@
-#include "app/cli/review/sheet_options.h"
+#include "app/cli/options/sheet_options.h"
 
 #include <filesystem>
 #include <fstream>
@@ -32,11 +32,6 @@ void addSheetOptions(CLI::App& command, SheetOptions& options) {
         ->check(CLI::IsMember({"A4", "A3", "A1", "Letter", "Tabloid"}, CLI::ignore_case))
         ->type_name("PAPER");
     command.add_flag("--landscape", options.landscape, "Sheets are wider than high");
-    command
-        .add_option("--scale", options.scale,
-                    "Scale of the diagrams: 2000 for 1:2000 (default: a round one that fits)")
-        ->check(within(BookSettings::leastScale, BookSettings::mostScale))
-        ->type_name("NUMBER");
     const auto text = [&](const char* name, std::string& to, const char* what) {
         command.add_option(name, to, what)->type_name("TEXT");
     };
@@ -47,6 +42,19 @@ void addSheetOptions(CLI::App& command, SheetOptions& options) {
     text("--sheet-prefix", options.prefix, "Title block: A- numbers the sheets A-1, A-2, ...");
     command.add_option("--logo", options.logo, "Title block: a PNG or JPEG picture of at most 1 MiB")
         ->type_name("FILE");
+}
+
+void addDiagramScale(CLI::App& command, SheetOptions& options) {
+    command
+        .add_option("--scale", options.scale,
+                    "Scale of the diagrams: 2000 for 1:2000 (default: a round one that fits)")
+        ->check(within(BookSettings::leastScale, BookSettings::mostScale))
+        ->type_name("NUMBER");
+}
+
+void addSheetSwitch(CLI::App& command, SheetOptions& options) {
+    command.add_flag("--sheets", options.wanted,
+                     "Also write sheets.pdf: a book of sheets with frame and title block");
 }
 
 Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject) {
