@@ -17,7 +17,10 @@ find_package(date REQUIRED)
 pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib)
 pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
+# Reads filed reports again.
 pkg_check_modules(POPPLER REQUIRED IMPORTED_TARGET poppler-qt6)
+# Bookmarks, language and page labels of PDFs.
+pkg_check_modules(QPDF REQUIRED IMPORTED_TARGET libqpdf)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCL REQUIRED)
 # Cities with their time zones; without it the window guesses a zone from the tz database's cities alone.

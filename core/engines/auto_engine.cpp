@@ -65,6 +65,15 @@ EstimatedSeconds estimateSeconds(const EngineLoad& load) {
             .horizon = bins * sweepOfABin + (load.runs ? receivers * steps * 5e-12 : 0)};
 }
 
+namespace {
+
+bool isLevel(std::span<const City* const> cities, const Receivers& receivers) {
+    return receivers.flat() &&
+           std::ranges::none_of(cities, [](const City* city) { return city->terrain != nullptr; });
+}
+
+}  // namespace
+
 EngineCapabilities AutoEngine::capabilities() const {
     return combineForChoice({RayReference::able, ProjectedShadows::able, HorizonSweep::able});
 }
@@ -116,13 +125,16 @@ Result<ShadowBreakdown> AutoEngine::computeBreakdown(const City& city, const Rec
 }
 
 // An exact engine always: the sweep rounds azimuths, and what enters a place at which minute shows it.
+std::string_view AutoEngine::nameOfMasks(std::span<const City* const> cities,
+                                         const Receivers& receivers) const {
+    return isLevel(cities, receivers) ? ProjectedShadows().name() : RayReference().name();
+}
+
 Result<void> AutoEngine::computeStepMasks(std::span<const City* const> cities, const Receivers& receivers,
                                           const SunSteps& sun, const TakeDay& take, Progress& progress,
                                           std::stop_token stop) const {
-    const bool level = receivers.flat() && std::ranges::none_of(cities, [](const City* city) {
-                           return city->terrain != nullptr;
-                       });
-    if (level) return ProjectedShadows().shadeSteps(cities, receivers, sun, take, progress, std::move(stop));
+    if (isLevel(cities, receivers))
+        return ProjectedShadows().shadeSteps(cities, receivers, sun, take, progress, std::move(stop));
     return RayReference().shadeSteps(cities, receivers, sun, take, progress, std::move(stop));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -10,26 +11,38 @@
 
 namespace noonmark {
 
-/// Shadows on the open ground at one moment, as polygons in local metres. Ground that a building covers is
-/// left out; ground below an overhang is not.
+/// Shadows on the open ground at one moment, as polygons in local metres: disjoint, simple and oriented, none
+/// under 0.01 m2. Ground that a building of either city covers is left out; ground below an overhang is not.
 struct ShadowOutlines {
     std::vector<Footprint> baseline;     ///< shadow in the baseline
     std::vector<Footprint> incremental;  ///< shadow in the scenario where the baseline is lit
     std::vector<Footprint> gained;       ///< lit in the scenario, in shadow in the baseline
-    /// 0: the exact union of the projected buildings. Else the outlines follow the edges of cells of this
-    /// size, because the ground is not level.
+    /// 0: the union of the projected buildings, exact to 1 mm. Else the outlines follow the edges of cells of
+    /// this size, because the ground is not level.
     double cellM = 0;
 };
 
 struct OutlineSettings {
-    Box2 area;         ///< outlines are cut at its edges, local metres
-    double cellM = 1;  ///< where the ground is not level, 0.25 to 10
+    Box2 area;         ///< outlines are cut at its edges, local metres; to whole cells on terrain
+    double cellM = 1;  ///< of the cells on terrain, 0.25 to 10
 };
 
-/// The shadows of a baseline and of a scenario (null: the baseline alone) at a step of the sun. Error: an
-/// empty area, the polygons cannot be joined, errors of the ray reference, or cancelled().
+/// The shadows of a baseline and of a scenario (null: the baseline alone) at a step of the sun. On level
+/// ground, the buildings whose shadow can reach the area are projected and joined; on terrain, cells are
+/// traced by the ray reference. Error: an empty area, the polygons cannot be joined, errors of the ray
+/// reference and of placing its cells, or cancelled(). A square kilometre of Midtown takes some 0.3 s on two
+/// cores, on level ground; of these 0.1 s join the tiles and are not interrupted.
 Result<ShadowOutlines> outlineShadows(const City& baseline, const City* scenario, const SunStep& step,
                                       const OutlineSettings& settings, Progress& progress,
                                       const std::stop_token& stop);
+
+/// The same for several steps, in their order: faster on terrain, whose scene is built once.
+Result<std::vector<ShadowOutlines>> outlineShadows(const City& baseline, const City* scenario,
+                                                   std::span<const SunStep> steps,
+                                                   const OutlineSettings& settings, Progress& progress,
+                                                   const std::stop_token& stop);
+
+/// Square metres of all polygons together.
+double area(std::span<const Footprint> polygons);
 
 }  // namespace noonmark

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -108,6 +109,7 @@ std::optional<City> loweredCity(const City& city, float byM) {
 struct RuleScene {
     City before, after;
     PlaceReceivers receivers;
+    [[nodiscard]] std::array<const City*, 2> cities() const { return {&before, &after}; }
 };
 
 Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const std::vector<Place>& places,
@@ -123,6 +125,18 @@ Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const
     if (!receivers) return tl::make_unexpected(receivers.error());
     if (plane && !isLowered) raiseToPlane(receivers->receivers, rule.receivers.planeM);
     return RuleScene{std::move(before), std::move(after), *std::move(receivers)};
+}
+
+/// Thins the steps of a day, so that a year of them stays small.
+DayTimeline thinned(DayTimeline day, double stepMinutes, std::size_t days) {
+    constexpr std::size_t mostDays = 31;
+    constexpr double leastMinutes = 10;
+    if (days <= mostDays) return day;
+    const auto every = std::max(std::size_t{1}, std::size_t(std::ceil(leastMinutes / stepMinutes)));
+    std::vector<PlaceStep> steps;
+    for (std::size_t i = 0; i < day.steps.size(); i += every) steps.push_back(day.steps[i]);
+    day.steps = std::move(steps);
+    return day;
 }
 
 std::vector<std::string> notCheckedIn(const Rule& rule, const City& city) {
@@ -176,9 +190,14 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
     for (std::size_t i = 0; i < measured->places.size(); ++i)
         evaluations.emplace_back(rule, days->clock, measured->places[i].name, measured->places[i].kind, 0,
                                  measured->belts[i]);
+    std::vector<std::vector<DayTimeline>> timelines(settings.timelines ? measured->places.size() : 0);
     const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
-        tbb::parallel_for(std::size_t{0}, shadows.size(),
-                          [&](std::size_t i) { evaluations[i].add(shadows[i], days->weights[day]); });
+        tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
+            evaluations[i].add(shadows[i], days->weights[day]);
+            if (settings.timelines)
+                timelines[i].push_back(thinned(computeTimeline(shadows[i], {.longestStays = false}),
+                                               days->sun.stepMinutes, days->sun.days.size()));
+        });
         return {};
     };
     const auto done = shadePlaces(engine, scene->before, &scene->after, scene->receivers, days->sun, take,
@@ -187,7 +206,8 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
     ReviewStudy study{rule,
                       settings,
                       {},
-                      std::string(engine.name()),
+                      std::move(timelines),
+                      std::string(engine.nameOfMasks(scene->cities(), scene->receivers.receivers)),
                       days->clock.text(),
                       days->year,
                       days->sun.stepMinutes,

@@ -9,6 +9,7 @@
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/engines/api/engine.h"
+#include "core/measures/place_timeline.h"
 #include "core/review/place_review.h"
 #include "core/review/rule_days.h"
 
@@ -18,6 +19,9 @@ struct ReviewSettings {
     double cellM = 1;  ///< 0.25 to 10
     std::string zone;  ///< IANA name
     int year = 2026;   ///< of rules that name none
+    /// Hold the areas in shadow step by step, for charts. Of more than a month of days, steps that are at
+    /// least ten minutes apart.
+    bool timelines = false;
 };
 
 /// A rule's answers for all places.
@@ -25,6 +29,8 @@ struct ReviewStudy {
     Rule rule;
     ReviewSettings settings;
     std::vector<PlaceReview> places;  ///< in the order given; two for each parcel of a rule with lines
+    /// By place and day, without longest stays; empty unless the settings ask for them.
+    std::vector<std::vector<DayTimeline>> timelines{};
     std::string engine;
     std::string clock;  ///< "America/New_York, standard time"
     int year = 0;

@@ -95,6 +95,22 @@ TEST_F(ReviewCommand, WritesTheKeysThatScriptsRelyOn) {
                 AllOf(HasSubstr("rule,from,to,place,kind,verdict,day"), HasSubstr("2026-12-21")));
 }
 
+TEST_F(ReviewCommand, WritesABookOfSheets) {
+    std::vector<std::string> asked = all_;
+    asked.insert(asked.end(), {"--paper", "a3", "--landscape", "--scale", "2000", "--author", "A. Planner"});
+    const Spoken spoken = review("ceqr", asked);
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const std::string pdf = textOf(folder_.path("review/sheets.pdf"));
+    EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
+    EXPECT_GT(pdf.size(), 50'000U);
+    asked = all_;
+    asked.insert(asked.end(), {"--paper", "A0"});
+    EXPECT_EQ(review("ceqr", asked).code, 2);
+    asked = all_;
+    asked.insert(asked.end(), {"--logo", "/nowhere/logo.png"});
+    EXPECT_EQ(review("ceqr", asked).code, 2);
+}
+
 TEST_F(ReviewCommand, PrintsTheRulesOwnTableAndWhatIsNotChecked) {
     const Spoken spoken = review("ceqr", all_);
     ASSERT_EQ(spoken.code, 0) << spoken.err;

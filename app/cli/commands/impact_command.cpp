@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
 #include "app/cli/options/number_range.h"
+#include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct ImpactOptions {
     MeasureOptions measure;
+    SheetOptions sheets;
     std::string from;
     std::string to;
     std::vector<double> thresholds{30, 60};
@@ -37,7 +39,9 @@ Result<ImpactAnswer> computeAnswer(const ImpactOptions& options, const ProjectFi
     if (!after) return tl::make_unexpected(after.error());
     const Provenance provenance = provenanceOf(project, &disk, {options.to, options.from, study->region, {}});
     const OutputRules rules = outputRulesOf(options.measure, project);
-    if (const auto may = checkOutputs(options.measure.out, impactFileNames(provenance), rules); !may)
+    if (const auto may =
+            checkOutputs(options.measure.out, impactFileNames(provenance, options.sheets.wanted), rules);
+        !may)
         return tl::make_unexpected(may.error());
     const ImpactSettings settings{*study, options.byBuilding};
     const Interrupt interrupt;
@@ -59,8 +63,11 @@ Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options
     const auto after = cityOf(project, options.to);
     if (!after) return tl::make_unexpected(after.error());
     const OffscreenQt qt;
+    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    if (!sheets) return tl::make_unexpected(sheets.error());
     return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out,
-                            outputRulesOf(options.measure, project))
+                            outputRulesOf(options.measure, project),
+                            options.sheets.wanted ? &*sheets : nullptr)
         .map([](const auto&) {});
 }
 
@@ -114,6 +121,8 @@ void addImpactCommand(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("impact", "Measure how shadow changes from one scenario of a project to another");
     addMeasureOptions(*command, options->measure);
+    addSheetSwitch(*command, options->sheets);
+    addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
     command->add_option("--from", options->from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
+#include "app/cli/options/sheet_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct ScoreOptions {
     MeasureOptions measure;
+    SheetOptions sheets;
     std::string scenario;
     std::string weights;
 };
@@ -33,7 +35,9 @@ Result<ScoreAnswer> computeAnswer(const ScoreOptions& options, const ProjectFile
     if (!city) return tl::make_unexpected(city.error());
     Provenance provenance = provenanceOf(project, &disk, {options.scenario, {}, settings->region, *weights});
     const OutputRules rules = outputRulesOf(options.measure, project);
-    if (const auto may = checkOutputs(options.measure.out, scoreFileNames(provenance), rules); !may)
+    if (const auto may =
+            checkOutputs(options.measure.out, scoreFileNames(provenance, options.sheets.wanted), rules);
+        !may)
         return tl::make_unexpected(may.error());
     const Interrupt interrupt;
     ProgressLine progress(console);
@@ -48,8 +52,12 @@ Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, 
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     const OffscreenQt qt;
+    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    if (!sheets) return tl::make_unexpected(sheets.error());
     const OutputRules rules = outputRulesOf(options.measure, project);
-    return writeScoreFiles(answer, {city->city}, options.measure.out, rules).map([](const auto&) {});
+    return writeScoreFiles(answer, {city->city}, options.measure.out, rules,
+                           options.sheets.wanted ? &*sheets : nullptr)
+        .map([](const auto&) {});
 }
 
 void print(const ScoreAnswer& answer, std::ostream& out) {
@@ -84,6 +92,8 @@ void addScoreCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
     addMeasureOptions(*command, options->measure);
+    addSheetSwitch(*command, options->sheets);
+    addSheetOptions(*command, options->sheets);
     command->add_option("--scenario", options->scenario, "The scenario to measure")
         ->default_val(existingCity)
         ->type_name("NAME");

@@ -1,13 +1,11 @@
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
 
+#include "app/cli/options/sheet_options.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
-#include "core/io/files/plain_file.h"
 
 namespace noonmark::cli {
 
@@ -17,18 +15,6 @@ struct SheetOptions {
     ChangeOptions change;
     std::optional<std::string> project, author, client, date, sheetPrefix, units, logo;
 };
-
-// One byte more than permitted is read, so that validate() refuses a file that is too large.
-Result<std::string> readLogo(const std::string& file) {
-    if (file.empty()) return std::string();
-    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes(TitleBlock::mostBytesOfLogo + 1, '\0');
-    stream.read(bytes.data(), std::streamsize(bytes.size()));
-    bytes.resize(std::size_t(stream.gcount()));
-    if (bytes.empty()) return failure("The logo cannot be read", file, "Choose a PNG or JPEG picture");
-    return bytes;
-}
 
 std::string describe(const SheetSettings& sheets) {
     const TitleBlock& block = sheets.titleBlock;
@@ -54,7 +40,7 @@ Result<std::string> change(const SheetOptions& options, Project& project) {
     if (options.sheetPrefix) block.sheetPrefix = *options.sheetPrefix;
     if (options.units) project.sheets.units = parseUnitSystem(*options.units).value_or(project.sheets.units);
     if (options.logo) {
-        auto logo = readLogo(*options.logo);
+        auto logo = options.logo->empty() ? Result<std::string>(std::string()) : readLogo(*options.logo);
         if (!logo) return tl::make_unexpected(logo.error());
         block.logo = *std::move(logo);
     }

@@ -5,8 +5,10 @@
 #include <ostream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/sheet_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_question.h"
@@ -14,6 +16,7 @@
 #include "app/cli/review/rule_options.h"
 #include "app/cli/table.h"
 #include "app/input/output_rules.h"
+#include "app/report/book/review/review_book.h"
 #include "app/report/files/review_files.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
@@ -26,6 +29,7 @@ namespace {
 
 struct ReviewRunOptions {
     RuleOptions rules;
+    SheetOptions sheets;
     std::string file, rule, from, to, out;
     std::vector<std::string> places;
     ReviewSettings settings{1, {}, 0};
@@ -36,6 +40,7 @@ struct ReviewRunOptions {
 struct ReviewAnswer {
     ReviewStudy study;
     ReviewLabels labels;
+    Book book;
 };
 
 Place placeOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
@@ -104,7 +109,9 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!after) return tl::make_unexpected(after.error());
     if (const auto may = checkOutputs(options.out, reviewFileNames(), outputs); !may)
         return tl::make_unexpected(may.error());
-    const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project)};
+    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    if (!sheets) return tl::make_unexpected(sheets.error());
+    const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true};
     const Interrupt interrupt;
     ProgressLine progress(console);
     auto study = runReview(*rule, before->city, after->city, *places, settings, AutoEngine(), progress,
@@ -112,9 +119,13 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
     putBefore(study->warnings, project.reading->warnings);
-    return ReviewAnswer{*std::move(study),
-                        {options.from, options.to,
-                         provenanceOf(project, &disk, {options.to, options.from, {}, {}}), options.places}};
+    const ReviewLabels labels{options.from, options.to,
+                              provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
+                              options.places, makeRepeatOptions(options.sheets, *sheets)};
+    auto book = makeReviewBook({*study, labels, before->city, after->city, *places, project.reading->heights},
+                               *sheets, progress, interrupt.token());
+    if (!book) return tl::make_unexpected(book.error());
+    return ReviewAnswer{*std::move(study), labels, *std::move(book)};
 }
 
 /// The rule's own table as text; of many days those with incremental shadow.
@@ -164,12 +175,13 @@ void printReview(const ReviewAnswer& answer, std::ostream& out) {
 }
 
 int runReviewRun(const ReviewRunOptions& options, const Console& console) {
+    const OffscreenQt qt;
     const auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
     OutputRules outputs = outputRules({options.file}, disk->project().inputs, options.overwrite);
     const auto answer = computeReview(options, *disk, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = writeReviewFiles(answer->study, answer->labels, options.out, outputs);
+    const auto written = writeReviewFiles(answer->study, answer->labels, answer->book, options.out, outputs);
     if (!written) return fail(console, written.error(), exitFailed);
     if (options.json)
         console.out << toJsonText(reviewJson(answer->study, answer->labels)) << '\n';
@@ -208,9 +220,11 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->type_name("M");
     addRuleFolders(command, options.rules);
     addRuleChoices(command, options.rules);
-    command.add_option("--out", options.out, "Folder for review.json and review.csv")
+    command.add_option("--out", options.out, "Folder for review.json, review.csv and sheets.pdf")
         ->required()
         ->type_name("DIR");
+    addSheetOptions(command, options.sheets);
+    addDiagramScale(command, options.sheets);
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--json", options.json, "Print only JSON to standard output");
 }

@@ -2,6 +2,8 @@
 
 #include <QGuiApplication>
 
+#include "app/report/book/answer_book.h"
+#include "app/report/book/write_book.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/impact_report.h"
@@ -17,6 +19,8 @@ namespace noonmark {
 namespace {
 
 using Path = std::filesystem::path;
+constexpr const char* sheetsName = "sheets.pdf";
+
 using Paths = Result<std::vector<Path>>;
 
 std::vector<RasterBand> bandsOf(const Impact& impact) {
@@ -38,17 +42,20 @@ std::string regionFileOf(const Region& region, const Provenance& provenance, con
     return needsRegionFile(provenance) ? regionGeoJson(region, frame) : std::string();
 }
 
-std::vector<std::string> namesOf(const std::string& answer, bool region) {
+std::vector<std::string> namesOf(const std::string& answer, bool region, bool sheets) {
     std::vector<std::string> names;
+    if (sheets) names.emplace_back(sheetsName);
     for (const char* ending : {".tif", ".png", ".pdf", ".json", ".csv"}) names.push_back(answer + ending);
     if (region) names.emplace_back(regionFileName);
     return names;
 }
 
 Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid, const Frame& frame,
-                 const std::vector<RasterBand>& bands, const Path& folder, const OutputRules& rules) {
+                 const std::vector<RasterBand>& bands, const Path& folder, const OutputRules& rules,
+                 const std::optional<Book>& book) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
-    if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty()), rules); !may)
+    if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty(), book.has_value()), rules);
+        !may)
         return tl::make_unexpected(may.error());
     OutputFolder files(folder, rules);
     files.add(texts.name + ".tif",
@@ -59,38 +66,42 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     files.add(texts.name + ".json", textContent(texts.json));
     files.add(texts.name + ".csv", textContent(texts.csv));
     if (!texts.region.empty()) files.add(regionFileName, textContent(texts.region));
+    if (book) files.add(sheetsName, [&](QIODevice& device) { return writeBook(*book, device).has_value(); });
     return std::move(files).result();
 }
 
 }  // namespace
 
 Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
-                       const Path& folder, const OutputRules& rules) {
+                       const Path& folder, const OutputRules& rules, const BookSettings* sheets) {
+    const auto book = sheets ? std::optional(makeImpactBook(answer, source, scale, *sheets)) : std::nullopt;
     const Impact& impact = answer.study.total;
     const Frame& frame = source.city.frame;
     return writeFiles({"impact", impactJson(answer), impactCsv(answer),
                        regionFileOf(answer.settings.study.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
-                      makeSheet(answer, source, scale), impact.grid, frame, bandsOf(impact), folder, rules);
+                      makeSheet(answer, source, scale), impact.grid, frame, bandsOf(impact), folder, rules,
+                      book);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
-                      const OutputRules& rules) {
+                      const OutputRules& rules, const BookSettings* sheets) {
+    const auto book = sheets ? std::optional(makeScoreBook(answer, source, *sheets)) : std::nullopt;
     const Score& score = answer.score;
     const Frame& frame = source.city.frame;
     return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
                        regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source), score.grid, frame, {{"shadow score", "", &score.score}},
-                      folder, rules);
+                      folder, rules, book);
 }
 
-std::vector<std::string> impactFileNames(const Provenance& provenance) {
-    return namesOf("impact", needsRegionFile(provenance));
+std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {
+    return namesOf("impact", needsRegionFile(provenance), withSheets);
 }
 
-std::vector<std::string> scoreFileNames(const Provenance& provenance) {
-    return namesOf("score", needsRegionFile(provenance));
+std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withSheets) {
+    return namesOf("score", needsRegionFile(provenance), withSheets);
 }
 
 }  // namespace noonmark

@@ -12,6 +12,7 @@ struct FiledReport {
     std::string recordName;  ///< "study.json", "impact.json", "score.json" or "review.json"
     std::string record;
     std::string printed;  ///< the words of all pages, UTF-8; empty if the file is a record, not a PDF
+    bool isBook = false;  ///< a book of sheets, with bookmarks
 };
 
 /// Reads a PDF with its attached record, or a record itself. The file comes from a stranger: links, scripts

@@ -53,13 +53,14 @@ bool isRecordName(const QString& name) {
 Result<FiledReport> readReport(const std::filesystem::path& path) {
     const auto bytes = readBytes(path);
     if (!bytes) return tl::make_unexpected(bytes.error());
-    if (!bytes->startsWith("%PDF")) return FiledReport{path.filename().string(), bytes->toStdString(), {}};
+    if (!bytes->startsWith("%PDF"))
+        return FiledReport{path.filename().string(), bytes->toStdString(), {}, false};
     const auto document = openPdf(*bytes, path);
     if (!document) return tl::make_unexpected(document.error());
     for (Poppler::EmbeddedFile* attached : (*document)->embeddedFiles())
         if (attached->isValid() && isRecordName(attached->name()))
             return FiledReport{attached->name().toStdString(), attached->data().toStdString(),
-                               printedWords(**document)};
+                               printedWords(**document), !(*document)->outline().isEmpty()};
     return failure("The PDF has no record of its result attached", path.string(),
                    "Give the study.json, impact.json, score.json or review.json that was written beside it");
 }

@@ -1,14 +1,15 @@
 #include "app/report/files/review_files.h"
 
+#include "app/report/book/write_book.h"
 #include "app/report/files/output_folder.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 
-std::vector<std::string> reviewFileNames() { return {"review.json", "review.csv"}; }
+std::vector<std::string> reviewFileNames() { return {"review.json", "review.csv", "sheets.pdf"}; }
 
 Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewStudy& study,
-                                                            const ReviewLabels& labels,
+                                                            const ReviewLabels& labels, const Book& sheets,
                                                             const std::filesystem::path& folder,
                                                             const OutputRules& rules) {
     if (auto may = checkOutputs(folder, reviewFileNames(), rules); !may)
@@ -16,6 +17,7 @@ Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewStudy& s
     OutputFolder files(folder, rules);
     files.add("review.json", textContent(toJsonText(reviewJson(study, labels)) + "\n"));
     files.add("review.csv", textContent(reviewCsv(study, labels)));
+    files.add("sheets.pdf", [&](QIODevice& device) { return writeBook(sheets, device).has_value(); });
     return std::move(files).result();
 }
 

@@ -15,6 +15,9 @@ class MapView {
 public:
     /// Centres `world` with a margin of 4 % in `target` (painter units). `world` must not be empty.
     MapView(const Box2& world, const QRectF& target);
+    /// Shows `centre` in the middle of `target` at a scale, in painter units per metre.
+    MapView(glm::dvec2 centre, double unitsPerM, const QRectF& target)
+        : target_(target), centre_(centre), unitsPerM_(unitsPerM) {}
 
     [[nodiscard]] const QRectF& target() const { return target_; }
     [[nodiscard]] double unitsPerM() const { return unitsPerM_; }

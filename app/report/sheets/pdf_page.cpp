@@ -21,6 +21,12 @@ void beginPdf(QPdfWriter& writer, const QString& title) {
     writer.setCreator(describeProgram());
 }
 
+void attachRecord(const SheetRecord& record, QPdfWriter& writer) {
+    if (!record.fileName.isEmpty())
+        writer.addFileAttachment(record.fileName, QByteArray::fromStdString(record.json),
+                                 QStringLiteral("application/json"));
+}
+
 Canvas pdfCanvas(QPainter& painter) { return {painter, dotsPerInch / 72.0}; }
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "app/report/sheets/sheet.h"
 #include "app/report/sheets/style.h"
 
 class QPdfWriter;
@@ -18,6 +19,9 @@ constexpr double contentPt = pageWidthPt - 2 * sidePt;
 /// Sets page size, resolution, title and creator; call it before painting. The PDF page has no margins: the
 /// painter leaves them free.
 void beginPdf(QPdfWriter& writer, const QString& title);
+
+/// Attaches a record, if there is one. Call it before painting.
+void attachRecord(const SheetRecord& record, QPdfWriter& writer);
 
 /// The canvas of such a page.
 Canvas pdfCanvas(QPainter& painter);

@@ -145,9 +145,7 @@ private:
 bool writePdf(const Sheet& sheet, QIODevice& device) {
     QPdfWriter writer(&device);
     beginPdf(writer, sheet.headline.what + QStringLiteral(", ") + sheet.headline.when);
-    if (!sheet.record.fileName.isEmpty())
-        writer.addFileAttachment(sheet.record.fileName, QByteArray::fromStdString(sheet.record.json),
-                                 QStringLiteral("application/json"));
+    attachRecord(sheet.record, writer);
     QPainter painter;
     if (!painter.begin(&writer)) return false;
     SheetPage(painter, sheet).paint();

@@ -24,6 +24,9 @@ std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints
 /// fails.
 std::vector<Footprint> cutSharedPieces(const std::vector<Footprint>& a, const std::vector<Footprint>& b);
 
+/// The union, simple and oriented, without polygons and holes under 0.01 m2. Empty also if the overlay fails.
+std::vector<Footprint> unitePolygons(const std::vector<Footprint>& polygons);
+
 /// Area of the intersection, square metres; 0 if the overlay fails.
 double computeSharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b);
 

@@ -84,6 +84,11 @@ std::vector<Footprint> cutSharedPieces(const std::vector<Footprint>& a, const st
     return toPolygons(geos, sharedGeometry(geos, a, b));
 }
 
+std::vector<Footprint> unitePolygons(const std::vector<Footprint>& polygons) {
+    const Geos geos;
+    return toPolygons(geos, uniteGeometry(geos, collection(geos, polygons)));
+}
+
 double computeSharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
     const Geos geos;
     return computeArea(geos, sharedGeometry(geos, a, b));

@@ -61,6 +61,12 @@ public:
                                           const SunSteps& sun, const TakeDay& take, Progress& progress,
                                           std::stop_token stop) const;
 
+    /// The engine whose masks shadeSteps() would state: its own name, unless it chooses another.
+    [[nodiscard]] virtual std::string_view nameOfMasks(std::span<const City* const> /*cities*/,
+                                                       const Receivers& /*receivers*/) const {
+        return name();
+    }
+
     /// Engines that choose others (EngineCapabilities::choosesEngine): one engine for fields that are to be
     /// compared with each other, by the city that costs most. None from all others.
     [[nodiscard]] virtual std::optional<EngineChoice> choose(std::span<const City* const> cities,

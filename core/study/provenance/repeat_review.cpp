@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "core/study/provenance/command_words.h"
-
 namespace noonmark {
 
 namespace {
@@ -43,6 +41,7 @@ Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabe
     line.option("--year", fmt::to_string(study.year));
     line.option("--zone", study.settings.zone);
     line.option("--cell", fmt::format("{}", study.settings.cellM));
+    for (const RepeatOption& option : labels.sheets) line.option(option);
     line.option("--out", "repeated");
     return line.wrapped(width);
 }

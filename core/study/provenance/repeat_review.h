@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/study/provenance/command_words.h"
 #include "core/study/provenance/provenance.h"
 #include "core/study/review_study.h"
 
@@ -17,6 +18,8 @@ struct ReviewLabels {
     Provenance provenance;
     /// What was asked for: names, or "all". Empty: the places of the review by name.
     std::vector<std::string> places{};
+    /// How the sheets are laid out, as options of the command.
+    std::vector<RepeatOption> sheets{};
 };
 
 /// The noonmark-cli command line that reproduces a review in a folder with a copy of the project file and of

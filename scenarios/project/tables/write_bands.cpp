@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scenarios/project/tables/band_polygons.h"
+#include "core/receivers/band_polygons.h"
 #include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/tables/geopackage.h"
 #include "scenarios/project/tables/layer_styles.h"

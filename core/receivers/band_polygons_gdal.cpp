@@ -7,8 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/footprints/ogr_polygons.h"
-#include "scenarios/project/tables/band_polygons.h"
+#include "core/receivers/band_polygons.h"
 
 namespace noonmark {
 
@@ -34,15 +33,18 @@ GDALDatasetUniquePtr rasterOf(const Grid& grid, std::vector<int>& bands) {
     return written ? std::move(raster) : nullptr;
 }
 
-Footprint footprintOf(const CrsPolygon& polygon) {
-    Footprint footprint;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        Ring ring;
-        for (const glm::dvec2 point : polygon[i]) ring.emplace_back(point);
-        if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-        if ((signedArea(ring) > 0) != (i == 0)) std::ranges::reverse(ring);
-        (i == 0 ? footprint.outer : footprint.holes.emplace_back()) = std::move(ring);
-    }
+Ring ringOf(const OGRLinearRing& closed, bool counterClockwise) {
+    Ring ring;
+    for (int i = 0; i + 1 < closed.getNumPoints(); ++i)
+        ring.emplace_back(glm::dvec2(closed.getX(i), closed.getY(i)));
+    if ((signedArea(ring) > 0) != counterClockwise) std::ranges::reverse(ring);
+    return ring;
+}
+
+Footprint footprintOf(const OGRPolygon& polygon) {
+    Footprint footprint{ringOf(*polygon.getExteriorRing(), true), {}};
+    for (int i = 0; i < polygon.getNumInteriorRings(); ++i)
+        footprint.holes.push_back(ringOf(*polygon.getInteriorRing(i), false));
     return footprint;
 }
 
@@ -60,8 +62,8 @@ std::vector<BandPolygon> traceBands(const Grid& grid, std::vector<int> bands) {
         return {};
     std::vector<BandPolygon> polygons;
     for (const auto& feature : *layer)
-        for (const CrsPolygon& polygon : readPolygons(*feature->GetGeometryRef()))
-            polygons.push_back({feature->GetFieldAsInteger(0), footprintOf(polygon)});
+        polygons.push_back(
+            {feature->GetFieldAsInteger(0), footprintOf(*feature->GetGeometryRef()->toPolygon())});
     return polygons;
 }
 

@@ -1,0 +1,99 @@
+#include "app/cli/options/sheet_options.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "app/cli/options/number_range.h"
+#include "core/io/files/plain_file.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+void replace(std::string& text, const std::string& by) {
+    if (!by.empty()) text = by;
+}
+
+void addText(std::vector<RepeatOption>& options, const char* name, const std::string& text) {
+    if (!text.empty()) options.push_back({name, {text}});
+}
+
+}  // namespace
+
+Result<std::string> readLogo(const std::string& file) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    if (error) return failure("The logo cannot be read: " + error.message(), file);
+    if (bytes > TitleBlock::mostBytesOfLogo)
+        return failure("The logo has more than 1 MiB", file, "Give a smaller PNG or JPEG picture");
+    std::ifstream stream(file, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
+}
+
+void addSheetOptions(CLI::App& command, SheetOptions& options) {
+    command.add_option("--paper", options.paper, "Paper of sheets.pdf: A4, A3, A1, Letter or Tabloid")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"A4", "A3", "A1", "Letter", "Tabloid"}, CLI::ignore_case))
+        ->type_name("PAPER");
+    command.add_flag("--landscape", options.landscape, "Sheets are wider than high");
+    const auto text = [&](const char* name, std::string& to, const char* what) {
+        command.add_option(name, to, what)->type_name("TEXT");
+    };
+    text("--title-project", options.project, "Title block: the project");
+    text("--author", options.author, "Title block: the author");
+    text("--client", options.client, "Title block: the client");
+    text("--date", options.date, "Title block: the date as printed (default: today)");
+    text("--sheet-prefix", options.prefix, "Title block: A- numbers the sheets A-1, A-2, ...");
+    command.add_option("--logo", options.logo, "Title block: a PNG or JPEG picture of at most 1 MiB")
+        ->type_name("FILE");
+}
+
+void addDiagramScale(CLI::App& command, SheetOptions& options) {
+    command
+        .add_option("--scale", options.scale,
+                    "Scale of the diagrams: 2000 for 1:2000 (default: a round one that fits)")
+        ->check(within(BookSettings::leastScale, BookSettings::mostScale))
+        ->type_name("NUMBER");
+}
+
+void addSheetSwitch(CLI::App& command, SheetOptions& options) {
+    command.add_flag("--sheets", options.wanted,
+                     "Also write sheets.pdf: a book of sheets with frame and title block");
+}
+
+Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject) {
+    BookSettings settings{
+        {*parsePaper(options.paper), options.landscape}, {}, ofProject.titleBlock, ofProject.units};
+    if (options.scale > 0) settings.scale = options.scale;
+    TitleBlock& block = settings.titleBlock;
+    replace(block.project, options.project);
+    replace(block.author, options.author);
+    replace(block.client, options.client);
+    replace(block.date, options.date);
+    replace(block.sheetPrefix, options.prefix);
+    if (block.date.empty()) block.date = describeToday().toStdString();
+    if (!options.logo.empty()) {
+        auto logo = readLogo(options.logo);
+        if (!logo) return tl::make_unexpected(logo.error());
+        block.logo = *std::move(logo);
+    }
+    return validate(block).map([&] { return settings; });
+}
+
+std::vector<RepeatOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings) {
+    std::vector<RepeatOption> repeat{{"--paper", {options.paper}}};
+    if (options.landscape) repeat.push_back({"--landscape", {}});
+    if (options.scale > 0) repeat.push_back({"--scale", {fmt::to_string(options.scale)}});
+    addText(repeat, "--title-project", options.project);
+    addText(repeat, "--author", options.author);
+    addText(repeat, "--client", options.client);
+    addText(repeat, "--date", settings.titleBlock.date);
+    addText(repeat, "--sheet-prefix", options.prefix);
+    return repeat;
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/report/book/book.h"
+#include "core/study/provenance/command_words.h"
+#include "scenarios/project/project.h"
+
+namespace noonmark::cli {
+
+/// How sheets.pdf is laid out, and what its title block states.
+struct SheetOptions {
+    std::string paper = "A4";
+    bool landscape = false;
+    bool wanted = false;  ///< --sheets
+    double scale = 0;     ///< 0: chosen to fit
+    std::string project, author, client, date, prefix, logo;
+};
+
+/// Adds --paper, --landscape, and the texts of the title block. `options` must outlive the command.
+void addSheetOptions(CLI::App& command, SheetOptions& options);
+/// Adds --scale.
+void addDiagramScale(CLI::App& command, SheetOptions& options);
+/// Adds --sheets, for commands that write sheets.pdf on request only.
+void addSheetSwitch(CLI::App& command, SheetOptions& options);
+
+/// The bytes of a picture for the title block. Error: no plain file, or too large.
+Result<std::string> readLogo(const std::string& file);
+
+/// `ofProject`: units, and a title block of which the options replace texts. The date is today's if neither
+/// states one. Error: the logo cannot be read,
+/// and those of validate() for title blocks.
+Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject);
+
+/// The options that lay out the same sheets again, with the date printed on them; all but the logo.
+std::vector<RepeatOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings);
+
+}  // namespace noonmark::cli

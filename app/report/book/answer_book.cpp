@@ -1,0 +1,203 @@
+#include "app/report/book/answer_book.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/book/flow.h"
+#include "app/report/maps/palette.h"
+#include "app/report/sheets/impact_report.h"
+#include "app/report/sheets/score_report.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double tablePt = 7.8;
+
+QString areaText(const BookSettings& settings, double m2) {
+    return QString::fromStdString(formatArea(m2, settings.units));
+}
+
+/// The map of a sheet beside its figures, or above them.
+BookPage mapPage(const PageSetup& setup, const Sheet& sheet, const SheetMap& map, const QString& bookmark,
+                 bool hasFigures) {
+    const Headline& headline = sheet.headline;
+    BookPage page{headline.what, headline.when + QStringLiteral(". ") + headline.where, bookmark, 0, {}};
+    const QRectF all = contentArea(setup);
+    const double scale = textScale(setup), gap = 14 * scale;
+    QRectF area = all;
+    if (hasFigures) {
+        PageTable table{{QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * scale};
+        for (const Figure& figure : sheet.figures)
+            table.rows.push_back({plainText(figure.name), plainText(figure.value)});
+        const double width = setup.landscape ? all.width() * 0.3 : all.width();
+        table.widthsPt = fitColumns(table, width);
+        const double height = std::min(tableHeightPt(table), all.height() * 0.45);
+        if (setup.landscape) {
+            area.setWidth(all.width() - width - gap);
+            page.items.push_back({{area.right() + gap, all.top(), width, all.height()}, table});
+        } else {
+            area.setHeight(all.height() - height - gap);
+            page.items.push_back({{all.left(), area.bottom() + gap, width, height}, table});
+        }
+    }
+    page.items.push_back({area, PageMap{std::make_shared<const SheetMap>(map)}});
+    return page;
+}
+
+void appendPages(Book& book, std::vector<BookPage> pages) {
+    std::move(pages.begin(), pages.end(), std::back_inserter(book.pages));
+}
+
+void addText(Book& book, const Sheet& sheet) {
+    TextBlocks blocks{heading(QStringLiteral("Definitions"))};
+    const auto add = [&](const TextBlocks& more) { blocks.insert(blocks.end(), more.begin(), more.end()); };
+    add(sheet.definitions);
+    for (const TextBlocks& section : sheet.sections) add(section);
+    add(sheet.repeat);
+    const QString title = QStringLiteral("Method and sources");
+    appendPages(book, makeTextPages(book.setup, {title, {}, title, 0, {}}, blocks));
+}
+
+void addMaps(Book& book, const Sheet& sheet) {
+    book.pages.push_back(mapPage(book.setup, sheet, sheet.map, QStringLiteral("Map"), true));
+    if (sheet.smallMap)
+        book.pages.push_back(
+            mapPage(book.setup, sheet, *sheet.smallMap, sheet.smallMap->legend.title, false));
+}
+
+/// Gross shadow of one scenario, on a scale that both share.
+PageMap grossMap(const ImpactAnswer& answer, const AnswerSource& source, const ShadowField& field,
+                 const Legend& legend, const std::string& name) {
+    const double top = legend.scale.top;
+    const auto image = [&field, top](int wantedPixels) {
+        const auto colour = [&](std::size_t cell) -> std::optional<QColor> {
+            const float value = field.grossMin[cell];
+            return std::isnan(value) ? std::nullopt : std::optional(shadowColour(double(value) / top));
+        };
+        return makeColourImage(field.grid, colour, wantedPixels);
+    };
+    const SheetMap map{{source.city, answer.settings.study.region, field.grid, image}, legend};
+    return {std::make_shared<const SheetMap>(map), {plainText(name), legend.unit}};
+}
+
+BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup) {
+    const QString title = QStringLiteral("Scenarios side by side");
+    BookPage page{
+        title,
+        QStringLiteral("Gross shadow on one scale. Buildings are those of %1.").arg(plainText(answer.to)),
+        title,
+        0,
+        {}};
+    const QRectF all = contentArea(setup);
+    const double gap = 12 * textScale(setup);
+    const QSizeF half = setup.landscape ? QSizeF((all.width() - gap) / 2, all.height())
+                                        : QSizeF(all.width(), (all.height() - gap) / 2);
+    const QPointF second = setup.landscape ? QPointF(all.left() + half.width() + gap, all.top())
+                                           : QPointF(all.left(), all.top() + half.height() + gap);
+    const ShadowField &before = answer.study.before, &after = answer.study.after;
+    const Legend legend = topOf(before, ShadowMeasure::gross) > topOf(after, ShadowMeasure::gross)
+                              ? makeLegend(before, ShadowMeasure::gross)
+                              : makeLegend(after, ShadowMeasure::gross);
+    page.items.push_back({{all.topLeft(), half}, grossMap(answer, source, before, legend, answer.from)});
+    page.items.push_back({{second, half}, grossMap(answer, source, after, legend, answer.to)});
+    return page;
+}
+
+/// The sole contribution of each new building.
+std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSettings& settings) {
+    const ComparisonFigures figures = computeFigures(answer);
+    if (figures.byBuilding.empty()) return {};
+    PageTable table{
+        {QStringLiteral("Building"), QStringLiteral("Threshold"), QStringLiteral("More gross shadow"),
+         QStringLiteral("Any more gross shadow"), QStringLiteral("Largest increase")},
+        {},
+        {},
+        {},
+        tablePt * textScale(settings.setup)};
+    for (const auto& building : figures.byBuilding) {
+        const auto& gross = building.figures.gross;
+        table.rows.push_back({plainText(building.name),
+                              describeAmount(building.figures.thresholdMin, 2) + QStringLiteral(" min a day"),
+                              areaText(settings, gross.gainedM2), areaText(settings, gross.touchedM2),
+                              describeAmount(gross.mostGainedMin) + QStringLiteral(" min a day")});
+    }
+    const QString title = QStringLiteral("Contributions");
+    return makeTablePages(settings.setup, {title, {}, title, 0, {}},
+                          {{QStringLiteral("Sole contribution of each new building"), {}, std::move(table)}});
+}
+
+QString monthText(std::chrono::year_month month) {
+    return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
+}
+
+BookPage monthPage(const Score& score, const PageSetup& setup) {
+    const QString title = QStringLiteral("Months");
+    BookPage page{title, {}, title, 0, {}};
+    const QRectF all = contentArea(setup);
+    const double scale = textScale(setup), half = (all.height() - 14 * scale) / 2;
+    BarChart area{
+        {QStringLiteral("Shadow area by month"),
+         QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area")},
+        QStringLiteral("m²"),
+        {shade::proposal},
+        {},
+        scale};
+    BarChart value{{QStringLiteral("Score by month"),
+                    QStringLiteral("Positive: wanted shade outweighs unwanted shadow")},
+                   QStringLiteral("m²"),
+                   {shade::incremental},
+                   {},
+                   scale};
+    for (const MonthFigures& month : score.months) {
+        area.groups.push_back({monthText(month.month), {month.shadowAreaM2}});
+        value.groups.push_back({monthText(month.month), {month.scoreM2}});
+    }
+    page.items.push_back({{all.left(), all.top(), all.width(), half}, std::move(area)});
+    page.items.push_back({{all.left(), all.bottom() - half, all.width(), half}, std::move(value)});
+    return page;
+}
+
+std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings) {
+    PageTable table{{QStringLiteral("Interval"), QStringLiteral("Weight"), QStringLiteral("Shadow area"),
+                     QStringLiteral("Score, m²")},
+                    {},
+                    {},
+                    {},
+                    tablePt * textScale(settings.setup)};
+    for (const IntervalFigures& interval : answer.score.intervals)
+        table.rows.push_back({plainText(interval.name), describeAmount(interval.weight, 3),
+                              areaText(settings, interval.shadowAreaM2),
+                              describeAmount(interval.scoreM2, 0)});
+    if (table.rows.empty()) return {};
+    const QString title = QStringLiteral("Weights");
+    return makeTablePages(settings.setup, {title, {}, title, 0, {}},
+                          {{plainText(answer.weights.name), {}, std::move(table)}});
+}
+
+}  // namespace
+
+Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
+                    const BookSettings& settings) {
+    const Sheet sheet = makeSheet(answer, source, scale);
+    Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
+    book.record = sheet.record;
+    addMaps(book, sheet);
+    book.pages.push_back(sideBySide(answer, source, settings.setup));
+    appendPages(book, contributionPages(answer, settings));
+    addText(book, sheet);
+    return book;
+}
+
+Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings) {
+    const Sheet sheet = makeSheet(answer, source);
+    Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
+    book.record = sheet.record;
+    addMaps(book, sheet);
+    if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings.setup));
+    appendPages(book, intervalPages(answer, settings));
+    addText(book, sheet);
+    return book;
+}
+
+}  // namespace noonmark

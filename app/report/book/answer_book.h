@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/report/book/book.h"
+#include "app/report/files/answer_source.h"
+#include "app/report/maps/change_scale.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score_text.h"
+
+namespace noonmark {
+
+// Books of results with maps. The arguments must outlive the book, whose maps refer to them.
+
+/// The book of a comparison: maps of the change, both scenarios side by side on one scale, sole contributions
+/// of new buildings where they were measured, method and sources.
+Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
+                    const BookSettings& settings);
+
+/// The book of a score: its map, bars of shadow area and score by month, the intervals of the weight table,
+/// method and sources.
+Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings);
+
+}  // namespace noonmark

@@ -1,0 +1,86 @@
+#pragma once
+
+// The folder app/report/book/ makes books of sheets that a board can file. A Book (this file) is a list of
+// pages, and a page is a list of items with their places on the paper: text and tables (page_text.h, flow.h),
+// plan diagrams (diagram.h), charts (chart.h) and pictures. page_painter.h paints a page on any canvas with
+// its frame and title block, write_book.h writes the PDF, and pdf_structure.h adds what Qt's PDF lacks.
+// sun_view.h draws the view from the sun. review/ makes the book of a review.
+
+#include <QImage>
+#include <QRectF>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "app/report/book/chart.h"
+#include "app/report/book/diagram.h"
+#include "app/report/book/page_text.h"
+#include "app/report/book/paper.h"
+#include "app/report/sheets/sheet.h"
+#include "core/base/display_units.h"
+#include "scenarios/project/title_block.h"
+
+namespace noonmark {
+
+/// A picture with a caption below it; fills its area as far as its shape allows.
+struct PagePicture {
+    QImage image;
+    Caption caption;
+};
+
+/// A map of cells with its legend, as large as its area allows. The map must not be null, and the data that
+/// it refers to must outlive the book.
+struct PageMap {
+    std::shared_ptr<const SheetMap> map;
+    Caption caption{};  ///< empty: none
+};
+
+using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, TimelineChart, CarpetChart,
+                                 BarChart, PagePicture, PageMap>;
+
+/// `area`: in points from the top left corner of the page, inside contentArea().
+struct PageItem {
+    QRectF area;
+    PageContent content;
+};
+
+/// A page as a value. Its heading is painted above contentArea().
+struct BookPage {
+    QString title;
+    QString subtitle;  ///< a quiet line below the title; may be empty
+    /// Bookmarks name the page by this; empty: the page has none. Level 0 is the outermost.
+    QString bookmark;
+    int level = 0;
+    std::vector<PageItem> items{};
+};
+
+struct BookSettings {
+    static constexpr double leastScale = 100, mostScale = 50000;
+    PageSetup setup;
+    std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
+    TitleBlock titleBlock;
+    UnitSystem units = UnitSystem::metric;
+};
+
+struct Book {
+    PageSetup setup;
+    TitleBlock titleBlock;
+    QString title;         ///< of the PDF and in the title block: "Shadow review: New York, CEQR chapter 8"
+    QString date;          ///< as printed in the title block
+    QString credit;        ///< credit of the data, at the foot of each page
+    SheetRecord record{};  ///< attached to the PDF
+    std::vector<BookPage> pages;
+};
+
+/// A book without pages.
+Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution);
+
+/// "23 November 2026": the date of a book whose title block states none.
+QString describeToday();
+
+/// "A-3": of page `index` (from 0).
+QString sheetNumber(const Book& book, std::size_t index);
+
+}  // namespace noonmark

@@ -1,0 +1,312 @@
+#include "app/report/book/diagram.h"
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/report/book/paper.h"
+#include "app/report/maps/city_painter.h"
+#include "app/report/maps/map_furniture.h"
+#include "app/report/maps/map_view.h"
+#include "app/report/sheets/study_words.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double heightLabelPt = 4.6;
+constexpr double nameLabelPt = 6.6;
+constexpr double mostScaleOfHeights = 2500;  // beyond, numbers would cover the map
+
+QPainterPath pathOf(const std::vector<Footprint>& polygons, const MapView& view) {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const Footprint& polygon : polygons)
+        if (view.sees(bounds(polygon))) view.addTo(path, polygon);
+    return path;
+}
+
+/// Paints one diagram; keeps the rectangles of its labels so that they do not cover each other.
+class DiagramPainter {
+public:
+    DiagramPainter(const Canvas& canvas, const QRectF& map, const Diagram& diagram)
+        : canvas_(canvas),
+          diagram_(diagram),
+          scene_(*diagram.scene),
+          view_(diagram.centre, pointsPerMetre(diagram.scale) * canvas.point, map) {}
+
+    void paint() {
+        QPainter& painter = canvas_.painter;
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setClipRect(view_.target());
+        painter.fillRect(view_.target(), ink::paper);
+        paintGround();
+        paintBuildings(canvas_, view_, scene_.city, {shade::building, shade::buildingLine, 0.25});
+        paintRemoved();
+        paintFan();
+        paintBuildings(canvas_, view_, scene_.proposal, {shade::proposal, ink::text, 0.9});
+        paintPlaceLines();
+        paintValueLines();
+        paintFanTimes();
+        paintPlaceNames();
+        paintHeights(scene_.proposal, ink::paper, true);
+        if (diagram_.scale <= mostScaleOfHeights) paintHeights(scene_.city, ink::quiet, false);
+        painter.restore();
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(linePen(canvas_, ink::quiet, 0.6));
+        painter.drawRect(view_.target());
+    }
+
+private:
+    void fill(const QPainterPath& path, const QColor& colour) {
+        if (!path.isEmpty()) canvas_.painter.fillPath(path, colour);
+    }
+
+    void paintGround() {
+        for (const Place& place : scene_.places) fill(pathOf(place.polygons, view_), shade::place);
+        fill(pathOf(diagram_.shadows.baseline, view_), shade::baseline);
+        fill(pathOf(diagram_.shadows.gained, view_), shade::gained);
+        fill(pathOf(diagram_.shadows.incremental, view_), shade::incremental);
+    }
+
+    /// Above other buildings, which do not hide it.
+    void paintFan() {
+        QColor pale = shade::incremental;
+        pale.setAlpha(56);
+        canvas_.painter.setBrush(pale);
+        canvas_.painter.setPen(linePen(canvas_, shade::incremental, 0.6));
+        for (const FanShadow& shadow : diagram_.fan) canvas_.painter.drawPath(pathOf(shadow.polygons, view_));
+    }
+
+    /// A label with a white plate, where no other label is.
+    void paintMark(QPointF at, const QString& text, const QColor& colour) {
+        const QFont font = textFont(canvas_, nameLabelPt * 0.9 * diagram_.textScale, QFont::Medium);
+        const QFontMetricsF metrics(font, canvas_.painter.device());
+        QRectF box(0, 0, metrics.horizontalAdvance(text) + 2 * canvas_.point,
+                   metrics.capHeight() + 3 * canvas_.point);
+        box.moveCenter(at);
+        box = inside(box, 2 * canvas_.point);
+        if (!isFree(box)) return;
+        labels_.push_back(box);
+        canvas_.painter.fillRect(box, QColor(255, 255, 255, 225));
+        canvas_.painter.setFont(font);
+        canvas_.painter.setPen(colour);
+        canvas_.painter.drawText(QPointF(box.left() + canvas_.point, box.bottom() - 1.5 * canvas_.point),
+                                 text);
+    }
+
+    /// Each at the point of its shadow that is farthest from the proposal.
+    void paintFanTimes() {
+        Box2 box;
+        for (const auto& building : scene_.proposal.buildings) box.add(bounds(*building));
+        if (box.empty()) return;
+        const glm::vec2 foot = (box.low + box.high) / 2.0F;
+        for (const FanShadow& shadow : diagram_.fan) {
+            glm::vec2 tip = foot;
+            for (const Footprint& polygon : shadow.polygons)
+                for (const glm::vec2 point : polygon.outer)
+                    if (glm::distance(point, foot) > glm::distance(tip, foot)) tip = point;
+            if (tip != foot)
+                paintMark(view_.at(glm::dvec2(tip)), shadow.time, shade::incremental.darker(130));
+        }
+    }
+
+    void paintValueLines() {
+        canvas_.painter.setBrush(Qt::NoBrush);
+        for (const ValueLine& value : diagram_.valueLines) {
+            std::size_t longest = 0;
+            for (const auto& line : value.lines) {
+                QPolygonF points;
+                for (const glm::dvec2 point : line) points << view_.at(point);
+                canvas_.painter.setPen(linePen(canvas_, shade::incremental, 1));
+                canvas_.painter.drawPolyline(points);
+                if (line.size() > value.lines[longest].size())
+                    longest = std::size_t(&line - value.lines.data());
+            }
+            if (!value.lines.empty() && !value.lines[longest].empty())
+                paintMark(view_.at(value.lines[longest][value.lines[longest].size() / 2]), value.label,
+                          shade::incremental.darker(130));
+        }
+    }
+
+    void paintRemoved() {
+        QPen pen = linePen(canvas_, ink::text, 0.6);
+        pen.setDashPattern({3, 2});
+        canvas_.painter.setPen(pen);
+        canvas_.painter.setBrush(Qt::NoBrush);
+        for (const auto& building : scene_.removed.buildings)
+            for (const Part& part : building->parts)
+                canvas_.painter.drawPath(pathOf({part.footprint}, view_));
+    }
+
+    void paintPlaceLines() {
+        canvas_.painter.setBrush(Qt::NoBrush);
+        canvas_.painter.setPen(linePen(canvas_, shade::placeLine, 1.1));
+        for (const Place& place : scene_.places) canvas_.painter.drawPath(pathOf(place.polygons, view_));
+    }
+
+    [[nodiscard]] bool isFree(const QRectF& box) const {
+        return std::ranges::none_of(labels_, [&](const QRectF& label) { return label.intersects(box); });
+    }
+
+    /// In the middle of what is seen of each place, moved up or down where another label is.
+    void paintPlaceNames() {
+        for (const Place& place : scene_.places) {
+            const QRectF seen = pathOf(place.polygons, view_).boundingRect().intersected(view_.target());
+            if (seen.isEmpty()) continue;
+            paintName(plainText(place.name), seen);
+        }
+    }
+
+    void paintName(const QString& name, const QRectF& seen) {
+        const QFont font = textFont(canvas_, nameLabelPt * diagram_.textScale, QFont::Medium);
+        const double margin = 3 * canvas_.point;
+        const double most = std::min(view_.target().width() - 2 * margin,
+                                     std::max(seen.width(), 110 * diagram_.textScale * canvas_.point));
+        const double natural = QFontMetricsF(font, canvas_.painter.device()).horizontalAdvance(name) * 1.02;
+        const double width = std::min(most, natural);
+        const double height = textHeight(canvas_, name, font, width);
+        QRectF box(0, 0, width, height);
+        for (const double shift : {0.0, 1.1, -1.1, 2.2, -2.2, 3.3, -3.3}) {
+            box.moveCenter(seen.center() + QPointF(0, shift * height));
+            box = inside(box, margin);
+            if (isFree(box)) break;
+        }
+        if (!isFree(box) || height > view_.target().height() / 2) return;
+        labels_.push_back(box);
+        const QRectF plate = box.adjusted(-1.5 * canvas_.point, 0, 1.5 * canvas_.point, 0);
+        canvas_.painter.fillRect(plate, QColor(255, 255, 255, 215));
+        paintLines(canvas_, box, name, font, shade::placeLine, Qt::AlignHCenter);
+    }
+
+    [[nodiscard]] QRectF inside(QRectF box, double margin) const {
+        const QRectF room = view_.target().adjusted(margin, margin, -margin, -margin);
+        box.moveLeft(std::clamp(box.left(), room.left(), std::max(room.left(), room.right() - box.width())));
+        box.moveTop(std::clamp(box.top(), room.top(), std::max(room.top(), room.bottom() - box.height())));
+        return box;
+    }
+
+    /// Metres above the ground, where the number lies inside the footprint.
+    void paintHeights(const City& city, const QColor& colour, bool isBold) {
+        const double size = heightLabelPt * diagram_.textScale * (isBold ? 1.25 : 1);
+        const QFont font = textFont(canvas_, size, isBold ? QFont::Bold : QFont::Normal);
+        const QFontMetricsF metrics(font, canvas_.painter.device());
+        canvas_.painter.setFont(font);
+        canvas_.painter.setPen(colour);
+        for (const auto& building : city.buildings) {
+            const Box2 box = bounds(*building);
+            if (box.empty() || !view_.sees(box)) continue;
+            const glm::dvec2 middle = glm::dvec2(box.low + box.high) / 2.0;
+            const double height = std::round(topM(*building) - groundAt(city, middle));
+            const QString text = QString::number(height) + (isBold ? QStringLiteral(" m") : QString());
+            const double width = metrics.horizontalAdvance(text);
+            QRectF label(0, 0, width, metrics.capHeight());
+            label.moveCenter(view_.at(middle));
+            if (width > double(box.high.x - box.low.x) * view_.unitsPerM() || !isFree(label)) continue;
+            if (!view_.target().contains(label) || !covers(*building, label)) continue;
+            canvas_.painter.drawText(label.bottomLeft(), text);
+            labels_.push_back(label);
+        }
+    }
+
+    [[nodiscard]] bool covers(const Building& building, const QRectF& label) const {
+        QPainterPath path;
+        path.setFillRule(Qt::WindingFill);
+        for (const Part& part : building.parts) view_.addTo(path, part.footprint);
+        return path.contains(label);
+    }
+
+    Canvas canvas_;
+    const Diagram& diagram_;
+    const DiagramScene& scene_;
+    MapView view_;
+    std::vector<QRectF> labels_;
+};
+
+void paintSwatch(const Canvas& canvas, const QRectF& box, const QColor& fill, const QColor& line,
+                 double linePt) {
+    canvas.painter.setBrush(fill);
+    canvas.painter.setPen(linePen(canvas, line, linePt));
+    canvas.painter.drawRect(box);
+}
+
+struct LegendEntry {
+    QString text;
+    QColor fill, line;
+    double linePt;
+};
+
+std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
+    std::vector<LegendEntry> entries;
+    if (foot.subject == DiagramFoot::Subject::fan)
+        entries = {{QStringLiteral("shadow of the proposal alone"), shade::incremental.lighter(190),
+                    shade::incremental, 0.5}};
+    else if (foot.subject == DiagramFoot::Subject::valueLines)
+        entries = {{QStringLiteral("hours of shadow"), ink::paper, shade::incremental, 1}};
+    else
+        entries = {{QStringLiteral("existing shadow"), shade::baseline, shade::baseline, 0.2},
+                   {QStringLiteral("incremental shadow"), shade::incremental, shade::incremental, 0.2},
+                   {QStringLiteral("sun gained"), shade::gained, ink::quiet, 0.3}};
+    entries.push_back({QStringLiteral("proposal"), shade::proposal, ink::text, 0.9});
+    entries.push_back({QStringLiteral("building"), shade::building, shade::buildingLine, 0.4});
+    entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
+    return entries;
+}
+
+/// In rows from the left; returns nothing beyond `area` as long as the page is at least 300 points wide.
+void paintEntries(const Canvas& canvas, const QRectF& area, const DiagramFoot& foot) {
+    const double unit = foot.textScale * canvas.point;
+    const QFont font = textFont(canvas, 7 * foot.textScale);
+    const QFontMetricsF metrics(font, canvas.painter.device());
+    double x = area.left(), y = area.top() + 4 * unit;
+    for (const LegendEntry& entry : entriesOf(foot)) {
+        const double width = 18 * unit + metrics.horizontalAdvance(entry.text);
+        if (x > area.left() && x + width > area.right()) x = area.left(), y += 12 * unit;
+        paintSwatch(canvas, {x, y, 12 * unit, 7 * unit}, entry.fill, entry.line, entry.linePt);
+        canvas.painter.setFont(font);
+        canvas.painter.setPen(ink::text);
+        canvas.painter.drawText(QPointF(x + 15 * unit, y + 6.4 * unit), entry.text);
+        x += width + 8 * unit;
+    }
+    QString words = QStringLiteral("Heights in m above the ground.");
+    if (!foot.note.isEmpty()) words = foot.note + QStringLiteral(" ") + words;
+    paintFitted(canvas, {area.left(), y + 10 * unit, area.width(), area.bottom() - y - 10 * unit}, words,
+                6.6 * foot.textScale, 4.5, QFont::Normal, ink::quiet);
+}
+
+}  // namespace
+
+QRectF mapAreaOf(const QRectF& area, double textScale) {
+    return area.adjusted(0, 0, 0, -captionPt(textScale));
+}
+
+void paintDiagram(const Canvas& canvas, const QRectF& area, const Diagram& diagram) {
+    const double caption = captionPt(diagram.textScale) * canvas.point;
+    DiagramPainter(canvas, area.adjusted(0, 0, 0, -caption), diagram).paint();
+    paintCaption(canvas, {area.left(), area.bottom() - caption, area.width(), caption}, diagram.caption,
+                 diagram.textScale);
+}
+
+void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoot& foot) {
+    const double unit = foot.textScale * canvas.point;
+    const double perMetre = pointsPerMetre(foot.scale) * canvas.point;
+    const double arrow = 22 * unit, scaleWidth = 62 * unit;
+    const double barRoom = std::min(area.width() * 0.24, 150 * unit);
+    const Canvas larger{canvas.painter, unit};
+    paintNorthArrow(larger, {area.right() - arrow, area.top() + 2 * unit, arrow, 30 * unit});
+    const QRectF bar(area.right() - arrow - barRoom - 4 * unit, area.top() + 6 * unit, barRoom, 30 * unit);
+    paintScaleBar(larger, bar, scaleBarWithin((barRoom - 30 * unit) / perMetre), perMetre);
+    const QRectF scale(bar.left() - scaleWidth, area.top() + 4 * unit, scaleWidth, 14 * unit);
+    paintFitted(canvas, scale, QStringLiteral("1:%1").arg(std::llround(foot.scale)), 11 * foot.textScale, 6,
+                QFont::Bold);
+    paintFitted(canvas, scale.translated(0, 14 * unit), QStringLiteral("on %1").arg(foot.paper),
+                7 * foot.textScale, 5, QFont::Normal, ink::quiet);
+    paintEntries(canvas, {area.left(), area.top(), scale.left() - area.left() - 6 * unit, area.height()},
+                 foot);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <QRectF>
+#include <memory>
+#include <vector>
+
+#include "app/report/book/page_text.h"
+#include "core/city/city.h"
+#include "core/measures/shadow_outlines.h"
+#include "core/receivers/place.h"
+
+namespace noonmark {
+
+/// Colours of shadows, told apart by colour-blind readers and by lightness in grey print.
+namespace shade {
+constexpr QColor baseline{0xb4, 0xb8, 0xc4};
+constexpr QColor incremental{0xd5, 0x5e, 0x00};
+constexpr QColor gained{0xf7, 0xdc, 0x6f};
+constexpr QColor place{0xe4, 0xf0, 0xe2};
+constexpr QColor placeLine{0x0b, 0x5d, 0x57};
+constexpr QColor building{0xf4, 0xf4, 0xf5};
+constexpr QColor buildingLine{0x85, 0x88, 0x90};
+constexpr QColor proposal = ink::heading;
+}  // namespace shade
+
+/// What all diagrams of a book show.
+struct DiagramScene {
+    City city;      ///< the scenario's buildings that the baseline has, too
+    City proposal;  ///< the buildings that only the scenario has
+    City removed;   ///< the buildings that only the baseline has
+    std::vector<Place> places;
+};
+
+/// One shadow of a fan.
+struct FanShadow {
+    QString time;  ///< painted at its tip
+    std::vector<Footprint> polygons;
+};
+
+/// A line on which a value is the same.
+struct ValueLine {
+    QString label;
+    std::vector<std::vector<glm::dvec2>> lines;  ///< local metres
+};
+
+/// A plan view at a scale, north up, as vectors, with its caption below. Ground that does not fit is cut off
+/// at the frame of the view.
+struct Diagram {
+    std::shared_ptr<const DiagramScene> scene;  ///< not null
+    ShadowOutlines shadows;
+    std::vector<FanShadow> fan{};
+    std::vector<ValueLine> valueLines{};
+    glm::dvec2 centre{};  ///< local metres, in the middle of the view
+    double scale = 2000;  ///< 1:scale on paper
+    Caption caption;
+    double textScale = 1;
+};
+
+/// Legend, scale, scale bar and north arrow of the diagrams above it.
+struct DiagramFoot {
+    double scale = 2000;
+    QString paper;  ///< "A3"; the scale holds on it
+    QString note;   ///< the clock of the captions; may be empty
+    double textScale = 1;
+    enum class Subject { shadows, fan, valueLines };
+    Subject subject = Subject::shadows;
+};
+constexpr double diagramFootPt(double scale) { return 40 * scale; }
+
+/// The part of a diagram's area that the map fills.
+QRectF mapAreaOf(const QRectF& area, double textScale);
+
+void paintDiagram(const Canvas& canvas, const QRectF& area, const Diagram& diagram);
+void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoot& foot);
+
+}  // namespace noonmark

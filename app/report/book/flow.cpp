@@ -1,0 +1,260 @@
+#include "app/report/book/flow.h"
+
+#include <QDate>
+#include <QFontMetricsF>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/report/sheets/period_words.h"
+#include "app/report/sheets/study_words.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double textPt = 8;
+constexpr double leastColumnPt = 236;
+constexpr double gutterPt = 16;
+constexpr double tableGapPt = 9;  // of tables, with a little room for rounding
+
+double heightPt(const Canvas& canvas, const TextBlocks& blocks, double widthPt, double points) {
+    return heightOf(canvas, blocks, widthPt * canvas.point, points) / canvas.point;
+}
+
+/// Collects paragraphs into columns.
+class TextFlow {
+public:
+    TextFlow(const QSizeF& size, double points) : size_(size), points_(points) {}
+
+    void add(TextBlock block) {
+        while (!fits(block)) {
+            if (column_.empty()) {
+                block = addPart(block);
+            } else {
+                breakColumn();
+            }
+        }
+        column_.push_back(std::move(block));
+    }
+
+    std::vector<TextBlocks> finish() {
+        if (!column_.empty()) columns_.push_back(std::move(column_));
+        return std::move(columns_);
+    }
+
+private:
+    [[nodiscard]] bool fits(const TextBlock& block) {
+        TextBlocks with = column_;
+        with.push_back(block);
+        return heightPt(measure_.canvas(), with, size_.width(), points_) <= size_.height();
+    }
+
+    /// A heading at the end moves to the next column, unless it is alone.
+    void breakColumn() {
+        TextBlocks next;
+        if (column_.size() > 1 && column_.back().kind == TextKind::heading) {
+            next.push_back(std::move(column_.back()));
+            column_.pop_back();
+        }
+        columns_.push_back(std::move(column_));
+        column_ = std::move(next);
+    }
+
+    /// Fills an empty column with the first words of the block, or its first letters; returns the rest.
+    TextBlock addPart(const TextBlock& block) {
+        qsizetype low = 1, high = block.text.size();
+        while (low < high) {
+            const qsizetype middle = (low + high + 1) / 2;
+            if (fits({block.kind, block.text.left(middle)}))
+                low = middle;
+            else
+                high = middle - 1;
+        }
+        const qsizetype space = block.text.lastIndexOf(u' ', low - 1);
+        const qsizetype cut = space > low / 2 ? space + 1 : low;
+        columns_.push_back({{block.kind, block.text.left(cut)}});
+        return {block.kind, block.text.mid(cut)};
+    }
+
+    MeasuringCanvas measure_;
+    QSizeF size_;
+    double points_;
+    TextBlocks column_;
+    std::vector<TextBlocks> columns_;
+};
+
+double naturalWidthPt(const Canvas& canvas, const PageTable& table, std::size_t column) {
+    const QFontMetricsF bold(textFont(canvas, table.points, QFont::Bold), canvas.painter.device());
+    const QFontMetricsF normal(textFont(canvas, table.points), canvas.painter.device());
+    double widest = 0;
+    for (const QString& word : table.titles[column].split(u' '))
+        widest = std::max(widest, bold.horizontalAdvance(word));
+    for (const auto& row : table.rows) widest = std::max(widest, normal.horizontalAdvance(row[column]));
+    const double mark = column == 0 && !table.marks.empty() ? table.points : 0;
+    return widest * 1.01 / canvas.point + tableGapPt + mark;
+}
+
+BookPage pageAfter(const BookPage& first) {
+    return {first.title, first.subtitle.isEmpty() ? QStringLiteral("continued") : first.subtitle, {}, 0};
+}
+
+/// Puts tables below each other.
+class TablePages {
+public:
+    TablePages(const PageSetup& setup, const BookPage& page)
+        : page_(page), content_(contentArea(setup)), scale_(textScale(setup)), pages_{page} {}
+
+    void add(NamedTable named) {
+        PageTable& table = named.table;
+        table.widthsPt = fitColumns(table, content_.width());
+        const TextBlocks title = titleOf(named);
+        const double titlePt = heightPt(measure_.canvas(), title, content_.width(), textPt * scale_) + 1;
+        constexpr double leastRowsPt = 70;
+        const double needed = std::min(tableHeightPt(table), leastRowsPt * scale_);
+        if (used_ > 0 && used_ + titlePt + needed > content_.height()) addPage();
+        pages_.back().items.push_back({area(titlePt), PageText{title, textPt * scale_}});
+        used_ += titlePt;
+        for (PageTable& part : flowTable(table, content_.height() - used_, content_.height())) {
+            if (part.rows.empty() && !table.rows.empty()) {
+                addPage();
+                continue;
+            }
+            const double height = tableHeightPt(part);
+            if (used_ + height > content_.height() + 1 && used_ > 0) addPage();
+            pages_.back().items.push_back({area(height), std::move(part)});
+            used_ += height;
+        }
+        used_ += gutterPt * scale_;
+    }
+
+    std::vector<BookPage> finish() { return std::move(pages_); }
+
+private:
+    static TextBlocks titleOf(const NamedTable& named) {
+        TextBlocks blocks{heading(named.title)};
+        if (!named.note.isEmpty()) blocks.push_back(body(named.note));
+        return blocks;
+    }
+    [[nodiscard]] QRectF area(double height) const {
+        return {content_.left(), content_.top() + used_, content_.width(), height};
+    }
+    void addPage() {
+        pages_.push_back(pageAfter(page_));
+        used_ = 0;
+    }
+
+    MeasuringCanvas measure_;
+    BookPage page_;
+    QRectF content_;
+    double scale_;
+    std::vector<BookPage> pages_;
+    double used_ = 0;
+};
+
+}  // namespace
+
+MeasuringCanvas::MeasuringCanvas() : image_(1, 1, QImage::Format_RGB32), painter_(&image_) {}
+MeasuringCanvas::~MeasuringCanvas() = default;
+
+QString describeToday() {
+    const QDate day = QDate::currentDate();
+    return describeDates({std::chrono::year{day.year()}, std::chrono::month{unsigned(day.month())},
+                          std::chrono::day{unsigned(day.day())}});
+}
+
+Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution) {
+    const std::string& date = settings.titleBlock.date;
+    return {settings.setup,
+            settings.titleBlock,
+            title,
+            date.empty() ? describeToday() : plainText(date),
+            describeData(attribution),
+            {},
+            {}};
+}
+
+QString sheetNumber(const Book& book, std::size_t index) {
+    return plainText(book.titleBlock.sheetPrefix) + QString::number(index + 1);
+}
+
+std::vector<TextBlocks> flowText(const TextBlocks& blocks, const QSizeF& sizePt, double points) {
+    TextFlow flow(sizePt, points);
+    for (const TextBlock& block : blocks) flow.add({block.kind, plainLines(block.text)});
+    return flow.finish();
+}
+
+std::vector<double> fitColumns(const PageTable& table, double widthPt) {
+    MeasuringCanvas measure;
+    std::vector<double> widths;
+    for (std::size_t i = 0; i < table.titles.size(); ++i)
+        widths.push_back(naturalWidthPt(measure.canvas(), table, i));
+    const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), 0.0); };
+    // The largest width that the widest columns may have.
+    double most = *std::ranges::max_element(widths);
+    const std::vector<double> natural = widths;
+    while (total() > widthPt && most > 12) {
+        most -= 1;
+        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::min(natural[i], most);
+    }
+    if (total() > widthPt)
+        for (double& width : widths) width = widthPt / double(widths.size());
+    const double spare = widthPt - total();
+    if (spare > 0)  // the rows end where the page does, but short tables are not torn apart
+        for (double& width : widths) width += std::min(spare / double(widths.size()), 0.35 * width);
+    return widths;
+}
+
+double tableHeightPt(const PageTable& table) {
+    MeasuringCanvas measure;
+    const Canvas canvas = measure.canvas();
+    double height = rowHeight(canvas, table, table.titles, true);
+    for (const auto& row : table.rows) height += rowHeight(canvas, table, row, false);
+    return height / canvas.point;
+}
+
+std::vector<PageTable> flowTable(const PageTable& table, double firstPt, double otherPt) {
+    MeasuringCanvas measure;
+    const Canvas canvas = measure.canvas();
+    const double titles = rowHeight(canvas, table, table.titles, true) / canvas.point;
+    const PageTable blank{table.titles, table.widthsPt, {}, {}, table.points};
+    std::vector<PageTable> tables{blank};
+    double left = firstPt - titles;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const double height = rowHeight(canvas, table, table.rows[i], false) / canvas.point;
+        if (height > left && (!tables.back().rows.empty() || tables.size() == 1)) {
+            tables.push_back(blank);
+            left = otherPt - titles;
+        }
+        tables.back().rows.push_back(table.rows[i]);
+        if (i < table.marks.size()) tables.back().marks.push_back(table.marks[i]);
+        left -= height;
+    }
+    return tables;
+}
+
+std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page, const TextBlocks& blocks) {
+    const QRectF content = contentArea(setup);
+    const double scale = textScale(setup), gutter = gutterPt * scale;
+    const int columns = std::max(1, int((content.width() + gutter) / (leastColumnPt * scale + gutter)));
+    const double width = (content.width() - (columns - 1) * gutter) / columns;
+    const auto flowed = flowText(blocks, {width, content.height()}, textPt * scale);
+    std::vector<BookPage> pages;
+    for (std::size_t i = 0; i < flowed.size(); ++i) {
+        if (i % std::size_t(columns) == 0) pages.push_back(i == 0 ? page : pageAfter(page));
+        const QRectF area(content.left() + double(i % std::size_t(columns)) * (width + gutter), content.top(),
+                          width, content.height());
+        pages.back().items.push_back({area, PageText{flowed[i], textPt * scale}});
+    }
+    return pages;
+}
+
+std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page,
+                                     std::vector<NamedTable> tables) {
+    TablePages pages(setup, page);
+    for (NamedTable& table : tables) pages.add(std::move(table));
+    return pages.finish();
+}
+
+}  // namespace noonmark

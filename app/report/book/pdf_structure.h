@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace noonmark {
+
+/// An entry of a PDF's outline.
+struct PdfBookmark {
+    QString title;
+    int page = 0;   ///< from 0
+    int level = 0;  ///< at most one more than that of the entry before
+    bool operator==(const PdfBookmark&) const = default;
+};
+
+/// What a PDF by Qt lacks for navigation and accessibility.
+struct PdfStructure {
+    std::vector<PdfBookmark> bookmarks;
+    QString language;             ///< BCP 47: "en"
+    std::vector<QString> labels;  ///< of the pages, as viewers show them: "A-1"
+};
+
+/// The PDF with outline, language and page labels, which opens with its outline and shows its title. Error:
+/// the bytes are no PDF, or a bookmark names a page that it does not have.
+Result<QByteArray> addPdfStructure(const QByteArray& pdf, const PdfStructure& structure);
+
+}  // namespace noonmark

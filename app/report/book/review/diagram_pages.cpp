@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/book/flow.h"
+#include "app/report/book/review/review_pages.h"
+#include "app/report/book/sun_view.h"
+#include "app/report/sheets/study_words.h"
+#include "core/measures/outlines/shadow_fan.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double mostFanScale = 10000;
+constexpr double pictureDpi = 200;
+constexpr double mostPicturePixels = 2200;  // a picture for large paper need not be finer
+constexpr std::size_t mostSunViewsADay = 3;
+
+QString sunText(const SunStep& sun) {
+    return QStringLiteral("Sun: azimuth %1°, altitude %2°")
+        .arg(double(sun.azimuthDeg), 0, 'f', 1)
+        .arg(double(sun.altitudeDeg), 0, 'f', 1);
+}
+
+Caption captionOf(const DiagramMoment& moment) {
+    return {dayText(moment.day) + QStringLiteral(", ") + moment.time, sunText(moment.sun)};
+}
+
+/// The ground that a diagram shows.
+Box2 groundOf(glm::dvec2 centre, double scale, const QRectF& map) {
+    const glm::dvec2 half = glm::dvec2(map.width(), map.height()) / pointsPerMetre(scale) / 2.0;
+    return {glm::vec2(centre - half), glm::vec2(centre + half)};
+}
+
+PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoot::Subject subject) {
+    const PageSetup& setup = scene.settings.setup;
+    const double height = diagramFootPt(textScale(setup));
+    const QRectF all = contentArea(setup);
+    QString note = QStringLiteral("Times: %1.").arg(plainText(scene.source.study.clock));
+    if (cellM > 0)
+        note += QStringLiteral(" Edges of shadows follow cells of %1 m, because the ground is not level.")
+                    .arg(describeAmount(cellM, 2));
+    return {{all.left(), all.bottom() - height, all.width(), height},
+            DiagramFoot{scale, plainText(nameOf(setup.paper)), note, textScale(setup), subject}};
+}
+
+QString fromTo(const ReviewScene& scene) {
+    return QStringLiteral("%1 compared with %2. North is up.")
+        .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from));
+}
+
+/// The moments of one day.
+struct DayMoments {
+    CivilDate day;
+    std::vector<DiagramMoment> moments;
+};
+
+std::vector<DayMoments> byDay(const std::vector<DiagramMoment>& moments) {
+    std::vector<DayMoments> days;
+    for (const DiagramMoment& moment : moments) {
+        if (days.empty() || days.back().day != moment.day) days.push_back({moment.day, {}});
+        days.back().moments.push_back(moment);
+    }
+    return days;
+}
+
+/// The first moment of a day, the one nearest to noon, and the last.
+std::vector<DiagramMoment> fewOf(const std::vector<DiagramMoment>& all) {
+    if (all.size() <= mostSunViewsADay) return all;
+    const auto noon = std::ranges::min_element(
+        all, {}, [](const DiagramMoment& moment) { return std::abs(moment.minute - 720); });
+    std::vector<DiagramMoment> few{all.front()};
+    if (noon != all.begin() && noon != all.end() - 1) few.push_back(*noon);
+    few.push_back(all.back());
+    return few;
+}
+
+/// Puts items into the cells of pages, one after the other. A page is named by the days that begin on it.
+class MomentPages {
+public:
+    MomentPages(QString title, QString subtitle, std::vector<QRectF> areas)
+        : title_(std::move(title)), subtitle_(std::move(subtitle)), areas_(std::move(areas)) {}
+
+    /// The next cell; true where it is the first of its page.
+    std::pair<QRectF, bool> next(CivilDate day) {
+        const bool isFirst = used_ % areas_.size() == 0;
+        if (isFirst) pages_.push_back({title_, subtitle_, {}, 1, {}});
+        if (!day_ || *day_ != day) {
+            QString& bookmark = pages_.back().bookmark;
+            bookmark += (bookmark.isEmpty() ? QString() : QStringLiteral("; ")) + dayText(day);
+        }
+        day_ = day;
+        return {areas_[used_++ % areas_.size()], isFirst};
+    }
+
+    BookPage& page() { return pages_.back(); }
+
+    /// The first page is the chapter's; the days on it come with its name.
+    std::vector<BookPage> finish() {
+        if (pages_.empty()) return {};
+        pages_.front().level = 0;
+        pages_.front().bookmark = title_ + QStringLiteral(": ") + pages_.front().bookmark;
+        return std::move(pages_);
+    }
+
+private:
+    QString title_, subtitle_;
+    std::vector<QRectF> areas_;
+    std::vector<BookPage> pages_;
+    std::size_t used_ = 0;
+    std::optional<CivilDate> day_;
+};
+
+DiagramFoot::Subject subjectOf(const Diagram& diagram) {
+    if (!diagram.fan.empty()) return DiagramFoot::Subject::fan;
+    return diagram.valueLines.empty() ? DiagramFoot::Subject::shadows : DiagramFoot::Subject::valueLines;
+}
+
+void addDiagram(const ReviewScene& scene, MomentPages& pages, CivilDate day, Diagram diagram) {
+    const auto [area, isFirst] = pages.next(day);
+    if (isFirst)
+        pages.page().items.push_back(footOf(scene, diagram.scale, diagram.shadows.cellM, subjectOf(diagram)));
+    pages.page().items.push_back({area, std::move(diagram)});
+}
+
+}  // namespace
+
+Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& moment,
+                            const DiagramLayout& layout, const QRectF& area, Progress& progress,
+                            const std::stop_token& stop) {
+    const double scale = textScale(scene.settings.setup);
+    const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(area, scale));
+    auto shadows = outlineShadows(scene.before, &scene.after, moment.sun,
+                                  {ground, scene.source.study.settings.cellM}, progress, stop);
+    if (!shadows) return tl::make_unexpected(shadows.error());
+    return Diagram{scene.diagrams, *std::move(shadows), {},   {}, layout.centre,
+                   layout.scale,   captionOf(moment),   scale};
+}
+
+Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progress& progress,
+                                               const std::stop_token& stop) {
+    const DiagramLayout layout = layoutOf(scene);
+    const auto areas = diagramAreas(scene.settings.setup, layout.columns, layout.rows);
+    MomentPages pages(QStringLiteral("Shadow diagrams"), fromTo(scene), areas);
+    for (const DiagramMoment& moment : scene.moments) {
+        progress.report(double(&moment - scene.moments.data()) / double(scene.moments.size()),
+                        "drawing diagrams");
+        NoProgress quiet;
+        auto diagram = makeDiagram(scene, moment, layout, areas.front(), quiet, stop);
+        if (!diagram) return tl::make_unexpected(diagram.error());
+        addDiagram(scene, pages, moment.day, *std::move(diagram));
+    }
+    return pages.finish();
+}
+
+Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& progress,
+                                           const std::stop_token& stop) {
+    if (scene.diagrams->proposal.buildings.empty()) return std::vector<BookPage>{};
+    const PageSetup& setup = scene.settings.setup;
+    const double scale = textScale(setup);
+    const auto grid = setup.landscape ? std::pair{2, 1} : std::pair{1, 2};
+    const auto areas = diagramAreas(setup, grid.first, grid.second);
+    MomentPages pages(
+        QStringLiteral("Shadow fans"),
+        QStringLiteral("All shadows of a day that the proposal would cast if it stood alone, %1. "
+                       "North is up.")
+            .arg(plainText(scene.source.labels.to)),
+        areas);
+    for (const auto& [day, moments] : byDay(scene.moments)) {
+        progress.report(0, "drawing shadow fans");
+        const Box2 reach = reachOf(scene, moments);
+        const DiagramLayout layout = fitInto(areas.front(), scale, reach, mostFanScale);
+        const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
+        std::vector<SunStep> steps;
+        for (const DiagramMoment& moment : moments) steps.push_back(moment.sun);
+        NoProgress quiet;
+        auto fan = outlineShadowFan(scene.before, scene.after, steps,
+                                    {ground, scene.source.study.settings.cellM}, quiet, stop);
+        if (!fan) return tl::make_unexpected(fan.error());
+        Diagram diagram{scene.diagrams, {}, {}, {}, layout.centre, layout.scale, {}, scale};
+        diagram.shadows.cellM = fan->cellM;
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            diagram.fan.push_back({moments[i].time, std::move(fan->ofStep[i])});
+        diagram.caption = {
+            dayText(day) + QStringLiteral(", %1 to %2").arg(moments.front().time, moments.back().time),
+            QStringLiteral("1:%1. Existing buildings do not hide these shadows")
+                .arg(std::llround(layout.scale))};
+        addDiagram(scene, pages, day, std::move(diagram));
+    }
+    return pages.finish();
+}
+
+Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
+                                               const std::stop_token& stop) {
+    const PageSetup& setup = scene.settings.setup;
+    const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 3);
+    const double scale = textScale(setup);
+    const QSizeF picture = mapAreaOf(areas.front(), scale).size() * pictureDpi / 72;
+    const QSize size = (picture * std::min(1.0, mostPicturePixels / picture.width())).toSize();
+    const DiagramLayout layout = layoutOf(scene);
+    const QRectF shown = mapAreaOf(diagramAreas(setup, layout.columns, layout.rows).front(), scale);
+    const auto views =
+        SunViewScene::make(*scene.diagrams, groundOf(layout.centre, layout.scale, shown), stop);
+    if (!views) return tl::make_unexpected(views.error());
+    MomentPages pages(
+        QStringLiteral("Views from the sun"),
+        QStringLiteral("%1, without perspective, as the sun sees it: what is visible is sunlit, "
+                       "what is hidden is in shadow. The proposal is violet, places are green.")
+            .arg(plainText(scene.source.labels.to)),
+        areas);
+    for (const auto& [day, moments] : byDay(scene.moments))
+        for (const DiagramMoment& moment : fewOf(moments)) {
+            if (stop.stop_requested()) return cancelled();
+            progress.report(0, "drawing views from the sun");
+            const QRectF area = pages.next(day).first;
+            pages.page().items.push_back(
+                {area, PagePicture{views->paint(moment.sun, size), captionOf(moment)}});
+        }
+    return pages.finish();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,32 @@
+#include "app/report/book/review/review_book.h"
+
+#include "app/report/book/review/review_pages.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+using MakePages = Result<std::vector<BookPage>> (*)(const ReviewScene&, Progress&, const std::stop_token&);
+
+}  // namespace
+
+Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& settings, Progress& progress,
+                            const std::stop_token& stop) {
+    const auto scene = makeReviewScene(source, settings, stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    Book book = beginBook(settings, QStringLiteral("Shadow review: ") + plainText(source.study.rule.name),
+                          source.labels.provenance.attribution);
+    book.record = {QStringLiteral("review.json"), toJsonText(reviewJson(source.study, source.labels))};
+    for (const MakePages make : {makeSummaryPages, makeDiagramPages, makeFanPages, makeSunViewPages}) {
+        auto pages = make(*scene, progress, stop);
+        if (!pages) return tl::make_unexpected(pages.error());
+        appendPages(book.pages, *std::move(pages));
+    }
+    appendPages(book.pages, makeChartPages(*scene));
+    appendPages(book.pages, makeReviewTablePages(*scene));
+    appendPages(book.pages, makeMethodPages(*scene));
+    return book;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,298 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/report/book/flow.h"
+#include "app/report/book/review/review_pages.h"
+#include "app/report/sheets/period_words.h"
+#include "core/measures/place_run.h"
+
+namespace noonmark {
+
+namespace {
+
+using std::chrono::month_day;
+
+constexpr int mostHoursADay = 6;
+constexpr double farthestM = 1500;
+constexpr double marginM = 12;
+constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 4000.0, 5000.0};
+
+SunStep sunAt(const Observer& observer, Instant at) {
+    const SolarPosition sun = computeSolarPosition(observer, at);
+    const glm::dvec3 direction = observer.frameFromPlace * toDirection(sun.azimuth, sun.altitudeApparent);
+    return {glm::vec3(direction), float(sun.azimuth.value), float(sun.altitudeApparent.value), 0, at};
+}
+
+/// Whether one of the days lies within a week, when the sun is nearly the same.
+bool isNear(CivilDate date, const std::set<month_day>& days) {
+    return std::ranges::any_of(days, [&](month_day day) {
+        const std::chrono::sys_days other{CivilDate{date.year(), day.month(), day.day()}};
+        return std::abs((std::chrono::sys_days{date} - other).count()) <= 7;
+    });
+}
+
+/// Of a rule about a range of days: the days on which planners draw, and those of most shadow.
+std::vector<RuleDay> drawnDays(const ReviewBookSource& source, const RuleSun& sun) {
+    const Rule& rule = source.study.rule;
+    if (!rule.days.fixed.empty()) return rule.days.fixed;
+    std::set<month_day> days;
+    const CivilDate first = sun.sun.days.front().date, last = sun.sun.days.back().date;
+    for (const unsigned month : {3U, 6U, 9U, 12U}) {
+        const month_day day{std::chrono::month{month}, std::chrono::day{21}};
+        const CivilDate date{std::chrono::year{sun.year}, day.month(), day.day()};
+        if (rule.days.mirrored || (date >= first && date <= last)) days.insert(day);
+    }
+    const PlaceReview* worst = nullptr;
+    for (const PlaceReview& place : source.study.places)
+        if (place.totals.largestDay && (!worst || place.totals.incrementalM2h > worst->totals.incrementalM2h))
+            worst = &place;
+    if (worst && !isNear(*worst->totals.largestDay, days))
+        days.insert({worst->totals.largestDay->month(), worst->totals.largestDay->day()});
+    if (days.empty()) days.insert({first.month(), first.day()});
+    std::vector<RuleDay> drawn;
+    for (const month_day day : days) drawn.push_back({day, {}, {}, {}});
+    return drawn;
+}
+
+/// Full hours of the clock with the sun measured, at most so many, noon among them.
+std::vector<double> fullHours(const RuleSun& sun, const SunDay& day) {
+    if (day.count == 0) return {};
+    const auto minuteOf = [&](std::uint32_t step) {
+        return sun.clock.minutesOf(day.date, sun.sun.steps[step].at);
+    };
+    const int first = int(std::ceil(minuteOf(day.first) / 60 - 1e-3));
+    const int last = int(std::floor(minuteOf(day.first + day.count - 1) / 60 + 1e-3));
+    const int every = std::max(1, (last - first) / mostHoursADay + 1);
+    std::vector<double> hours;
+    for (int hour = first; hour <= last; ++hour)
+        if ((hour - 12) % every == 0) hours.push_back(hour * 60.0);
+    if (hours.empty()) hours.push_back(minuteOf(day.first + day.count / 2));
+    return hours;
+}
+
+std::vector<double> drawnTimes(const Rule& rule, const RuleSun& sun, const SunDay& day) {
+    const auto& diagrams = rule.deliverables.diagrams;
+    if (!diagrams) return fullHours(sun, day);
+    const auto own = diagrams->byDay.find({day.date.month(), day.date.day()});
+    const auto& times = own == diagrams->byDay.end() ? diagrams->timesMin : own->second;
+    return times.empty() ? fullHours(sun, day) : times;
+}
+
+void addMoments(ReviewScene& scene, const RuleSun& drawn) {
+    for (const SunDay& day : drawn.sun.days)
+        for (const double minute : drawnTimes(scene.source.study.rule, drawn, day)) {
+            const Instant at = drawn.clock.instantAt(day.date, minute);
+            const SunStep sun = sunAt(scene.observer, at);
+            if (sun.altitudeDeg <= 0.5F || sun.direction.z <= 0) continue;
+            scene.moments.push_back(
+                {day.date, minute, QString::fromStdString(drawn.clock.timeText(day.date, at)), sun});
+        }
+}
+
+Box2 grown(Box2 box, float by) {
+    if (box.empty()) return box;
+    return {box.low - by, box.high + by};
+}
+
+Box2 changedBounds(const DiagramScene& scene) {
+    Box2 box;
+    for (const City* city : {&scene.proposal, &scene.removed})
+        for (const auto& building : city->buildings) box.add(bounds(*building));
+    return box;
+}
+
+double highestChangeM(const DiagramScene& scene) {
+    double highest = 0;
+    for (const City* city : {&scene.proposal, &scene.removed})
+        for (const auto& building : city->buildings) highest = std::max(highest, double(topM(*building)));
+    return highest;
+}
+
+Box2 boundsOfPlaces(const std::vector<Place>& places) {
+    Box2 box;
+    for (const Place& place : places)
+        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
+    return box;
+}
+
+Box2 intersectionOf(const Box2& a, const Box2& b) {
+    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
+
+Box2 unionOf(Box2 a, const Box2& b) {
+    if (!b.empty()) a.add(b);
+    return a;
+}
+
+std::vector<QRectF> divide(const QRectF& all, int columns, int rows, double gap) {
+    const double width = (all.width() - gap * (columns - 1)) / columns;
+    const double height = (all.height() - gap * (rows - 1)) / rows;
+    std::vector<QRectF> areas;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            areas.emplace_back(all.left() + column * (width + gap), all.top() + row * (height + gap), width,
+                               height);
+    return areas;
+}
+
+/// Metres of ground that one view of a grid shows.
+glm::dvec2 groundOf(const PageSetup& setup, int columns, int rows, double scale) {
+    const QRectF area = diagramAreas(setup, columns, rows).front();
+    const QRectF map = mapAreaOf(area, textScale(setup));
+    return glm::dvec2(map.width(), map.height()) / pointsPerMetre(scale);
+}
+
+bool fits(const Box2& box, glm::dvec2 ground) {
+    const glm::dvec2 size(box.high - box.low);
+    return size.x <= ground.x && size.y <= ground.y;
+}
+
+/// The middle of `wide` where it fits; else as near to it as `narrow` allows.
+double middleOf(double wideLow, double wideHigh, double narrowLow, double narrowHigh, double shown) {
+    const double wide = (wideLow + wideHigh) / 2;
+    if (wideHigh - wideLow <= shown) return wide;
+    const double low = narrowHigh - shown / 2, high = narrowLow + shown / 2;
+    return low <= high ? std::clamp(wide, low, high) : (narrowLow + narrowHigh) / 2;
+}
+
+glm::dvec2 middleOf(const Box2& box) { return glm::dvec2(box.low + box.high) / 2.0; }
+
+glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
+    return {middleOf(wide.low.x, wide.high.x, narrow.low.x, narrow.high.x, shown.x),
+            middleOf(wide.low.y, wide.high.y, narrow.low.y, narrow.high.y, shown.y)};
+}
+
+std::vector<std::pair<int, int>> gridsOf(const PageSetup& setup) {
+    if (setup.landscape) return {{3, 2}, {2, 2}, {2, 1}, {1, 1}};
+    return {{2, 3}, {2, 2}, {1, 2}, {1, 1}};
+}
+
+}  // namespace
+
+std::vector<QRectF> diagramAreas(const PageSetup& setup, int columns, int rows) {
+    const double foot = diagramFootPt(textScale(setup));
+    return divide(contentArea(setup).adjusted(0, 0, 0, -foot), columns, rows, 8 * textScale(setup));
+}
+
+std::vector<QRectF> gridAreas(const PageSetup& setup, int columns, int rows) {
+    return divide(contentArea(setup), columns, rows, 12 * textScale(setup));
+}
+
+void appendPages(std::vector<BookPage>& to, std::vector<BookPage> pages) {
+    std::move(pages.begin(), pages.end(), std::back_inserter(to));
+}
+
+QString dayText(CivilDate day) { return describeDates(day); }
+
+Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSettings& settings,
+                                    const std::stop_token& stop) {
+    const Rule& rule = source.study.rule;
+    const RuleSite site{observerOfPlaces(source.baseline), source.study.settings.zone, source.study.year};
+    auto sun = computeRuleSun(rule, site, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    Rule drawnRule = rule;
+    drawnRule.days.fixed = drawnDays(source, *sun);
+    const auto drawn = computeRuleSun(drawnRule, site, stop);
+    if (!drawn) return tl::make_unexpected(drawn.error());
+    auto diagrams = std::make_shared<DiagramScene>();
+    diagrams->proposal = keepOwnBuildings(source.scenario, source.baseline);
+    diagrams->removed = keepOwnBuildings(source.baseline, source.scenario);
+    diagrams->city = keepOwnBuildings(source.scenario, diagrams->proposal);
+    diagrams->places = source.places;
+    const bool alone = rule.occluders.casters == RuleCasters::proposal;
+    ReviewScene scene{source,
+                      settings,
+                      diagrams,
+                      alone ? diagrams->removed : source.baseline,
+                      alone ? diagrams->proposal : source.scenario,
+                      site.observer,
+                      *std::move(sun)};
+    addMoments(scene, *drawn);
+    return scene;
+}
+
+Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
+    const Box2 changed = changedBounds(*scene.diagrams);
+    if (changed.empty()) return grown(boundsOfPlaces(scene.diagrams->places), marginM);
+    Box2 reach = changed;
+    const double height = highestChangeM(*scene.diagrams);
+    for (const DiagramMoment& moment : moments) {
+        const glm::dvec3 sun(moment.sun.direction);
+        glm::dvec2 shift = -glm::dvec2(sun) / sun.z * height;
+        const double length = glm::length(shift);
+        if (length > farthestM) shift *= farthestM / length;
+        reach.add(changed.low + glm::vec2(shift));
+        reach.add(changed.high + glm::vec2(shift));
+    }
+    return grown(reach, marginM);
+}
+
+DiagramLayout chooseLayout(const BookSettings& settings, const Box2& proposal, const Box2& focus,
+                           const Box2& reach) {
+    const auto make = [&](std::pair<int, int> grid, double scale, const Box2& must) {
+        const glm::dvec2 ground = groundOf(settings.setup, grid.first, grid.second, scale);
+        return DiagramLayout{grid.first, grid.second, scale, centreOf(reach, must, ground)};
+    };
+    const auto holds = [&](std::pair<int, int> grid, double scale, const Box2& box) {
+        return fits(box, groundOf(settings.setup, grid.first, grid.second, scale));
+    };
+    const auto grids = gridsOf(settings.setup);
+    if (settings.scale) {
+        for (const auto& grid : grids)
+            if (holds(grid, *settings.scale, focus))
+                return make(grid, *settings.scale, holds(grid, *settings.scale, reach) ? reach : focus);
+        return make(grids.back(), *settings.scale, proposal.empty() ? focus : proposal);
+    }
+    for (const double scale : roundScales)
+        if (holds(grids[1], scale, reach)) return make(grids[1], scale, reach);
+    for (std::size_t i = 1; i < grids.size(); ++i)
+        if (holds(grids[i], roundScales.back(), focus))
+            return {grids[i].first, grids[i].second, roundScales.back(), middleOf(focus)};
+    return make(grids[1], roundScales.back(), proposal.empty() ? focus : proposal);
+}
+
+Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
+    const Box2 reach = reachOf(scene, moments), changed = changedBounds(*scene.diagrams);
+    Box2 focus = changed.empty() ? reach : grown(changed, marginM);
+    for (const Place& place : scene.diagrams->places)
+        focus = unionOf(focus, intersectionOf(boundsOfPlaces({place}), reach));
+    return focus;
+}
+
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double mostScale) {
+    const QSizeF map = mapAreaOf(area, textScale).size();
+    const glm::dvec2 size = glm::max(glm::dvec2(shown.high - shown.low), glm::dvec2(1));
+    const auto holds = [&](double scale) {
+        return size.x * pointsPerMetre(scale) <= map.width() &&
+               size.y * pointsPerMetre(scale) <= map.height();
+    };
+    const auto scale = std::ranges::find_if(roundScales, holds);
+    return {1, 1, scale == roundScales.end() ? mostScale : *scale, glm::dvec2(shown.low + shown.high) / 2.0};
+}
+
+DiagramLayout layoutOf(const ReviewScene& scene) {
+    const Box2 changed = grown(changedBounds(*scene.diagrams), marginM);
+    const Box2 reach = reachOf(scene, scene.moments), focus = focusOf(scene, scene.moments);
+    return chooseLayout(scene.settings, changed, focus, unionOf(reach, focus));
+}
+
+std::optional<DiagramMoment> worstMoment(const ReviewScene& scene) {
+    double most = 0;
+    std::optional<std::pair<CivilDate, Instant>> worst;
+    for (const auto& days : scene.source.study.timelines)
+        for (const DayTimeline& day : days)
+            if (day.incremental.largestM2 > most) {
+                most = day.incremental.largestM2;
+                worst = std::pair{day.day, *day.incremental.largestAt};
+            }
+    if (worst)
+        return DiagramMoment{worst->first, scene.sun.clock.minutesOf(worst->first, worst->second),
+                             QString::fromStdString(scene.sun.clock.timeText(worst->first, worst->second)),
+                             sunAt(scene.observer, worst->second)};
+    const auto nearest = std::ranges::min_element(
+        scene.moments, {}, [](const DiagramMoment& moment) { return std::abs(moment.minute - 720); });
+    return nearest == scene.moments.end() ? std::nullopt : std::optional(*nearest);
+}
+
+}  // namespace noonmark

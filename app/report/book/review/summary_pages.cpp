@@ -1,0 +1,209 @@
+#include <algorithm>
+
+#include "app/report/book/flow.h"
+#include "app/report/book/review/review_pages.h"
+#include "app/report/sheets/study_words.h"
+#include "core/review/rule_names.h"
+#include "core/review/rule_text.h"
+#include "core/study/text/height_words.h"
+
+namespace noonmark {
+
+namespace {
+
+QColor colourOf(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::pass:
+            return {0x00, 0x9e, 0x73};
+        case Verdict::borderline:
+            return {0xe6, 0x9f, 0x00};
+        case Verdict::fail:
+            return {0xb0, 0x2a, 0x1a};
+        case Verdict::notApplicable:
+        case Verdict::notChecked:
+            break;
+    }
+    return ink::line;
+}
+
+/// Places that fail, then borderline ones, then the others; among equals those with most incremental shadow.
+std::vector<const PlaceReview*> worstFirst(const ReviewStudy& study) {
+    std::vector<const PlaceReview*> places;
+    for (const PlaceReview& place : study.places) places.push_back(&place);
+    const auto rank = [](const PlaceReview* place) {
+        const bool isBad = place->verdict == Verdict::fail || place->verdict == Verdict::borderline;
+        const int order = !isBad ? 2 : place->verdict == Verdict::borderline ? 1 : 0;
+        return std::pair(order, -place->totals.incrementalM2h);
+    };
+    std::ranges::stable_sort(places, {}, rank);
+    return places;
+}
+
+PageTable verdictTable(const ReviewScene& scene, double points) {
+    const ReviewStudy& study = scene.source.study;
+    PageTable table{{QStringLiteral("Place"), QStringLiteral("Kind"), QStringLiteral("Area"),
+                     QStringLiteral("Verdict"), QStringLiteral("Reason")},
+                    {},
+                    {},
+                    {},
+                    points};
+    for (const PlaceReview* of : worstFirst(study)) {
+        const PlaceReview& place = *of;
+        table.rows.push_back({plainText(place.name), plainText(nameOf(place.kind)),
+                              QString::fromStdString(formatArea(place.areaM2, scene.settings.units)),
+                              plainText(nameOf(place.verdict)), plainText(place.reason)});
+        table.marks.push_back(colourOf(place.verdict));
+    }
+    return table;
+}
+
+TextBlocks introduction(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    TextBlocks blocks;
+    if (const auto headline = makeAssumedHeadline(countHeights(scene.source.scenario)))
+        blocks.push_back(heading(QString::fromStdString(*headline)));
+    blocks.push_back(body(plainText(study.rule.summary)));
+    blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
+                              .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
+    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m.")
+                              .arg(plainText(study.clock))
+                              .arg(study.year)
+                              .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
+                                   describeAmount(study.settings.cellM, 2))));
+    const FigureStatus status = leastSure(study.rule);
+    blocks.push_back(
+        body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
+                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));
+    return blocks;
+}
+
+TextBlocks notCheckedBlocks(const ReviewStudy& study) {
+    TextBlocks blocks{heading(QStringLiteral("Not checked"))};
+    for (const std::string& text : study.notChecked) blocks.push_back(body(plainText(text)));
+    if (study.notChecked.empty()) blocks.push_back(body(QStringLiteral("Nothing is stated as unchecked.")));
+    return blocks;
+}
+
+/// Of rules about many days: what the sums say about each place.
+TextBlocks sumBlocks(const ReviewScene& scene) {
+    constexpr std::size_t fewDays = 31;
+    if (scene.sun.sun.days.size() <= fewDays) return {};
+    TextBlocks blocks{heading(QStringLiteral("Sums over the days of the rule"))};
+    for (const PlaceReview& place : scene.source.study.places) {
+        const ReviewTotals& sum = place.totals;
+        if (sum.theoreticalM2h <= 0) continue;
+        const auto text = [&](double m2h) {
+            return QStringLiteral("%1, %2 %")
+                .arg(QString::fromStdString(formatAreaHours(m2h, scene.settings.units)),
+                     describeAmount(100 * m2h / sum.theoreticalM2h, 3));
+        };
+        blocks.push_back(
+            body(QStringLiteral("%1: existing shadow %2 of the theoretical sun; incremental %3; "
+                                "most on %4.")
+                     .arg(plainText(place.name), text(sum.baselineM2h), text(sum.incrementalM2h),
+                          sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("no day"))));
+    }
+    return blocks;
+}
+
+/// The picture's half of the first page, and that of the text.
+std::pair<QRectF, QRectF> halvesOf(const PageSetup& setup) {
+    const QRectF all = contentArea(setup);
+    const double gap = 14 * textScale(setup);
+    if (setup.landscape) {
+        const double width = all.width() * 0.56;
+        return {{all.left(), all.top(), width, all.height()},
+                {all.left() + width + gap, all.top(), all.width() - width - gap, all.height()}};
+    }
+    const double height = all.height() * 0.5;
+    return {{all.left(), all.top(), all.width(), height},
+            {all.left(), all.top() + height + gap, all.width(), all.height() - height - gap}};
+}
+
+/// The view of the summary shows what changes, its shadow at the moment, and the places in reach of it.
+DiagramLayout summaryLayout(const ReviewScene& scene, const DiagramMoment& moment, const QRectF& area) {
+    return fitInto(area, textScale(scene.settings.setup), focusOf(scene, {moment}));
+}
+
+Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& area, Progress& progress,
+                        const std::stop_token& stop) {
+    const auto moment = worstMoment(scene);
+    if (!moment) return {};
+    const PageSetup& setup = scene.settings.setup;
+    const double foot = diagramFootPt(textScale(setup));
+    const QRectF picture = area.adjusted(0, 0, 0, -foot);
+    const DiagramLayout layout = summaryLayout(scene, *moment, picture);
+    auto diagram = makeDiagram(scene, *moment, layout, picture, progress, stop);
+    if (!diagram) return tl::make_unexpected(diagram.error());
+    const bool anyIncremental = std::ranges::any_of(
+        scene.source.study.places, [](const PlaceReview& place) { return place.totals.incrementalM2h > 0; });
+    if (anyIncremental && !scene.source.study.timelines.empty())
+        diagram->caption.first += QStringLiteral(": the most incremental shadow on a place at one moment");
+    page.items.push_back({picture, *std::move(diagram)});
+    page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot},
+                          DiagramFoot{layout.scale, plainText(nameOf(setup.paper)), {}, textScale(setup)}});
+    return {};
+}
+
+/// Text, then as much of the table as fits, then what is not checked where there is room. Returns what was
+/// left over as pages.
+std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const QRectF& area) {
+    MeasuringCanvas measure;
+    const PageSetup& setup = scene.settings.setup;
+    const double scale = textScale(setup), points = 7.6 * scale, gap = 8 * scale;
+    const auto heightPt = [&](const TextBlocks& blocks) {
+        return heightOf(measure.canvas(), blocks, area.width() * MeasuringCanvas::unitsPerPoint, points) /
+               MeasuringCanvas::unitsPerPoint;
+    };
+    const TextBlocks intro = introduction(scene);
+    TextBlocks rest = sumBlocks(scene);
+    for (TextBlock& block : notCheckedBlocks(scene.source.study)) rest.push_back(std::move(block));
+    const double introPt = std::min(heightPt(intro) + 1, area.height() * 0.6);
+    page.items.push_back({{area.left(), area.top(), area.width(), introPt}, PageText{intro, points}});
+    QRectF left = area.adjusted(0, introPt + gap, 0, 0);
+    PageTable table = verdictTable(scene, points);
+    table.widthsPt = fitColumns(table, area.width());
+    const double restPt = heightPt(rest) + 1;
+    const bool isRestFirst =
+        tableHeightPt(table) + gap + restPt > left.height() && restPt < left.height() / 2;
+    if (isRestFirst) {
+        page.items.push_back({{left.left(), left.top(), left.width(), restPt}, PageText{rest, points}});
+        left = left.adjusted(0, restPt + gap, 0, 0);
+    }
+    std::vector<BookPage> pages;
+    auto parts = flowTable(table, left.height(), left.height());
+    const double used = tableHeightPt(parts.front());
+    if (!parts.front().rows.empty()) page.items.push_back({left, parts.front()});
+    if (const std::size_t shown = parts.front().rows.size(); shown < table.rows.size()) {
+        PageTable more = verdictTable(scene, points);
+        more.rows.erase(more.rows.begin(), more.rows.begin() + std::ptrdiff_t(shown));
+        more.marks.erase(more.marks.begin(), more.marks.begin() + std::ptrdiff_t(shown));
+        pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}},
+                               {{QStringLiteral("Verdicts, continued"), {}, std::move(more)}});
+    }
+    if (isRestFirst) return pages;
+    left = left.adjusted(0, used + gap, 0, 0);
+    if (pages.empty() && restPt <= left.height()) {
+        page.items.push_back({left, PageText{rest, points}});
+        return pages;
+    }
+    for (BookPage& more : makeTextPages(setup, {QStringLiteral("Summary"), {}, {}, 0, {}}, rest))
+        pages.push_back(std::move(more));
+    return pages;
+}
+
+}  // namespace
+
+Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progress& progress,
+                                               const std::stop_token& stop) {
+    const Rule& rule = scene.source.study.rule;
+    BookPage page{plainText(rule.name), plainText(rule.where), QStringLiteral("Summary"), 0, {}};
+    const auto [picture, text] = halvesOf(scene.settings.setup);
+    if (const auto done = addPicture(scene, page, picture, progress, stop); !done)
+        return tl::make_unexpected(done.error());
+    std::vector<BookPage> more = fillText(scene, page, text);
+    more.insert(more.begin(), std::move(page));
+    return more;
+}
+
+}  // namespace noonmark

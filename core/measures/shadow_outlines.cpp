@@ -1,0 +1,64 @@
+#include "core/measures/shadow_outlines.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/base/memory_guard.h"
+#include "core/base/progress_share.h"
+#include "core/measures/outlines/level_outlines.h"
+#include "core/measures/outlines/traced_outlines.h"
+
+namespace noonmark {
+
+namespace {
+
+Result<void> checkArea(const OutlineSettings& settings) {
+    const glm::dvec2 size = glm::dvec2(settings.area.high) - glm::dvec2(settings.area.low);
+    if (std::isfinite(size.x) && std::isfinite(size.y) && size.x > 0 && size.y > 0) return {};
+    return failure("The area of the outlines is empty", "area", "Choose a box with an interior");
+}
+
+Result<std::vector<ShadowOutlines>> outlineOnLevelGround(const City& baseline, const City* scenario,
+                                                         std::span<const SunStep> steps, const Box2& area,
+                                                         Progress& progress, const std::stop_token& stop) {
+    const LevelOutliner outliner(baseline, scenario, area);
+    std::vector<ShadowOutlines> all;
+    for (const SunStep& step : steps) {
+        ProgressShare share(progress, all.size(), steps.size());
+        auto outlines = outliner.outline(step, share, stop);
+        if (!outlines) return tl::make_unexpected(outlines.error());
+        all.push_back(*std::move(outlines));
+    }
+    return all;
+}
+
+}  // namespace
+
+Result<std::vector<ShadowOutlines>> outlineShadows(const City& baseline, const City* scenario,
+                                                   std::span<const SunStep> steps,
+                                                   const OutlineSettings& settings, Progress& progress,
+                                                   const std::stop_token& stop) {
+    if (auto checked = checkArea(settings); !checked) return tl::make_unexpected(checked.error());
+    return guardMemory({.what = "the outlines of these shadows", .advice = "Choose a smaller area"}, [&] {
+        return baseline.terrain || (scenario != nullptr && scenario->terrain)
+                   ? traceOutlines(baseline, scenario, steps, settings, progress, stop)
+                   : outlineOnLevelGround(baseline, scenario, steps, settings.area, progress, stop);
+    });
+}
+
+Result<ShadowOutlines> outlineShadows(const City& baseline, const City* scenario, const SunStep& step,
+                                      const OutlineSettings& settings, Progress& progress,
+                                      const std::stop_token& stop) {
+    return outlineShadows(baseline, scenario, std::span(&step, 1), settings, progress, stop)
+        .and_then(
+            [](std::vector<ShadowOutlines> all) -> Result<ShadowOutlines> { return std::move(all.front()); });
+}
+
+double area(std::span<const Footprint> polygons) {
+    return std::accumulate(polygons.begin(), polygons.end(), 0.0,
+                           [](double sum, const Footprint& polygon) { return sum + area(polygon); });
+}
+
+}  // namespace noonmark
