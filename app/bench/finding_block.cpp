@@ -94,8 +94,9 @@ double FindingBlock::paintStacked(const QPointF& top, double chartHeight) const 
     area.moveTop(paintBlocks(canvas_, words(), area, textPt) + gap);
     const std::span<const bench::Chart> charts = finding_.charts;
     for (std::size_t i = 0; i < charts.size(); ++i) {
+        const std::size_t column = i % 2, row = i / 2;
         const QPointF corner =
-            area.topLeft() + QPointF(double(i % 2) * across, double(i / 2) * (chartHeight + gap));
+            area.topLeft() + QPointF(double(column) * across, double(row) * (chartHeight + gap));
         paintChart(canvas_, {corner, QSizeF(columnWidth(), chartHeight)}, charts[i], inks_);
         const QRectF below(corner.x(), corner.y() + chartHeight + gap, columnWidth(), 0);
         if (charts.size() == 2) makeLegend(canvas_, below, charts.subspan(i, 1), inks_, true);

@@ -136,14 +136,14 @@ BookPage monthPage(const Score& score, const PageSetup& setup) {
     BookPage page{title, {}, title, 0, {}};
     const QRectF all = contentArea(setup);
     const double scale = textScale(setup), half = (all.height() - 14 * scale) / 2;
-    BarChart area{
+    PageBars area{
         {QStringLiteral("Shadow area by month"),
          QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area")},
         QStringLiteral("m²"),
         {shade::proposal},
         {},
         scale};
-    BarChart value{{QStringLiteral("Score by month"),
+    PageBars value{{QStringLiteral("Score by month"),
                     QStringLiteral("Positive: wanted shade outweighs unwanted shadow")},
                    QStringLiteral("m²"),
                    {shade::incremental},

@@ -37,8 +37,8 @@ struct PageMap {
     Caption caption{};  ///< empty: none
 };
 
-using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, TimelineChart, CarpetChart,
-                                 BarChart, PagePicture, PageMap>;
+using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, PageTimeline, PageCarpet,
+                                 PageBars, PagePicture, PageMap>;
 
 /// `area`: in points from the top left corner of the page, inside contentArea().
 struct PageItem {

@@ -105,7 +105,7 @@ private:
 
 /// The area between two heights over time, broken at gaps.
 template <class Low, class High>
-QPainterPath bandOf(const Plot& plot, const TimelineChart& chart, const Low& low, const High& high) {
+QPainterPath bandOf(const Plot& plot, const PageTimeline& chart, const Low& low, const High& high) {
     QPainterPath path;
     const auto& points = chart.points;
     for (std::size_t first = 0; first < points.size();) {
@@ -129,7 +129,7 @@ QPainterPath bandOf(const Plot& plot, const TimelineChart& chart, const Low& low
     return path;
 }
 
-void paintBands(const Canvas& canvas, const Plot& plot, const TimelineChart& chart) {
+void paintBands(const Canvas& canvas, const Plot& plot, const PageTimeline& chart) {
     using P = const TimelinePoint&;
     const auto none = [](P) { return 0.0; };
     const auto baseline = [](P p) { return p.baselineM2; };
@@ -183,7 +183,7 @@ QColor carpetColour(double share, bool isIncremental) {
     return impactColour(0.15 + 0.85 * share);
 }
 
-void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart& chart) {
+void paintTimeline(const Canvas& canvas, const QRectF& area, const PageTimeline& chart) {
     const QRectF rest = withoutCaption(canvas, area, chart.caption, chart.textScale);
     const Plot plot(canvas, rest, chart.textScale, chart.fromMin, std::max(chart.toMin, chart.fromMin + 1),
                     std::max(1.0, chart.areaM2));
@@ -196,7 +196,7 @@ void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart
     canvas.painter.restore();
 }
 
-void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart) {
+void paintCarpet(const Canvas& canvas, const QRectF& area, const PageCarpet& chart) {
     const QRectF rest = withoutCaption(canvas, area, chart.caption, chart.textScale);
     const double unit = chart.textScale * canvas.point;
     const Plot plot(canvas, rest.adjusted(0, 0, 0, -12 * unit), chart.textScale, 0,
@@ -210,7 +210,7 @@ void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& ch
     for (double time = std::ceil(chart.fromMin / 120) * 120; time <= chart.toMin; time += 120)
         plot.label({plot.area().left() - 3 * canvas.point, plot.yAt(time - chart.fromMin)}, timeText(time),
                    Qt::AlignRight | Qt::AlignVCenter);
-    for (const CarpetChart::Month& month : chart.months) {
+    for (const PageCarpet::Month& month : chart.months) {
         plot.line({plot.xAt(month.at), plot.area().top()}, {plot.xAt(month.at), plot.area().bottom()});
         plot.label({plot.xAt(month.at) + canvas.point, plot.area().bottom() + 2 * canvas.point}, month.name,
                    Qt::AlignLeft | Qt::AlignTop);
@@ -221,7 +221,7 @@ void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& ch
     canvas.painter.restore();
 }
 
-void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart) {
+void paintBars(const Canvas& canvas, const QRectF& area, const PageBars& chart) {
     constexpr double groupShare = 0.8;
     const QRectF rest = withoutCaption(canvas, area, chart.caption, chart.textScale);
     double most = 0, least = 0;

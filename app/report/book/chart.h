@@ -16,7 +16,7 @@ struct TimelinePoint {
 };
 
 /// Area in shadow on a place over one day.
-struct TimelineChart {
+struct PageTimeline {
     Caption caption;
     std::vector<TimelinePoint> points;  ///< in time order; a gap of more than 1.5 steps breaks the areas
     double stepMinutes = 1;
@@ -27,7 +27,7 @@ struct TimelineChart {
 
 /// A share from 0 to 1 for each day and time of day, as a picture: days from left to right, the latest time
 /// of day at the top.
-struct CarpetChart {
+struct PageCarpet {
     Caption caption;
     QImage image;                      ///< a column for each day
     double fromMin = 0, toMin = 1440;  ///< of the rows
@@ -44,7 +44,7 @@ struct CarpetChart {
 QColor carpetColour(double share, bool isIncremental);
 
 /// Bars in groups, one bar a series: values by month. Values may be negative.
-struct BarChart {
+struct PageBars {
     Caption caption;
     QString unit;                 ///< of the values
     std::vector<QColor> colours;  ///< by series
@@ -56,8 +56,8 @@ struct BarChart {
     double textScale = 1;
 };
 
-void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart& chart);
-void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart);
-void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart);
+void paintTimeline(const Canvas& canvas, const QRectF& area, const PageTimeline& chart);
+void paintCarpet(const Canvas& canvas, const QRectF& area, const PageCarpet& chart);
+void paintBars(const Canvas& canvas, const QRectF& area, const PageBars& chart);
 
 }  // namespace noonmark

@@ -56,9 +56,9 @@ struct ContentPainter {
     void operator()(const PageTable& table) const { paintTable(canvas, area, table); }
     void operator()(const Diagram& diagram) const { paintDiagram(canvas, area, diagram); }
     void operator()(const DiagramFoot& foot) const { paintDiagramFoot(canvas, area, foot); }
-    void operator()(const TimelineChart& chart) const { paintTimeline(canvas, area, chart); }
-    void operator()(const CarpetChart& chart) const { paintCarpet(canvas, area, chart); }
-    void operator()(const BarChart& chart) const { paintBars(canvas, area, chart); }
+    void operator()(const PageTimeline& chart) const { paintTimeline(canvas, area, chart); }
+    void operator()(const PageCarpet& chart) const { paintCarpet(canvas, area, chart); }
+    void operator()(const PageBars& chart) const { paintBars(canvas, area, chart); }
     void operator()(const PageMap& map) const { paintPageMap(canvas, area, map, scale); }
     void operator()(const PagePicture& picture) const { paintPicture(canvas, area, picture, scale); }
 };

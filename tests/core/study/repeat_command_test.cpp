@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/read_region.h"
+#include "core/study/provenance/repeat_review.h"
 #include "core/study/text/region_text.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -175,6 +176,29 @@ TEST(RepeatCommand, LongLinesGoOnAfterABackslash) {
     }
     EXPECT_GT(lines, 3U);
     EXPECT_EQ(wrapped, whole);
+}
+
+TEST(RepeatReview, NamesProjectRuleScenariosAndPlacesOnce) {
+    ReviewStudy study;
+    study.rule.key = "japan";
+    study.rule.chosen = {{"plane", "4 m"}};
+    study.settings = {0.5, "Asia/Tokyo", 2026};
+    study.year = 2026;
+    study.places = {{.name = "Lot 1"}, {.name = "Lot 1"}, {.name = "it's"}};
+    ReviewLabels labels{"Existing", "Tower A", {}};
+    EXPECT_FALSE(makeRepeatCommand(study, labels)) << "no project";
+    labels.provenance.project = ProjectRecord{.file = "p.noonmark.gpkg", .fileSha256 = "ab"};
+    EXPECT_EQ(
+        makeRepeatCommand(study, labels, 1000).value(),
+        "noonmark-cli review run p.noonmark.gpkg --rule japan --choose 'plane=4 m' --from Existing --to "
+        "'Tower A' --places 'Lot 1' 'it'\\''s' --year 2026 --zone Asia/Tokyo --cell 0.5 --out repeated");
+    labels.places = {"all"};
+    labels.sheets = {{"--paper", {"A3"}}, {"--landscape", {}}};
+    study.rule.file = "/home/x/rules/own.json";
+    study.rule.chosen = {};
+    EXPECT_EQ(makeRepeatCommand(study, labels, 1000).value(),
+              "noonmark-cli review run p.noonmark.gpkg --rule japan --rules . --from Existing --to 'Tower A' "
+              "--places all --year 2026 --zone Asia/Tokyo --cell 0.5 --paper A3 --landscape --out repeated");
 }
 
 }  // namespace

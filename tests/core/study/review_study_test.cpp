@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/engines/auto_engine.h"
+#include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/study/text/review_text.h"
 #include "tests/core/engines/scenes.h"
@@ -66,6 +67,7 @@ TEST(ReviewStudy, EnginesAgreeToTheStep) {
     const ReviewStudy rays = reviewed(rule, before, after, places, "America/New_York", RayReference());
     ASSERT_EQ(fast.places.size(), 2);
     EXPECT_EQ(fast.clock, "America/New_York, standard time");
+    EXPECT_EQ(fast.engine, ProjectedShadows().name());
     for (std::size_t i = 0; i < 2; ++i) {
         ASSERT_EQ(fast.places[i].rows.size(), 4);
         EXPECT_EQ(fast.places[i].verdict, rays.places[i].verdict);

@@ -221,7 +221,7 @@ TEST(Book, WithoutAProposalStillHasItsPages) {
 }
 
 TEST(Book, BarsMayBeNegative) {
-    BarChart chart{{QStringLiteral("Score"), {}}, QStringLiteral("m²"), {Qt::red}, {}, 1};
+    PageBars chart{{QStringLiteral("Score"), {}}, QStringLiteral("m²"), {Qt::red}, {}, 1};
     chart.groups = {{QStringLiteral("Jan"), {100}}, {QStringLiteral("Feb"), {-100}}};
     QImage image(400, 300, QImage::Format_RGB32);
     image.fill(Qt::white);

@@ -103,8 +103,8 @@ private:
         return day.steps.size() < 2 ? scene_.source.study.stepMinutes : least;
     }
 
-    [[nodiscard]] TimelineChart timelineOf(const DayTimeline& day) const {
-        TimelineChart chart{.caption = captionOf(day), .stepMinutes = stepOf(day), .areaM2 = day.areaM2};
+    [[nodiscard]] PageTimeline timelineOf(const DayTimeline& day) const {
+        PageTimeline chart{.caption = captionOf(day), .stepMinutes = stepOf(day), .areaM2 = day.areaM2};
         chart.textScale = scale_;
         for (const PlaceStep& step : day.steps)
             chart.points.push_back({minuteOf(day, step.at), step.baselineM2, step.scenarioM2,
@@ -130,7 +130,7 @@ private:
                          time(*shadow.largestAt))};
     }
 
-    [[nodiscard]] CarpetChart carpetOf(bool isIncremental) const {
+    [[nodiscard]] PageCarpet carpetOf(bool isIncremental) const {
         const auto first = std::chrono::sys_days{days_.front().day};
         const auto last = std::chrono::sys_days{days_.back().day};
         double from = 1440, to = 0;
@@ -139,7 +139,7 @@ private:
                 from = std::min(from, minuteOf(day, step.at));
                 to = std::max(to, minuteOf(day, step.at) + stepOf(day));
             }
-        CarpetChart chart{.caption = carpetCaption(isIncremental), .isIncremental = isIncremental};
+        PageCarpet chart{.caption = carpetCaption(isIncremental), .isIncremental = isIncremental};
         chart.fromMin = std::floor(std::min(from, to) / 60) * 60;
         chart.toMin = std::max(chart.fromMin + 60, std::ceil(to / 60) * 60);
         chart.textScale = scale_;
@@ -166,7 +166,7 @@ private:
     }
 
     /// A sampled day fills the columns up to the next one.
-    void paintDay(CarpetChart& chart, const DayTimeline& day, int column, int next) const {
+    void paintDay(PageCarpet& chart, const DayTimeline& day, int column, int next) const {
         if (day.areaM2 <= 0) return;
         const double step = stepOf(day);
         const int height = chart.image.height();
@@ -185,14 +185,14 @@ private:
         return QLocale(QLocale::English).monthName(int(unsigned(day.month())), QLocale::ShortFormat);
     }
 
-    static void addMonths(CarpetChart& chart, std::chrono::sys_days first, std::chrono::sys_days last) {
+    static void addMonths(PageCarpet& chart, std::chrono::sys_days first, std::chrono::sys_days last) {
         for (auto day = first; day <= last; day += std::chrono::days{1})
             if (const CivilDate date{day}; unsigned(date.day()) == 1)
                 chart.months.push_back({double((day - first).count()), monthName(date)});
     }
 
-    [[nodiscard]] BarChart monthsChart() const {
-        std::map<unsigned, BarChart::Group> months;
+    [[nodiscard]] PageBars monthsChart() const {
+        std::map<unsigned, PageBars::Group> months;
         for (std::size_t i = 0; i < days_.size(); ++i) {
             const double weight = i < scene_.sun.weights.size() ? scene_.sun.weights[i] : 1;
             auto& group = months[unsigned(days_[i].day.month())];
@@ -203,7 +203,7 @@ private:
             group.values[2] += weight * days_[i].incremental.areaHoursM2;
         }
         const bool mirrored = scene_.source.study.rule.days.mirrored;
-        BarChart chart{
+        PageBars chart{
             {QStringLiteral("Area × hours in shadow by month, m² h"),
              mirrored ? QStringLiteral("The measured half of the year stands for both halves: each "
                                        "month counts twice")
