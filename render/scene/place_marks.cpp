@@ -19,6 +19,7 @@ namespace noonmark {
 namespace {
 
 constexpr QColor outlineColour{0x17, 0x5c, 0x8a, 200};
+constexpr QColor thinColour{0x17, 0x5c, 0x8a, 120};
 constexpr QColor highlightColour{0x00, 0x3f, 0x9e, 255};
 constexpr double leastNamedPx = 14;  // side of a square as large as a place that still has its name
 constexpr double labelGapPx = 4;
@@ -44,6 +45,7 @@ PlaceMarks::PlaceMarks(Qt3DRender::QLayer* overlay, Qt3DRender::QLayer* blended,
     : root_(new Qt3DCore::QEntity(parent)),
       blended_(blended),
       line_(makeLine(outlineColour, 1.6F, root_)),
+      thin_(makeLine(thinColour, 1, root_)),
       bold_(makeLine(highlightColour, 4, root_)) {
     root_->addComponent(overlay);
     labels_ = std::make_unique<NameLabels>(blended, root_);
@@ -74,15 +76,21 @@ void PlaceMarks::setShown(bool shown) {
 
 void PlaceMarks::draw() {
     delete std::exchange(lines_, nullptr);
+    delete std::exchange(thinLines_, nullptr);
     delete std::exchange(highlightedLines_, nullptr);
-    std::vector<GroundLine> lines;
-    for (const Mark& mark : marks_)
-        if (shown_) lines.insert(lines.end(), mark.lines.begin(), mark.lines.end());
-    if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *line_, root_, blended_);
+    lines_ = drawLines(true, *line_);
+    thinLines_ = drawLines(false, *thin_);
     if (highlighted_)
         highlightedLines_ =
             makeArrayEntity(makeOutlineGeometry(marks_[*highlighted_].lines), *bold_, root_, blended_);
     if (changed_) changed_();
+}
+
+Qt3DCore::QEntity* PlaceMarks::drawLines(bool named, ShaderMaterial& material) {
+    std::vector<GroundLine> lines;
+    for (const Mark& mark : marks_)
+        if (shown_ && mark.named == named) lines.insert(lines.end(), mark.lines.begin(), mark.lines.end());
+    return lines.empty() ? nullptr : makeArrayEntity(makeOutlineGeometry(lines), material, root_, blended_);
 }
 
 std::vector<std::size_t> PlaceMarks::ranked() const {
@@ -104,12 +112,13 @@ void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
         if (chosen.size() == mostNames) break;
         const Mark& mark = marks_[i];
         const double side = std::sqrt(mark.areaM2) * pixelsPerMetre(pose, lens, mark.at);
-        if (i != highlighted_ && side < leastNamedPx) continue;
+        if (i != highlighted_ && (side < leastNamedPx || !mark.named)) continue;
         const auto pixel = pixelOf(pose, lens, mark.at);
         if (!pixel || !screen.contains(pixel->x, pixel->y)) continue;
         QRectF box(QPointF(), NameLabels::sizeOf(mark.name));
         box.moveCenter({pixel->x, pixel->y});
         box.adjust(-labelGapPx, -labelGapPx, labelGapPx, labelGapPx);
+        if (!screen.contains(box)) continue;  // a name that is cut off cannot be read
         if (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(box); })) continue;
         taken.push_back(box);
         chosen.push_back(i);
@@ -122,7 +131,7 @@ void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
 
 void PlaceMarks::setLens(const ViewLens& lens) {
     const QVector2D size(float(lens.widthPx), float(lens.heightPx));
-    for (ShaderMaterial* line : {line_, bold_}) line->set(QStringLiteral("viewSize"), size);
+    for (ShaderMaterial* line : {line_, thin_, bold_}) line->set(QStringLiteral("viewSize"), size);
     labels_->setViewSize(size);
 }
 

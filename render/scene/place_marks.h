@@ -29,6 +29,7 @@ public:
         QString name;
         glm::dvec3 at{0};   ///< where the name stands
         double areaM2 = 0;  ///< of the polygon around that point
+        bool named = true;  ///< false: drawn thinner, and its name is shown only while it is highlighted
         std::vector<GroundLine> lines;
     };
 
@@ -60,13 +61,16 @@ public:
 
 private:
     void draw();
+    [[nodiscard]] Qt3DCore::QEntity* drawLines(bool named, ShaderMaterial& material);
     [[nodiscard]] std::vector<std::size_t> ranked() const;
 
     Qt3DCore::QEntity* root_;
     Qt3DRender::QLayer* blended_;
     ShaderMaterial* line_;
+    ShaderMaterial* thin_;
     ShaderMaterial* bold_;
     Qt3DCore::QEntity* lines_ = nullptr;
+    Qt3DCore::QEntity* thinLines_ = nullptr;
     Qt3DCore::QEntity* highlightedLines_ = nullptr;
     std::unique_ptr<NameLabels> labels_;
     std::vector<Mark> marks_;

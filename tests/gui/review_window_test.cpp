@@ -89,6 +89,7 @@ TEST_F(ReviewWindow, VerdictsAndNumbersAreThoseOfTheReview) {
         EXPECT_TRUE(table.topLevelItem(i)->text(1).endsWith(QString::fromUtf8(nameOf(place.verdict).data())));
         EXPECT_EQ(table.topLevelItem(i)->childCount(), 4);  // the rule's days
     }
+    EXPECT_EQ(table.topLevelItem(0)->text(0), QStringLiteral("Park"));  // has the incremental shadow
     EXPECT_GT(expected->places[0].totals.incrementalM2h, 0);  // at noon the shadow falls on the park
     EXPECT_EQ(expected->places[1].totals.incrementalM2h, 0);
     dock().copyTable();

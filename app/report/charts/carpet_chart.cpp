@@ -120,9 +120,7 @@ void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& ch
     const CarpetAxes axes = axesOf(canvas, area, chart);
     canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     canvas.painter.drawImage(axes.plot, imageOf(chart));
-    canvas.painter.setOpacity(0.6);
     paintAxes(canvas, axes.plot, axes.across, axes.up);
-    canvas.painter.setOpacity(1);
     paintScale(canvas, axes.plot);
     canvas.painter.restore();
 }

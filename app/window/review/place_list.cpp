@@ -19,6 +19,19 @@ namespace {
 
 constexpr int nameRole = Qt::UserRole;
 
+// By name; those without a name of their own come last.
+std::vector<const Place*> order(const std::vector<Place>& places) {
+    std::vector<const Place*> ordered;
+    for (const Place& place : places) ordered.push_back(&place);
+    std::ranges::stable_sort(ordered, [](const Place* a, const Place* b) {
+        const bool first = hasOwnName(*a), second = hasOwnName(*b);
+        return first != second ? first
+                               : QString::compare(QString::fromStdString(a->name),
+                                                  QString::fromStdString(b->name), Qt::CaseInsensitive) < 0;
+    });
+    return ordered;
+}
+
 QPushButton* makeSmallButton(const QString& text, const QString& tip, QHBoxLayout& row) {
     auto* button = new QPushButton(text);
     button->setToolTip(tip);
@@ -34,6 +47,7 @@ PlaceList::PlaceList(QWidget* parent)
     filter_->setClearButtonEnabled(true);
     list_->setObjectName(QStringLiteral("reviewPlaces"));
     list_->setUniformItemSizes(true);
+    list_->setMinimumHeight(50);
     count_->setWordWrap(true);
     auto* row = new QHBoxLayout;
     QPushButton* all = makeSmallButton(tr("All"), tr("Tick all places"), *row);
@@ -63,8 +77,9 @@ void PlaceList::show(const std::vector<Place>& places, bool all, const std::vect
     const std::set<std::string> ticked(chosen.begin(), chosen.end());
     while (list_->count() > int(places.size())) delete list_->takeItem(list_->count() - 1);
     while (list_->count() < int(places.size())) new QListWidgetItem(list_);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Place& place = places[i];
+    const std::vector<const Place*> ordered = order(places);
+    for (std::size_t i = 0; i < ordered.size(); ++i) {
+        const Place& place = *ordered[i];
         QListWidgetItem& item = *list_->item(int(i));
         const QString name = QString::fromStdString(place.name);
         item.setText(name);

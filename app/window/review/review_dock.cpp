@@ -4,8 +4,8 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTextBrowser>
@@ -28,6 +28,7 @@ namespace noonmark {
 namespace {
 
 constexpr int estimateDelayMs = 600;
+constexpr int formWidth = 250;
 
 /// "3 places: 1 fail, 2 pass"
 QString describeVerdicts(const ReviewStudy& study) {
@@ -38,6 +39,24 @@ QString describeVerdicts(const ReviewStudy& study) {
         if (count > 0) parts << QStringLiteral("%1 %2").arg(count).arg(describeVerdict(verdict));
     }
     return parts.join(QStringLiteral(", "));
+}
+
+QString describeSums(const ReviewTotals& sums) {
+    const auto share = [&](double m2h) {
+        return sums.theoreticalM2h > 0 ? 100 * m2h / sums.theoreticalM2h : 0.0;
+    };
+    const QLocale english(QLocale::English);
+    QString text = QObject::tr(
+                       "Of a theoretical sum of %1 m² h, %2 % are in shadow in the baseline and %3 % in the "
+                       "scenario; incremental shadow takes %4 m² h (%5 %)")
+                       .arg(english.toString(sums.theoreticalM2h, 'f', 0))
+                       .arg(share(sums.baselineM2h), 0, 'f', 2)
+                       .arg(share(sums.scenarioM2h), 0, 'f', 2)
+                       .arg(english.toString(sums.incrementalM2h, 'f', 0))
+                       .arg(share(sums.incrementalM2h), 0, 'f', 2);
+    if (sums.largestDay && sums.incrementalM2h > 0)
+        text += QObject::tr(", most on %1").arg(QString::fromStdString(formatText(*sums.largestDay)));
+    return text + u'.';
 }
 
 QString listOf(const QString& title, const std::vector<std::string>& texts) {
@@ -61,7 +80,8 @@ ReviewDock::ReviewDock(ReviewSession& review, ProjectSession& project, QWidget* 
       export_(new QPushButton(tr("Export..."))),
       estimate_(new QLabel),
       state_(new QLabel),
-      progress_(new ProgressStrip(QBoxLayout::TopToBottom)),
+      details_(new QLabel),
+      progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       table_(new VerdictTable),
       tabs_(new QTabWidget),
       day_(new DayPanel),
@@ -82,8 +102,7 @@ ReviewDock::ReviewDock(ReviewSession& review, ProjectSession& project, QWidget* 
     connect(estimateSoon_, &QTimer::timeout, &review_, &ReviewSession::estimate);
     connectSession();
     connectTable();
-    showChoice();
-    showAnswer();
+    showChart();
 }
 
 QWidget* ReviewDock::makeForm() {
@@ -95,19 +114,8 @@ QWidget* ReviewDock::makeForm() {
     column->setContentsMargins(2, 2, 2, 2);
     column->addWidget(form_);
     column->addWidget(places_, 1);
-    auto* row = new QHBoxLayout;
-    row->addWidget(run_);
-    row->addWidget(estimate_, 1);
-    column->addLayout(row);
-    column->addWidget(progress_);
-    content->setMinimumHeight(260);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(230);
-    return scroll;
+    content->setMinimumWidth(formWidth);
+    return content;
 }
 
 QWidget* ReviewDock::makeTable() {
@@ -116,14 +124,22 @@ QWidget* ReviewDock::makeTable() {
     copy_->setToolTip(tr("Copies the table, with all days, as text for a spreadsheet"));
     export_->setToolTip(tr("Writes review.json and review.csv, as the command line does"));
     auto* row = new QHBoxLayout;
-    row->addWidget(state_, 1);
+    row->addWidget(run_);
+    row->addWidget(estimate_);
+    row->addWidget(progress_, 1);
+    row->addStretch();
     row->addWidget(copy_);
     row->addWidget(export_);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
     column->addLayout(row);
+    column->addWidget(state_);
     column->addWidget(table_, 1);
+    details_->setObjectName(QStringLiteral("verdictDetails"));
+    details_->setWordWrap(true);
+    details_->setTextFormat(Qt::PlainText);
+    column->addWidget(details_);
     return content;
 }
 
@@ -170,6 +186,7 @@ void ReviewDock::connectTable() {
         chosen_ = review;
         chosenDay_ = day;
         if (answer_) Q_EMIT placePointedAt(answer_->placeOf(review).name);
+        showDetails();
         showChart();
     });
     connect(table_, &VerdictTable::zoomRequested, this, [this](std::size_t review) {
@@ -204,9 +221,12 @@ void ReviewDock::showAnswer() {
     if (shown != answer_) {
         answer_ = shown;
         table_->show(answer_);
-        if (answer_ && chosen_ >= answer_->study.places.size()) chosen_ = 0;
-        if (!table_->currentItem()) chosenDay_.reset();
-        showChart();
+        chosenDay_.reset();
+        if (answer_)
+            table_->chooseCurrent();
+        else
+            showChart();
+        showDetails();
         showRule();
     }
     showState();
@@ -232,6 +252,17 @@ void ReviewDock::showState() {
     if (const QString why = review_.whyOutdated(); !why.isEmpty())
         text += QStringLiteral("<br><span style=\"color:#a02410\">%1</span>").arg(why.toHtmlEscaped());
     state_->setText(text);
+}
+
+// The verdict in a sentence, and the sums of a range of days.
+void ReviewDock::showDetails() {
+    details_->setVisible(answer_ && chosenDay_);
+    if (!answer_ || !chosenDay_) return;
+    const PlaceReview& place = answer_->study.places[chosen_];
+    QString text =
+        tr("%1: %2.").arg(QString::fromStdString(place.name), QString::fromStdString(place.reason));
+    if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals);
+    details_->setText(text);
 }
 
 void ReviewDock::showChart() {
@@ -266,6 +297,10 @@ void ReviewDock::showRule() {
                     .arg(answer_->study.settings.cellM)
                     .arg(QString::fromStdString(answer_->study.clock).toHtmlEscaped())
                     .arg(answer_->study.year);
+    std::vector<std::string> leftOut;
+    for (const WarningGroup& group : groupWarnings(review_.library().warnings()))
+        leftOut.push_back(lineOf(group));
+    html += listOf(tr("Rule files that are left out"), leftOut);
     html += tr("<h4>Figures with status and source</h4>") +
             QStringLiteral("<pre style=\"white-space:pre-wrap\">%1</pre>")
                 .arg(QString::fromStdString(describeRule(*rule)).toHtmlEscaped());

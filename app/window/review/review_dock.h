@@ -52,6 +52,7 @@ private:
     void showAnswer();
     void showState();
     void showChart();
+    void showDetails();
     void showRule();
 
     ReviewSession& review_;
@@ -63,6 +64,7 @@ private:
     QPushButton* export_;
     QLabel* estimate_;
     QLabel* state_;
+    QLabel* details_;  ///< of the chosen place
     ProgressStrip* progress_;
     VerdictTable* table_;
     QTabWidget* tabs_;

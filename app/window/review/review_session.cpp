@@ -1,5 +1,6 @@
 #include "app/window/review/review_session.h"
 
+#include <QStandardPaths>
 #include <algorithm>
 #include <utility>
 
@@ -14,10 +15,19 @@ namespace {
 
 Place parcelOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
 
+// The shipped rules and those of the user's folder; without it the shipped ones.
+RuleLibrary loadLibrary() {
+    const QString folder = QStandardPaths::locate(QStandardPaths::AppDataLocation, QStringLiteral("rules"),
+                                                  QStandardPaths::LocateDirectory);
+    if (!folder.isEmpty())
+        if (auto all = RuleLibrary::load({folder.toStdString()})) return *std::move(all);
+    return RuleLibrary::load().value_or(RuleLibrary{});
+}
+
 }  // namespace
 
 ReviewSession::ReviewSession(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
-    if (auto library = RuleLibrary::load()) library_ = *std::move(library);
+    library_ = loadLibrary();
     ProjectSession& session = workbench_.session();
     connect(&session, &ProjectSession::changed, this, [this] {
         Q_EMIT changed();
@@ -188,9 +198,11 @@ void ReviewSession::write(const std::filesystem::path& folder) {
     writing_.start<Paths>(
         tr("Exporting"),
         [answer = answer_, project = session.project(), file = session.file(),
-         rules = workbench_.exportRules(), folder](Progress&, const std::stop_token&) {
+         rules = workbench_.exportRules(), ruleWarnings = library_.warnings(),
+         folder](Progress&, const std::stop_token&) {
             const ReviewQuestion& asked = answer->question;
             ReviewStudy study = answer->study;
+            study.warnings.insert(study.warnings.end(), ruleWarnings.begin(), ruleWarnings.end());
             putBefore(study.warnings, project.reading->warnings);
             const ReviewLabels labels{
                 asked.from, asked.to,

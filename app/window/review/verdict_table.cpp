@@ -4,6 +4,8 @@
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "app/window/review/verdict_words.h"
 #include "core/review/review_columns.h"
@@ -36,6 +38,18 @@ std::vector<const ReviewRow*> rowsToList(const PlaceReview& review, bool fewDays
     return rows;
 }
 
+// What fails comes first, and of these what gets most incremental shadow.
+std::vector<std::size_t> orderByVerdict(const ReviewStudy& study) {
+    constexpr std::array rank{2, 1, 0, 3, 4};  // of Verdict's values
+    std::vector<std::size_t> order(study.places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        const PlaceReview& place = study.places[i];
+        return std::pair(rank[std::size_t(place.verdict)], -place.totals.incrementalM2h);
+    });
+    return order;
+}
+
 QString wrapped(QString title) {
     const auto middle = title.indexOf(u' ', title.size() / 2 - 1);
     if (title.size() > 14 && middle > 0) title[middle] = u'\n';
@@ -63,9 +77,9 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer) {
     const QString name = before ? (before->parent() ? before->parent() : before)->text(0) : QString();
     const QVariant day = before ? before->data(0, dayRole) : QVariant();
     std::map<QString, bool> open;
-    for (int i = 0; i < topLevelItemCount(); ++i)
-        open[topLevelItem(i)->text(0)] = topLevelItem(i)->isExpanded();
     const bool sameRule = answer && answer_ && answer->question.rule.key == answer_->question.rule.key;
+    for (int i = 0; sameRule && i < topLevelItemCount(); ++i)
+        open[topLevelItem(i)->text(0)] = topLevelItem(i)->isExpanded();
     answer_ = answer;
     clear();
     setHeaderHidden(!answer);
@@ -77,7 +91,7 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer) {
     for (const RuleColumn& column : columns_) titles << wrapped(textOf(column.title));
     setColumnCount(int(titles.size()));
     setHeaderLabels(titles);
-    for (std::size_t i = 0; i < answer->study.places.size(); ++i) addPlace(i);
+    for (const std::size_t i : orderByVerdict(answer->study)) addPlace(i);
     for (int i = 0; i < topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = topLevelItem(i);
         const auto was = open.find(item->text(0));
@@ -132,6 +146,14 @@ void VerdictTable::choose(const QTreeWidgetItem* item) {
     for (const ReviewRow& row : place.rows)
         if (textOf(formatText(row.day)) == day) return Q_EMIT chosen(review, row.day);
     if (const ReviewRow* row = mainRow(place)) Q_EMIT chosen(review, row->day);
+}
+
+void VerdictTable::chooseCurrent() {
+    if (!currentItem() && topLevelItemCount() > 0) {
+        const QSignalBlocker block(this);
+        setCurrentItem(topLevelItem(0));
+    }
+    choose(currentItem());
 }
 
 QString VerdictTable::text() const {

@@ -6,8 +6,8 @@
 
 namespace noonmark {
 
-/// The verdict of each place, and below it the days with the numbers behind it, in the rule's own columns. Of
-/// a range of days those with most incremental shadow are listed.
+/// The verdict of each place, those that fail first, and below it the days with the numbers behind it, in the
+/// rule's own columns. Of a range of days those with most incremental shadow are listed.
 class VerdictTable final : public QTreeWidget {
     Q_OBJECT
 public:
@@ -15,6 +15,8 @@ public:
 
     /// Keeps what is selected if the places are the same. Null: empties the table.
     void show(const std::shared_ptr<const ReviewAnswer>& answer);
+    /// Emits chosen() for the current row, or else for the first.
+    void chooseCurrent();
     /// The whole table as text with tabs, for spreadsheets: a line for each place and day.
     [[nodiscard]] QString text() const;
 

@@ -144,6 +144,7 @@ void ViewPanel::markPlaces() {
         marks.push_back({QString::fromStdString(place.name),
                          {at.x, at.y, double(groundAt(city_->city(), at))},
                          area(*largest),
+                         hasOwnName(place),
                          makeGroundLines({place.name, place.polygons}, city_->city())});
     }
     view_->places().show(std::move(marks));
