@@ -39,7 +39,7 @@ struct PlacesWindow : test::ProjectWindow {
             QStringLiteral(R"({"type":"FeatureCollection","features":[%1,%2]})")
                 .arg(feature(-73.9805,
                              QStringLiteral(R"("name":"%1","kind":"plaza")").arg(QLatin1String(firstName))),
-                     feature(-73.9780, QStringLiteral(R"("name":"Court","kind":"playground")")))
+                     feature(-73.9795, QStringLiteral(R"("name":"Court","kind":"playground")")))
                 .toUtf8());
         return name;
     }
@@ -105,7 +105,7 @@ TEST_F(PlacesWindow, TheRegionListTakesAPlaceByItsNameAndSuggestsOneForAMistyped
     const Region& region = workbench().document().settings().region;
     EXPECT_EQ(region.name, "Court");
     EXPECT_EQ(region.polygons, places()[1].polygons);
-    list->lineEdit()->setText(QStringLiteral("Cuort"));
+    list->lineEdit()->setText(QStringLiteral("Courd"));
     Q_EMIT list->lineEdit()->returnPressed();
     EXPECT_EQ(workbench().document().settings().region.name, "Court");
     EXPECT_TRUE(message().contains(QStringLiteral("Court"))) << message().toStdString();

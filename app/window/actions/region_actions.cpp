@@ -88,7 +88,11 @@ void RegionActions::takeNamed(const std::string& name) {
     if (name == workbench_.document().settings().region.name) return;
     if (const auto region = findRegion(project, name)) return change(*region);
     const auto place = findPlace(project, name);
-    place ? change(regionOf(*place)) : panel_.messages().showError(place.error());
+    if (place) return change(regionOf(*place));
+    Error error = place.error();
+    error.what = "There is no region or place of this name";
+    if (error.advice.find("noonmark-cli") != std::string::npos) error.advice = "Choose one from the list";
+    panel_.messages().showError(error);
 }
 
 void RegionActions::listNames() {

@@ -48,6 +48,7 @@ PlaceList::PlaceList(QWidget* parent)
     list_->setObjectName(QStringLiteral("reviewPlaces"));
     list_->setUniformItemSizes(true);
     list_->setMinimumHeight(50);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     count_->setWordWrap(true);
     auto* row = new QHBoxLayout;
     QPushButton* all = makeSmallButton(tr("All"), tr("Tick all places"), *row);

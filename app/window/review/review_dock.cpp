@@ -125,15 +125,16 @@ QWidget* ReviewDock::makeTable() {
     export_->setToolTip(tr("Writes review.json and review.csv, as the command line does"));
     auto* row = new QHBoxLayout;
     row->addWidget(run_);
-    row->addWidget(estimate_);
-    row->addWidget(progress_, 1);
-    row->addStretch();
+    row->addWidget(estimate_, 1);
     row->addWidget(copy_);
     row->addWidget(export_);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
     column->addLayout(row);
+    // It must not widen the dock, and with it the window, while a review runs.
+    progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column->addWidget(progress_);
     column->addWidget(state_);
     column->addWidget(table_, 1);
     details_->setObjectName(QStringLiteral("verdictDetails"));
@@ -238,6 +239,8 @@ void ReviewDock::showState() {
     export_->setEnabled(answer_ && !review_.isLive());
     if (!answer_) {
         const auto question = review_.question();
+        if (review_.following().busy())
+            return state_->setText(tr("Computing the verdicts of the building being designed..."));
         state_->setText(question ? tr("Press Run review to evaluate the rule on the ticked places.")
                                  : QString::fromStdString(question.error().text()));
         return;

@@ -249,6 +249,7 @@ void ReviewSession::follow() {
             return computeReview(question, progress, std::move(stop));
         },
         [this](Result<ReviewAnswer> answer) { takeLive(std::move(answer)); });
+    if (!live_) Q_EMIT answered();
 }
 
 void ReviewSession::takeLive(Result<ReviewAnswer> answer) {

@@ -20,8 +20,13 @@ constexpr std::size_t mostExpanded = 8;  // places whose days are shown at first
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
-/// The day that says most of a place: with most incremental shadow, or else the first.
+/// The day that says most of a place: the one that decides its verdict, or else the one with most incremental
+/// shadow, or the first.
 const ReviewRow* mainRow(const PlaceReview& review) {
+    for (const CriterionResult& result : review.results)
+        for (const ReviewRow& row : review.rows)
+            if (result.verdict == review.verdict && result.verdict != Verdict::pass && row.day == result.day)
+                return &row;
     const auto found = std::ranges::max_element(review.rows, {}, &ReviewRow::incrementalM2h);
     return found == review.rows.end() ? nullptr : &*found;
 }
@@ -62,6 +67,7 @@ VerdictTable::VerdictTable(QWidget* parent) : QTreeWidget(parent) {
     setObjectName(QStringLiteral("verdicts"));
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
+    setExpandsOnDoubleClick(false);  // a double click zooms to the place
     setHeaderHidden(true);
     header()->setSectionResizeMode(QHeaderView::Interactive);
     connect(this, &QTreeWidget::currentItemChanged, this,
@@ -78,7 +84,8 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer) {
     const QVariant day = before ? before->data(0, dayRole) : QVariant();
     std::map<QString, bool> open;
     const bool sameRule = answer && answer_ && answer->question.rule.key == answer_->question.rule.key;
-    for (int i = 0; sameRule && i < topLevelItemCount(); ++i)
+    const bool alike = sameRule && answer->study.places.size() == answer_->study.places.size();
+    for (int i = 0; alike && i < topLevelItemCount(); ++i)
         open[topLevelItem(i)->text(0)] = topLevelItem(i)->isExpanded();
     answer_ = answer;
     clear();

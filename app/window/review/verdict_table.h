@@ -23,7 +23,8 @@ public:
     static constexpr std::size_t mostDays = 12;  ///< listed of a range, for each place
 
 Q_SIGNALS:
-    /// A place, and the day in the row or the one with most incremental shadow.
+    /// A place, and the day in the row, or else the one that decides its verdict or has most incremental
+    /// shadow.
     void chosen(std::size_t review, noonmark::CivilDate day);
     void zoomRequested(std::size_t review);  ///< double click or Enter
 
