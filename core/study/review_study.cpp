@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/receivers/line_belts.h"
 
@@ -168,49 +169,105 @@ City keepOwnBuildings(const City& city, const City& other) {
     return own;
 }
 
-Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City& scenario,
-                              const std::vector<Place>& places, const ReviewSettings& settings,
-                              const Engine& engine, Progress& progress, std::stop_token stop) {
+namespace {
+
+/// A rule's question, ready to be computed.
+struct PreparedReview {
+    RuleSun days;
+    RulePlaces measured;
+    RuleScene scene;
+};
+
+Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, const City& scenario,
+                                     const std::vector<Place>& places, const ReviewSettings& settings,
+                                     const std::stop_token& stop) {
     if (rule.receivers.surface == RuleSurface::windows)
         return unsupported("The rule is about windows, which are not measured", rule.key,
                            "Choose another rule");
     const bool alone = rule.occluders.casters == RuleCasters::proposal;
-    const City before = alone ? keepOwnBuildings(baseline, scenario) : baseline;
-    const City after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
-    const auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
+    City before = alone ? keepOwnBuildings(baseline, scenario) : baseline;
+    City after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
+    auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());
     if (days->sun.steps.empty())
         return failure("The sun is below the horizon in all hours of the rule", rule.key,
                        "Check place and year");
-    const auto measured = placesToMeasure(rule, places, after, days->sun);
+    auto measured = placesToMeasure(rule, places, after, days->sun);
     if (!measured) return tl::make_unexpected(measured.error());
-    const auto scene = makeRuleScene(rule, before, after, measured->places, settings.cellM, stop);
+    auto scene =
+        makeRuleScene(rule, std::move(before), std::move(after), measured->places, settings.cellM, stop);
     if (!scene) return tl::make_unexpected(scene.error());
+    return PreparedReview{*std::move(days), *std::move(measured), *std::move(scene)};
+}
+
+}  // namespace
+
+Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, const City& scenario,
+                                     const std::vector<Place>& places, const ReviewSettings& settings,
+                                     const std::stop_token& stop) {
+    const auto prepared = prepareReview(rule, baseline, scenario, places, settings, stop);
+    if (!prepared) return tl::make_unexpected(prepared.error());
+    const auto cities = prepared->scene.cities();
+    const EngineLoad load = measureEngineLoad(cities, prepared->scene.receivers.receivers, prepared->days.sun,
+                                              HorizonSweepSettings());
+    const EstimatedSeconds one = estimateSeconds(load);
+    return double(cities.size()) * (load.level ? one.projected : one.ray);
+}
+
+Result<RuleTimelines> computeRuleTimelines(const Rule& rule, const City& baseline, const City& scenario,
+                                           const std::vector<Place>& places, const ReviewSettings& settings,
+                                           const Engine& engine, Progress& progress, std::stop_token stop) {
+    const auto prepared = prepareReview(rule, baseline, scenario, places, settings, stop);
+    if (!prepared) return tl::make_unexpected(prepared.error());
+    const RuleSun& days = prepared->days;
+    const RulePlaces& measured = prepared->measured;
+    const RuleScene& scene = prepared->scene;
+    RuleTimelines timelines{{}, {}, days.clock, days.sun.stepMinutes};
+    for (const Place& place : measured.places) timelines.names.push_back(place.name);
+    timelines.days.resize(measured.places.size());
+    const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {
+        for (std::size_t i = 0; i < shadows.size(); ++i)
+            timelines.days[i].push_back(computeTimeline(shadows[i], {.longestStays = false}));
+        return {};
+    };
+    return shadePlaces(engine, scene.before, &scene.after, scene.receivers, days.sun, take, progress,
+                       std::move(stop))
+        .map([&] { return std::move(timelines); });
+}
+
+Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City& scenario,
+                              const std::vector<Place>& places, const ReviewSettings& settings,
+                              const Engine& engine, Progress& progress, std::stop_token stop) {
+    const auto prepared = prepareReview(rule, baseline, scenario, places, settings, stop);
+    if (!prepared) return tl::make_unexpected(prepared.error());
+    const RuleSun& days = prepared->days;
+    const RulePlaces& measured = prepared->measured;
+    const RuleScene& scene = prepared->scene;
     std::vector<PlaceEvaluation> evaluations;
-    for (std::size_t i = 0; i < measured->places.size(); ++i)
-        evaluations.emplace_back(rule, days->clock, measured->places[i].name, measured->places[i].kind, 0,
-                                 measured->belts[i]);
-    std::vector<std::vector<DayTimeline>> timelines(settings.timelines ? measured->places.size() : 0);
+    for (std::size_t i = 0; i < measured.places.size(); ++i)
+        evaluations.emplace_back(rule, days.clock, measured.places[i].name, measured.places[i].kind, 0,
+                                 measured.belts[i]);
+    std::vector<std::vector<DayTimeline>> timelines(settings.timelines ? measured.places.size() : 0);
     const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
         tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
-            evaluations[i].add(shadows[i], days->weights[day]);
+            evaluations[i].add(shadows[i], days.weights[day]);
             if (settings.timelines)
                 timelines[i].push_back(thinned(computeTimeline(shadows[i], {.longestStays = false}),
-                                               days->sun.stepMinutes, days->sun.days.size()));
+                                               days.sun.stepMinutes, days.sun.days.size()));
         });
         return {};
     };
-    const auto done = shadePlaces(engine, scene->before, &scene->after, scene->receivers, days->sun, take,
+    const auto done = shadePlaces(engine, scene.before, &scene.after, scene.receivers, days.sun, take,
                                   progress, std::move(stop));
     if (!done) return tl::make_unexpected(done.error());
     ReviewStudy study{rule,
                       settings,
                       {},
                       std::move(timelines),
-                      std::string(engine.nameOfMasks(scene->cities(), scene->receivers.receivers)),
-                      days->clock.text(),
-                      days->year,
-                      days->sun.stepMinutes,
+                      std::string(engine.nameOfMasks(scene.cities(), scene.receivers.receivers)),
+                      days.clock.text(),
+                      days.year,
+                      days.sun.stepMinutes,
                       notCheckedIn(rule, baseline),
                       {}};
     for (const PlaceEvaluation& evaluation : evaluations) study.places.push_back(evaluation.finish());

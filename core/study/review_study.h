@@ -48,6 +48,26 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
                               const std::vector<Place>& places, const ReviewSettings& settings,
                               const Engine& engine, Progress& progress, std::stop_token stop);
 
+/// The timelines behind the figures of a rule: the same cells, steps and hours.
+struct RuleTimelines {
+    std::vector<std::string> names;  ///< of what is measured: the places, or two belts for each parcel
+    std::vector<std::vector<DayTimeline>> days;  ///< [place][day], with steps and without longest stays
+    DayClock clock;
+    double stepMinutes = 1;
+};
+
+/// The timelines of places on a rule's days, as runReview() measures them; the same errors. Each step takes
+/// 40 bytes: choose the days and the step of `rule` accordingly.
+Result<RuleTimelines> computeRuleTimelines(const Rule& rule, const City& baseline, const City& scenario,
+                                           const std::vector<Place>& places, const ReviewSettings& settings,
+                                           const Engine& engine, Progress& progress, std::stop_token stop);
+
+/// The expected time of runReview() in seconds on two cores, by the model that chooses engines
+/// (auto_engine.h). Errors as of runReview(). Costs what placing the cells does.
+Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, const City& scenario,
+                                     const std::vector<Place>& places, const ReviewSettings& settings,
+                                     const std::stop_token& stop);
+
 /// The city with only the buildings that `other` does not have. Buildings are the same if
 /// they are shared or equal in every value.
 City keepOwnBuildings(const City& city, const City& other);

@@ -75,10 +75,14 @@ CityView::CityView()
     : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL),
       root_(new Qt3DCore::QEntity),
       blended_(new Qt3DRender::QLayer(root_)),
-      rest_(new QTimer(this)) {
+      rest_(new QTimer(this)),
+      names_(new QTimer(this)) {
     rest_->setSingleShot(true);
     rest_->setInterval(restMs);
     connect(rest_, &QTimer::timeout, this, [this] { showEdges(true); });
+    names_->setSingleShot(true);
+    names_->setInterval(restMs);
+    connect(names_, &QTimer::timeout, this, [this] { places_->layNames(pose_, lens()); });
     makeMaterials();
     makeFrameGraph();
     renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
@@ -140,6 +144,8 @@ void CityView::makeMaterials() {
     clearPicture();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
     overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
+    places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
+    places_->onChange([this] { names_->start(); });
 }
 
 Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
@@ -246,6 +252,8 @@ void CityView::applyCamera() {
     camera()->setUpVector(vectorOf(computeUp(pose_)));
     ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
     overlay_->setLens(view);
+    places_->setLens(view);
+    names_->start();
 }
 
 void CityView::resizeEvent(QResizeEvent* event) {
@@ -264,6 +272,7 @@ void CityView::exposeEvent(QExposeEvent* event) {
 
 void CityView::capture(std::function<void(QImage)> done) {
     showEdges(true);
+    places_->layNames(pose_, lens());
     Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();
     connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [reply, done = std::move(done)] {
         const QImage image = reply->image();

@@ -13,6 +13,7 @@
 #include "render/scene/building_bodies.h"
 #include "render/scene/ground_picture.h"
 #include "render/scene/overlay_bodies.h"
+#include "render/scene/place_marks.h"
 #include "render/scene/surface_layer.h"
 #include "render/view/view_ray.h"
 
@@ -46,6 +47,8 @@ public:
     /// The arrays of showCity(); null before its first call.
     [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const;
     [[nodiscard]] OverlayBodies& overlay() { return *overlay_; }
+    /// Outlines and names of places. Names are chosen again when the camera rests.
+    [[nodiscard]] PlaceMarks& places() { return *places_; }
     /// Shows a picture on the ground. `soFar`: it covers only a part of the period or region and is striped.
     void showPicture(const GroundPicture& picture, bool soFar = false);
     /// Shows a picture on the roofs, in addition to showPicture(). clearPicture() and the next showPicture()
@@ -93,6 +96,7 @@ private:
     bool manyEdges_ = false;
     bool exposed_ = false;
     QTimer* rest_;
+    QTimer* names_;
     Qt3DCore::QEntity* lines_ = nullptr;
     bool facesShown_ = true;
     ShaderMaterial* building_ = nullptr;
@@ -103,6 +107,7 @@ private:
     Qt3DCore::QNode* roofTexture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
     std::unique_ptr<OverlayBodies> overlay_;
+    std::unique_ptr<PlaceMarks> places_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;
 };
 

@@ -115,7 +115,7 @@ void WindowUser::lookAtTime() {
     waitUntilIdle();
     for (int step = 0; step < 10; ++step) {
         TimeLook look = window_->panel().time().look();
-        look.span = chance(2) == 0 ? TimeSpan::day : TimeSpan::moment;
+        look.span = chance(2) == 0 ? LookSpan::day : LookSpan::moment;
         look.at = std::chrono::minutes(8 * 60 + chance(9 * 60));
         window_->panel().time().setLook(look);
         Q_EMIT window_->panel().time().lookChanged(look);

@@ -1,6 +1,7 @@
 #include "app/window/actions/opening_actions.h"
 
 #include "app/window/actions/make_action.h"
+#include "app/window/actions/place_actions.h"
 #include "app/window/actions/saving_actions.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/study/open_options.h"
@@ -82,15 +83,20 @@ void OpeningActions::takeProject() {
 }
 
 void OpeningActions::showGuesses() {
-    const CityRead& read = workbench_.city()->loaded.read;
-    const auto heights = makeAssumedHeightsMessage(countHeights(read.city), read.heights);
+    const CityRead& city = workbench_.city()->loaded.read;
+    const auto heights = makeAssumedHeightsMessage(countHeights(city.city), city.heights);
     const ZoneGuess& zone = workbench_.zone();
     QStringList lines;
     if (heights) lines << QString::fromStdString(*heights) + u'.';
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
+    const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty();
+    if (read || !workbench_.placeWarnings().empty())
+        lines << describePlacesRead(workbench_.session().project().places.size(), 0,
+                                    workbench_.placeWarnings());
     if (lines.isEmpty()) return;
+    if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
     messages_.showHelp(lines.join(u'\n'));
     if (heights && !workbench_.source().files.isEmpty() && !workbench_.session().file()) offerOptions();
 }

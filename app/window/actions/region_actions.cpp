@@ -9,6 +9,7 @@
 #include "app/window/view/view_panel.h"
 #include "app/window/widgets/file_dialogs.h"
 #include "core/io/read_region.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
@@ -34,6 +35,10 @@ void RegionActions::connectDocks(ProjectDock& tree) {
     connect(&study_, &StudyDock::drawRequested, this, &RegionActions::draw);
     connect(&study_, &StudyDock::viewRegionRequested, this, [this] { change(panel_.visibleGround()); });
     connect(&study_, &StudyDock::wholeCityRequested, this, &RegionActions::takeWholeCity);
+    connect(&study_, &StudyDock::regionNamed, this,
+            [this](const QString& name) { takeNamed(name.toStdString()); });
+    connect(&workbench_.session(), &ProjectSession::changed, this, &RegionActions::listNames);
+    connect(&tree, &ProjectDock::useAsRegionRequested, this, &RegionActions::takeNamed);
     connect(&tree, &ProjectDock::regionChosen, this, &RegionActions::change);
     connect(&tree, &ProjectDock::keepRegionRequested, this, &RegionActions::saveInProject);
 }
@@ -75,6 +80,29 @@ void RegionActions::takeWholeCity() {
     Region all = makeRegionFromLocalBox(panel_.view().viewBounds().box);
     all.name = "the whole city";
     change(all);
+}
+
+// A region of the project, or a place; the error suggests names that are spelled alike.
+void RegionActions::takeNamed(const std::string& name) {
+    const Project& project = workbench_.session().project();
+    if (name == workbench_.document().settings().region.name) return;
+    if (const auto region = findRegion(project, name)) return change(*region);
+    const auto place = findPlace(project, name);
+    if (place) return change(regionOf(*place));
+    Error error = place.error();
+    error.what = "There is no region or place of this name";
+    if (error.advice.find("noonmark-cli") != std::string::npos) error.advice = "Choose one from the list";
+    panel_.messages().showError(error);
+}
+
+void RegionActions::listNames() {
+    const Project& project = workbench_.session().project();
+    QStringList names;
+    for (const Region& region : project.regions) names << QString::fromStdString(region.name);
+    QStringList places;
+    for (const Place& place : project.places) places << QString::fromStdString(place.name);
+    places.sort(Qt::CaseInsensitive);
+    study_.setRegions(names + places);
 }
 
 void RegionActions::readFile() {

@@ -14,8 +14,8 @@ class StudyDock;
 class ViewPanel;
 class Workbench;
 
-/// Changes the region of the study: drawn, read from a file, the visible ground, the whole city, or one of
-/// the project; and saves it in the project.
+/// Changes the region of the study: drawn, read from a file, the visible ground, the whole city, or a region
+/// or place of the project; and saves it in the project.
 class RegionActions final : public QObject {
     Q_OBJECT
 public:
@@ -31,6 +31,8 @@ private:
     void change(const Region& region);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void takeWholeCity();
+    void takeNamed(const std::string& name);
+    void listNames();
     void readFile();
     void saveInProject();
 

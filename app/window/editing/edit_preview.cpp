@@ -61,6 +61,7 @@ Result<void> EditPreview::show(const std::vector<Edit>& edits) {
     }
     live_.follow(changes_.added);
     if (!before) Q_EMIT shownChanged(true);
+    Q_EMIT shapeChanged(std::make_shared<const City>(std::move(edited->city)));
     return {};
 }
 
@@ -73,6 +74,7 @@ void EditPreview::clear() {
     panel_.results().setLive(std::nullopt);
     hide({});
     Q_EMIT shownChanged(false);
+    Q_EMIT shapeChanged(nullptr);
 }
 
 void EditPreview::hide(const Buildings& removed) {

@@ -35,6 +35,8 @@ public:
 Q_SIGNALS:
     void told(QString text);  ///< the reason why there is no live shadow
     void shownChanged(bool shown);
+    /// The city with the edits shown; null: they are no longer shown.
+    void shapeChanged(std::shared_ptr<const noonmark::City> proposed);
 
 private:
     void hide(const std::vector<std::shared_ptr<const Building>>& removed);

@@ -12,6 +12,7 @@
 #include "app/window/frame/window_menus.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
+#include "app/window/review/review_dock.h"
 #include "app/window/scenarios/scenario_bar.h"
 #include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/study/study_dock.h"
@@ -24,7 +25,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 4;
+constexpr int layoutVersion = 5;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -38,6 +39,7 @@ QString unsavedFolder(const QSettings& settings) {
 
 MainWindow::MainWindow(QSettings& settings)
     : settings_(settings),
+      review_(workbench_),
       panel_(new ViewPanel),
       tools_(*panel_, horizons_),
       docks_{new ProjectDock(workbench_.session()),
@@ -46,12 +48,13 @@ MainWindow::MainWindow(QSettings& settings)
              new ScenariosDock(workbench_.session()),
              new WeightsDock(workbench_.session()),
              new WarningsDock,
+             new ReviewDock(review_, workbench_.session()),
              tools_.dock(),
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
       mode_(workbench_.document()),
-      view_(workbench_, *panel_, mode_),
+      view_(workbench_, *panel_, mode_, review_),
       store_(unsavedFolder(settings)),
       saving_(
           workbench_, store_, [this] { return view_.toSave(); }, panel_->messages(), *this),
@@ -62,6 +65,8 @@ MainWindow::MainWindow(QSettings& settings)
       results_(workbench_, mode_, display_, *panel_, *docks_.project, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
+      places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
+      reviews_(workbench_, review_, *docks_.review, tools_.context().preview, places_, *panel_, *this),
       scenarios_(workbench_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
@@ -90,8 +95,9 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    QAction* quit = noonmark::fillMenus(*menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_,
-                                                     region_, camera_, mode_.actions(), docks});
+    QAction* quit =
+        noonmark::fillMenus(*menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_, region_,
+                                         places_, reviews_, camera_, mode_.actions(), docks});
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
 
@@ -123,8 +129,10 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.opening());
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
-    for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing()})
+    for (JobSlot* slot :
+         {&workbench_.reading(), &workbench_.writing(), &saving_.writing(), &places_.reading()})
         progress_->follow(*slot);
+    connect(&reviews_, &ReviewActions::dockWanted, this, &MainWindow::showReview);
     for (JobSlot* slot :
          {&workbench_.keeping(), &tools_.context().preview.working(), &time_.looking().working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
@@ -144,7 +152,6 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
     connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
     connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);
-    connect(panel_, &ViewPanel::filesDropped, &opening_, &OpeningActions::open);
 }
 
 void MainWindow::connectDocks() {
@@ -181,6 +188,14 @@ void MainWindow::connectModes() {
 void MainWindow::raiseDock(const QWidget* content) {
     for (QDockWidget* dock : findChildren<QDockWidget*>())
         if (dock->isAncestorOf(content)) dock->raise();
+}
+
+void MainWindow::showReview() {
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+        if (!dock->isAncestorOf(docks_.review)) continue;
+        dock->show();
+        dock->raise();
+    }
 }
 
 // The camera stays: the city may be another scenario of the same project.

@@ -12,9 +12,11 @@
 
 #include "app/window/actions/edit_actions.h"
 #include "app/window/actions/opening_actions.h"
+#include "app/window/actions/place_actions.h"
 #include "app/window/actions/recovery_offers.h"
 #include "app/window/actions/region_actions.h"
 #include "app/window/actions/result_actions.h"
+#include "app/window/actions/review_actions.h"
 #include "app/window/actions/saving_actions.h"
 #include "app/window/actions/scenario_actions.h"
 #include "app/window/actions/study_actions.h"
@@ -25,6 +27,7 @@
 #include "app/window/frame/window_view.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/results/result_display.h"
+#include "app/window/review/review_session.h"
 #include "app/window/time/time_display.h"
 #include "app/window/view/mode_switch.h"
 
@@ -52,6 +55,8 @@ public:
 
     [[nodiscard]] SavingActions& saving() { return saving_; }
     [[nodiscard]] OpeningActions& opening() { return opening_; }
+    [[nodiscard]] ReviewSession& review() { return review_; }
+    [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] ResultActions& results() { return results_; }
 
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
@@ -69,6 +74,7 @@ private:
     void connectDocks();
     void connectModes();
     void raiseDock(const QWidget* content);
+    void showReview();
     void showCity();
     void showProject();
     void showDocument();
@@ -76,6 +82,7 @@ private:
 
     QSettings& settings_;
     Workbench workbench_;
+    ReviewSession review_;
     ViewPanel* panel_;
     std::shared_ptr<SharedHorizonCache> horizons_ = std::make_shared<SharedHorizonCache>();
     EditTools tools_;
@@ -93,6 +100,8 @@ private:
     ResultActions results_;
     StudyActions study_;
     RegionActions region_;
+    PlaceActions places_;
+    ReviewActions reviews_;
     ScenarioActions scenarios_;
     EditActions edits_;
     ViewActions camera_;

@@ -6,6 +6,7 @@
 
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
+#include "app/window/review/review_dock.h"
 #include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr int sideWidth = 270;
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
+constexpr int reviewHeight = 300;
 
 // Wraps the content in a scroll area, so that a dock can be smaller than its content.
 QScrollArea* scrolled(QWidget* content, int leastWidth) {
@@ -50,6 +52,9 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* building =
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
+    QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
+    window.addDockWidget(Qt::BottomDockWidgetArea, review);
+    review->hide();  // it takes much of the view's height
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
     for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
     study->raise();
@@ -61,7 +66,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
-    for (QDockWidget* dock : {project, study, results, scenarios, weights, building, tower, warnings})
+    window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
+    for (QDockWidget* dock : {project, study, results, scenarios, weights, review, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
 }

@@ -10,6 +10,7 @@ namespace noonmark {
 
 class ProjectDock;
 class ResultsDock;
+class ReviewDock;
 class ScenariosDock;
 class StudyDock;
 class WarningsDock;
@@ -23,6 +24,7 @@ struct WindowDocks {
     ScenariosDock* scenarios;
     WeightsDock* weights;
     WarningsDock* warnings;
+    ReviewDock* review;
     QWidget* building;  ///< the selected building
     QWidget* tower;     ///< lots, and the tower being designed
 };

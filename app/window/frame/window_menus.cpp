@@ -5,8 +5,10 @@
 
 #include "app/window/actions/edit_actions.h"
 #include "app/window/actions/opening_actions.h"
+#include "app/window/actions/place_actions.h"
 #include "app/window/actions/region_actions.h"
 #include "app/window/actions/result_actions.h"
+#include "app/window/actions/review_actions.h"
 #include "app/window/actions/saving_actions.h"
 #include "app/window/actions/scenario_actions.h"
 #include "app/window/actions/study_actions.h"
@@ -41,6 +43,9 @@ void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.region.actions());
     menu.addAction(actions.results.saveResult());
     menu.addSeparator();
+    menu.addActions(actions.places.actions());
+    menu.addActions(actions.review.actions());
+    menu.addSeparator();
     menu.addActions(actions.study.measureActions());
 }
 
@@ -48,6 +53,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.view.cameraActions());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
+    menu.addAction(actions.places.showAction());
     menu.addMenu(tr("&Mode"))->addActions(actions.modes);
     menu.addAction(actions.view.exploreByMaps());
     menu.addMenu(tr("&Panels"))->addActions(actions.docks);

@@ -9,8 +9,10 @@ namespace noonmark {
 
 class EditActions;
 class OpeningActions;
+class PlaceActions;
 class RegionActions;
 class ResultActions;
+class ReviewActions;
 class SavingActions;
 class ScenarioActions;
 class StudyActions;
@@ -25,6 +27,8 @@ struct WindowActions {
     const ScenarioActions& scenarios;
     const StudyActions& study;
     const RegionActions& region;
+    const PlaceActions& places;
+    const ReviewActions& review;
     const ViewActions& view;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock

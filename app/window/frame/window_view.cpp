@@ -2,6 +2,7 @@
 
 #include "app/window/actions/view_actions.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/review/review_session.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
 
@@ -15,7 +16,8 @@ ProjectSaving::View WindowView::toSave() const {
                     .changeScale = panel_.legend().changeScale(),
                     .scenario = session.scenario(),
                     .baseline = session.baseline(),
-                    .study = workbench_.document().settings()};
+                    .study = workbench_.document().settings(),
+                    .review = formatText(review_.choice())};
     if (workbench_.shown() == Workbench::Shown::comparison) state.answer = "comparison";
     if (workbench_.shown() == Workbench::Shown::study) state.answer = "study";
     if (!state.answer.empty()) state.answerSeconds = workbench_.answerSeconds();
@@ -24,6 +26,7 @@ ProjectSaving::View WindowView::toSave() const {
 
 void WindowView::restore() {
     const ViewState& view = workbench_.openedView();
+    review_.restore(view.review);
     mode_.setAnalysisEngine(StudySettings().engine);
     if (workbench_.session().file()) {
         mode_.setMode(view.mode);

@@ -61,6 +61,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     city_ = std::make_shared<const OpenCity>(std::move(opened->city));
     openedView_ = std::move(opened->view);
     zone_ = std::move(opened->zone);
+    placeWarnings_ = std::move(opened->placeWarnings);
     forgetAnswers();
     past_ = {};
     known_.clear();

@@ -103,6 +103,8 @@ public:
 
     [[nodiscard]] StudyDocument& document() { return document_; }
     [[nodiscard]] ProjectSession& session() { return session_; }
+    /// Of reading the places of the city files opened last.
+    [[nodiscard]] const Warnings& placeWarnings() const { return placeWarnings_; }
     [[nodiscard]] const ZoneGuess& zone() const { return zone_; }  ///< guessed from the city's location
     [[nodiscard]] const ViewState& openedView() const { return openedView_; }  ///< read from the project file
     [[nodiscard]] JobSlot& opening() { return opening_; }
@@ -170,6 +172,7 @@ private:
     Source source_;
     ViewState openedView_;
     ZoneGuess zone_;
+    Warnings placeWarnings_;
     std::shared_ptr<const OpenCity> city_;
     std::vector<KnownStudy> known_;
     std::shared_ptr<const Study> study_;

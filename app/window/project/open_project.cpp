@@ -1,5 +1,6 @@
 #include "app/window/project/open_project.h"
 
+#include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/input/project_of.h"
 
@@ -26,11 +27,27 @@ Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened,
     return loaded;
 }
 
+// The map's places come with it, as on the command line. A map whose places cannot be read is still a city.
+Result<void> readMapPlaces(const std::vector<std::string>& files, OpenProject& opened, Progress& progress,
+                           const std::stop_token& stop) {
+    auto read = loadCityPlaces(files, {}, opened.project.city->frame, progress, stop);
+    if (!read && isCancelled(read.error())) return tl::make_unexpected(read.error());
+    if (!read) {
+        opened.placeWarnings.push_back({WarningKind::leftOut, read.error().what, read.error().where});
+        return {};
+    }
+    opened.project.places = std::move(read->places);
+    opened.placeWarnings = std::move(read->warnings);
+    return {};
+}
+
 Result<LoadedCity> readCityFiles(const std::vector<std::string>& files, const ReadSettings& settings,
-                                 OpenProject& opened, Progress& progress, std::stop_token stop) {
-    return loadCity(files, settings, progress, std::move(stop)).map([&](LoadedCity loaded) {
+                                 OpenProject& opened, Progress& progress, const std::stop_token& stop) {
+    return loadCity(files, settings, progress, stop).and_then([&](LoadedCity loaded) -> Result<LoadedCity> {
         opened.project = projectOf(loaded);
         loaded.read.city = *opened.project.city;
+        if (auto read = readMapPlaces(files, opened, progress, stop); !read)
+            return tl::make_unexpected(read.error());
         return loaded;
     });
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "core/receivers/place_names.h"
 #include "scenarios/free_name.h"
 #include "scenarios/scenario_list.h"
 
@@ -20,6 +22,8 @@ void inList(Project& project, ProjectPart part, Work&& work) {
             return work(project.lots);
         case ProjectPart::region:
             return work(project.regions);
+        case ProjectPart::place:
+            return work(project.places);
         case ProjectPart::scenario:
             return work(project.scenarios);
         case ProjectPart::weights:
@@ -112,6 +116,31 @@ Project duplicate(Project project, ProjectPart part, const std::string& name, st
 Project rebase(Project project, const std::string& scenario, const std::string& base) {
     if (Scenario* found = scenarioIn(project, scenario))
         found->base = base == existingCity ? std::string() : base;
+    return project;
+}
+
+Project withPlaceKind(Project project, const std::string& place, PlaceKind kind) {
+    for (Place& one : project.places)
+        if (one.name == place) one.kind = kind;
+    return project;
+}
+
+// A name that the user has given stays with a place that is read again.
+Project withPlaces(Project project, std::vector<Place> places, std::size_t& replaced) {
+    replaced = 0;
+    std::map<std::string, std::size_t> bySource;
+    for (std::size_t i = 0; i < project.places.size(); ++i) bySource.emplace(project.places[i].source, i);
+    for (Place& place : places) {
+        const auto before = place.source.empty() ? bySource.end() : bySource.find(place.source);
+        if (before == bySource.end()) {
+            project.places.push_back(std::move(place));
+            continue;
+        }
+        place.name = project.places[before->second].name;
+        project.places[before->second] = std::move(place);
+        ++replaced;
+    }
+    nameApart(project.places);
     return project;
 }
 

@@ -8,7 +8,7 @@
 namespace noonmark {
 
 /// The kinds of parts that a project lists.
-enum class ProjectPart { lot, region, scenario, weights, period, result };
+enum class ProjectPart { lot, region, place, scenario, weights, period, result };
 
 /// "Proposal A", "Proposal B"... "Proposal Z", "Proposal 27": the first name that no scenario has.
 std::string nextProposal(const std::vector<Scenario>& scenarios);
@@ -26,6 +26,11 @@ Result<Project> without(Project project, ProjectPart part, const std::string& na
 Project duplicate(Project project, ProjectPart part, const std::string& name, std::string& made);
 /// Changes the base of a scenario; empty or "Existing": the existing city.
 Project rebase(Project project, const std::string& scenario, const std::string& base);
+/// Changes the kind of a place.
+Project withPlaceKind(Project project, const std::string& place, PlaceKind kind);
+/// Adds places. One with the source of an earlier place replaces it, so that a file can be read again; one
+/// whose name is taken is numbered. `replaced` receives how many were.
+Project withPlaces(Project project, std::vector<Place> places, std::size_t& replaced);
 Project withoutEdit(Project project, const std::string& scenario, std::size_t position);
 
 }  // namespace noonmark

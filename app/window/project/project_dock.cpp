@@ -7,6 +7,7 @@
 
 #include "app/window/project/project_model.h"
 #include "app/window/project/project_session.h"
+#include "app/window/study/region_words.h"
 
 namespace noonmark {
 
@@ -28,6 +29,8 @@ QString describeUse(ProjectPart part) {
             return QObject::tr("&Show");
         case ProjectPart::lot:
             return QObject::tr("&Zoom to lot");
+        case ProjectPart::place:
+            return QObject::tr("&Zoom to place");
         case ProjectPart::region:
             return QObject::tr("&Use as study region");
         case ProjectPart::period:
@@ -57,6 +60,13 @@ ProjectDock::ProjectDock(ProjectSession& session, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(tree_);
     connect(tree_, &QTreeView::doubleClicked, this, &ProjectDock::use);
+    connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& index) {
+                const ProjectNode* node = model_->nodeAt(index);
+                const bool place =
+                    node != nullptr && node->kind == Kind::part && node->part == ProjectPart::place;
+                Q_EMIT placeSelected(place ? node->name : std::string());
+            });
     connect(tree_, &QWidget::customContextMenuRequested, this, &ProjectDock::showMenu);
     connect(model_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& group) {
         if (group.isValid() && !group.parent().isValid()) openGroup(group);
@@ -64,10 +74,12 @@ ProjectDock::ProjectDock(ProjectSession& session, QWidget* parent)
     for (int i = 0; i < model_->rowCount(); ++i) openGroup(model_->index(i, 0));
 }
 
-// Expands the groups that are used most; lots and weight tables stay collapsed.
+// Expands the groups that are used most; lots, places (a map has hundreds) and weight tables stay collapsed.
 void ProjectDock::openGroup(const QModelIndex& group) {
     const auto part = model_->nodeAt(group)->part;
-    if (part && *part != ProjectPart::lot && *part != ProjectPart::weights) tree_->expand(group);
+    const bool folded =
+        part == ProjectPart::lot || part == ProjectPart::place || part == ProjectPart::weights;
+    if (part && !folded) tree_->expand(group);
 }
 
 // The tree's keys take precedence over the window's shortcuts: Delete in the tree must not demolish the
@@ -97,6 +109,7 @@ void ProjectDock::use(const QModelIndex& index) {
     if (node->part == ProjectPart::scenario) return session_.goTo(name);
     if (node->part == ProjectPart::result) return Q_EMIT resultChosen(name);
     if (node->part == ProjectPart::weights) return Q_EMIT weightsChosen(name);
+    if (node->part == ProjectPart::place) return Q_EMIT placeChosen(name);
     if (node->part == ProjectPart::region)
         if (const auto region = findRegion(project, name)) return Q_EMIT regionChosen(*region);
     if (node->part == ProjectPart::lot)
@@ -139,6 +152,16 @@ void ProjectDock::addScenario(const std::string& base) {
         select(ProjectPart::scenario, name);
 }
 
+void ProjectDock::setKind(const std::string& place, PlaceKind kind) {
+    session_.change(withPlaceKind(session_.project(), place, kind),
+                    tr("change kind of %1").arg(QString::fromStdString(place)));
+}
+
+void ProjectDock::editName(ProjectPart part, const std::string& name) {
+    select(part, name);
+    tree_->edit(model_->indexOf(part, name));
+}
+
 void ProjectDock::select(ProjectPart part, const std::string& name) {
     const QModelIndex index = model_->indexOf(part, name);
     tree_->setCurrentIndex(index);
@@ -160,6 +183,7 @@ void ProjectDock::showMenu(QPoint at) {
 void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node) {
     if (node.kind == Kind::part) menu.addAction(describeUse(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
+    if (node.part == ProjectPart::place && node.kind == Kind::part) addPlaceActions(menu, node.name);
     if (node.kind == Kind::part)
         menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });
     if (canDuplicate(node)) menu.addAction(tr("D&uplicate"), this, [this, index] { duplicate(index); });
@@ -184,6 +208,13 @@ void ProjectDock::addScenarioActions(QMenu& menu, const std::string& name) {
     menu.addSeparator();
 }
 
+void ProjectDock::addPlaceActions(QMenu& menu, const std::string& name) {
+    menu.addAction(tr("&Use as study region"), this, [this, name] { Q_EMIT useAsRegionRequested(name); });
+    QMenu& kinds = *menu.addMenu(tr("&Kind"));
+    for (const PlaceKind kind : placeKinds)
+        kinds.addAction(describeKind(kind), this, [this, name, kind] { setKind(name, kind); });
+}
+
 void ProjectDock::addGroupActions(QMenu& menu, const ProjectNode& node) {
     if (node.part == ProjectPart::scenario) {
         if (node.kind == Kind::part) {
@@ -202,6 +233,10 @@ void ProjectDock::addGroupActions(QMenu& menu, const ProjectNode& node) {
         menu.addAction(tr("&Save the displayed result"), this, &ProjectDock::keepResultRequested);
     if (node.part == ProjectPart::lot)
         menu.addAction(tr("&Draw a lot"), this, &ProjectDock::drawLotRequested);
+    if (node.part == ProjectPart::place) {
+        menu.addAction(tr("&Draw a place"), this, &ProjectDock::drawPlaceRequested);
+        menu.addAction(tr("&Read places from a file..."), this, &ProjectDock::readPlacesRequested);
+    }
 }
 
 }  // namespace noonmark

@@ -4,6 +4,7 @@
 
 #include "app/report/sheets/study_words.h"
 #include "app/window/study/region_words.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
@@ -101,6 +102,15 @@ void addRegions(ProjectNode& root, const Project& project) {
     }
 }
 
+void addPlaces(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::place, tr("Places"), project.places.size(),
+                                  tr("Areas whose sunlight matters: parks, playgrounds, school grounds..."));
+    for (const Place& place : project.places)
+        addPart(group, place.name,
+                tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
+                tr("%1\nPress Enter or double-click to zoom to it").arg(formatText(place.source)).trimmed());
+}
+
 void addPeriods(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(root, ProjectPart::period, tr("Periods"), project.periods.size(),
                                   tr("Days and hours to study"));
@@ -145,6 +155,7 @@ std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string
     addScenarios(*root, project, shown, baseline);
     addLots(*root, project);
     addRegions(*root, project);
+    addPlaces(*root, project);
     addPeriods(*root, project);
     addWeights(*root, project);
     addResults(*root, project);

@@ -145,6 +145,7 @@ Texts textsOf(const ViewState& state) {
         texts["answer"] = state.answer;
         texts["answer_seconds"] = Json(state.answerSeconds).dump();
     }
+    if (!state.review.empty()) texts["review"] = state.review;
     if (state.camera) texts["camera"] = cameraText(*state.camera);
     if (state.study) texts["study"] = studyJson(*state.study).dump();
     return texts;
@@ -161,6 +162,7 @@ ViewState parseViewState(const Texts& texts) {
     state.answer = found(texts, "answer");
     state.answerSeconds = secondsFrom(found(texts, "answer_seconds"));
     state.study = studyFrom(found(texts, "study"));
+    state.review = found(texts, "review");
     return state;
 }
 

@@ -24,10 +24,11 @@ struct ViewState {
     std::string answer;                  ///< "study" or "comparison" was displayed; empty: neither
     double answerSeconds = 0;            ///< time to compute it
     std::optional<StudySettings> study;  ///< region, cells, period, engine
+    std::string review;                  ///< what is reviewed: JSON, as review_choice.h writes it
 };
 
 /// Keys: "camera", "mode", "measure", "change_scale", "scenario", "baseline", "answer", "answer_seconds",
-/// "study" (JSON).
+/// "study" (JSON), "review" (JSON).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from

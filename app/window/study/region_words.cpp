@@ -1,6 +1,7 @@
 #include "app/window/study/region_words.h"
 
 #include <QLocale>
+#include <QObject>
 
 namespace noonmark {
 
@@ -8,6 +9,36 @@ QString describeArea(double areaM2) {
     const QLocale english(QLocale::English);
     if (areaM2 < 1e5) return english.toString(areaM2, 'f', 0) + QStringLiteral(" m²");
     return english.toString(areaM2 * 1e-4, 'f', 1) + QStringLiteral(" ha");
+}
+
+QString describeKind(PlaceKind kind) {
+    switch (kind) {
+        case PlaceKind::park:
+            return QObject::tr("park");
+        case PlaceKind::playground:
+            return QObject::tr("playground");
+        case PlaceKind::schoolyard:
+            return QObject::tr("schoolyard");
+        case PlaceKind::plaza:
+            return QObject::tr("plaza");
+        case PlaceKind::greenstreet:
+            return QObject::tr("greenstreet");
+        case PlaceKind::cemetery:
+            return QObject::tr("cemetery");
+        case PlaceKind::street:
+            return QObject::tr("street");
+        case PlaceKind::facade:
+            return QObject::tr("facade");
+        case PlaceKind::stainedGlass:
+            return QObject::tr("stained glass");
+        case PlaceKind::other:
+            return QObject::tr("other place");
+    }
+    return {};
+}
+
+bool hasOwnName(const Place& place) {
+    return !place.name.starts_with(std::string(nameOf(place.kind)) + " (" + place.source);
 }
 
 QString describeDrawn(const PolygonTool& tool) {

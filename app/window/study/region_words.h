@@ -3,12 +3,19 @@
 #include <QString>
 
 #include "app/window/view/polygon_tool.h"
+#include "core/receivers/place.h"
 #include "core/receivers/region.h"
 
 namespace noonmark {
 
 /// "12,345 m²", or "67.8 ha" from ten hectares on.
 QString describeArea(double areaM2);
+
+/// "park", "school grounds", ...: the kind of a place in the window.
+QString describeKind(PlaceKind kind);
+
+/// Whether a place has a name of its own, not one by kind and source: "plaza (OSM way 123)".
+bool hasOwnName(const Place& place);
 
 /// Describes a region: name, size in metres, area, and the approximate number of cells in its bounding box.
 QString describeRegion(const Region& region, double cellM);

@@ -1,9 +1,11 @@
 #include "app/window/study/study_dock.h"
 
 #include <QComboBox>
+#include <QCompleter>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -80,6 +82,7 @@ QWidget* StudyDock::makeRegionGroup() {
     for (QPushButton* button : {draw_, view, whole}) buttons->addWidget(button);
     auto* group = new QGroupBox(tr("Region"));
     auto* column = new QVBoxLayout(group);
+    column->addWidget(makeRegionList());
     column->addWidget(region_);
     column->addLayout(buttons);
     column->addWidget(makePlaces());
@@ -87,6 +90,44 @@ QWidget* StudyDock::makeRegionGroup() {
     connect(view, &QPushButton::clicked, this, &StudyDock::viewRegionRequested);
     connect(whole, &QPushButton::clicked, this, &StudyDock::wholeCityRequested);
     return group;
+}
+
+// Editable, so that one of hundreds of places is found by a part of its name.
+QWidget* StudyDock::makeRegionList() {
+    regions_ = new QComboBox;
+    regions_->setObjectName(QStringLiteral("regionList"));
+    regions_->setEditable(true);
+    regions_->setInsertPolicy(QComboBox::NoInsert);
+    regions_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    regions_->setMinimumContentsLength(8);
+    regions_->completer()->setFilterMode(Qt::MatchContains);
+    regions_->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    regions_->lineEdit()->setPlaceholderText(tr("Region or place by name"));
+    regions_->setToolTip(tr("A region or a place of the project. Type a part of its name."));
+    const auto name = [this] {
+        if (!regions_->currentText().isEmpty()) Q_EMIT regionNamed(regions_->currentText());
+    };
+    connect(regions_, &QComboBox::activated, this, name);
+    connect(regions_->lineEdit(), &QLineEdit::returnPressed, this, name);
+    return regions_;
+}
+
+void StudyDock::setRegions(const QStringList& names) {
+    QStringList before;
+    for (int i = 0; i < regions_->count(); ++i) before << regions_->itemText(i);
+    if (before != names) {
+        const QSignalBlocker block(regions_);
+        regions_->clear();
+        regions_->addItems(names);
+    }
+    showRegionName();
+}
+
+void StudyDock::showRegionName() {
+    const QSignalBlocker block(regions_);
+    const int found = regions_->findText(QString::fromStdString(document_.settings().region.name));
+    regions_->setCurrentIndex(found);
+    if (found < 0) regions_->clearEditText();
 }
 
 QWidget* StudyDock::makePlaces() {
@@ -113,6 +154,7 @@ void StudyDock::showDocument() {
     accuracy_->show(settings);
     places_->setCurrentIndex(
         int(std::ranges::find(allReceiverPlaces, settings.receivers.places) - allReceiverPlaces.begin()));
+    showRegionName();
     region_->setText(describeRegion(settings.region, settings.receivers.cellM));
     showRefusal();
 }

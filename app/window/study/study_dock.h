@@ -25,6 +25,8 @@ public:
     [[nodiscard]] ProgressStrip& progress() { return *progress_; }
     void setDrawing(bool drawing);  ///< while a region is being drawn
     void setRunning(bool running);
+    /// The names of regions and places that can be chosen.
+    void setRegions(const QStringList& names);
     void setTerrain(bool terrain);  ///< the city has terrain, which not every engine supports
 
 Q_SIGNALS:
@@ -32,10 +34,13 @@ Q_SIGNALS:
     void drawRequested(bool draw);
     void viewRegionRequested();
     void wholeCityRequested();
+    void regionNamed(const QString& name);  ///< of the list, or typed
 
 private:
     QWidget* makeRegionGroup();
+    QWidget* makeRegionList();
     QWidget* makePlaces();
+    void showRegionName();
     void showDocument();
     void showRefusal();
 
@@ -43,6 +48,7 @@ private:
     PeriodForm* period_;
     AccuracyForm* accuracy_;
     QLabel* region_;
+    QComboBox* regions_;
     QComboBox* places_;
     QLabel* refusal_;  ///< why the engine cannot run this study
     bool terrain_ = false;

@@ -8,10 +8,10 @@ namespace noonmark {
 
 Period periodOf(const TimeLook& look, const Period& study) {
     Period period = study;
-    if (look.span == TimeSpan::period) return period;
+    if (look.span == LookSpan::period) return period;
     period.start = look.date;
     period.days = 1;
-    if (look.span == TimeSpan::day) return period;
+    if (look.span == LookSpan::day) return period;
     period.window.reset();
     period.from = look.at;
     period.hours = 0;
@@ -19,16 +19,16 @@ Period periodOf(const TimeLook& look, const Period& study) {
 }
 
 TimeLook firstLook(const Period& study) {
-    TimeLook look{TimeSpan::period, study.start};
+    TimeLook look{LookSpan::period, study.start};
     const auto middle = study.from + std::chrono::minutes(int(study.hours * 30));
     if (!study.window && middle <= std::chrono::hours(24)) look.at = middle;
     return look;
 }
 
 QString describe(const TimeLook& look) {
-    if (look.span == TimeSpan::period) return {};
+    if (look.span == LookSpan::period) return {};
     const QString date = QLocale(QLocale::English).toString(dateOf(look.date), QStringLiteral("d MMMM yyyy"));
-    if (look.span == TimeSpan::day) return date;
+    if (look.span == LookSpan::day) return date;
     return QStringLiteral("%1, %2").arg(date, QString::fromStdString(formatText(look.at)));
 }
 

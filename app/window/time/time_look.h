@@ -7,7 +7,7 @@
 namespace noonmark {
 
 /// Which part of a study's period is displayed.
-enum class TimeSpan {
+enum class LookSpan {
     period,  ///< all of it
     day,     ///< its hours on one day
     moment,  ///< one moment of one day
@@ -15,7 +15,7 @@ enum class TimeSpan {
 
 /// A part of time displayed instead of the whole period of a study.
 struct TimeLook {
-    TimeSpan span = TimeSpan::period;
+    LookSpan span = LookSpan::period;
     CivilDate date{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}};
     std::chrono::minutes at{12 * 60};  ///< wall clock, 0 to 24 h; used for a moment only
     bool operator==(const TimeLook&) const = default;

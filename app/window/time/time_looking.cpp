@@ -14,7 +14,7 @@ void TimeLooking::setStudy(std::shared_ptr<const Study> study) {
 void TimeLooking::look(const TimeLook& look) {
     if (look == look_) return;
     look_ = look;
-    if (look_.span == TimeSpan::period && answer_) {
+    if (look_.span == LookSpan::period && answer_) {
         answer_.reset();
         Q_EMIT changed();
     }
@@ -22,7 +22,7 @@ void TimeLooking::look(const TimeLook& look) {
 }
 
 void TimeLooking::ask() {
-    if (!study_ || look_.span == TimeSpan::period) return;
+    if (!study_ || look_.span == LookSpan::period) return;
     computed_ = look_;
     slot_.start<TimeAnswer>(
         tr("Computing %1").arg(describe(look_)),
@@ -44,7 +44,7 @@ Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizonCache
 }
 
 void TimeLooking::take(Result<TimeAnswer> answer) {
-    if (look_.span == TimeSpan::period) return;
+    if (look_.span == LookSpan::period) return;
     if (answer) {
         answer_ = std::make_shared<const TimeAnswer>(*std::move(answer));
         Q_EMIT changed();

@@ -90,7 +90,7 @@ void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
 }
 
 void TimeStrip::take() {
-    look_ = {TimeSpan(span_->currentIndex()), civilOf(firstOfYear(look_.date).addDays(date_->value())),
+    look_ = {LookSpan(span_->currentIndex()), civilOf(firstOfYear(look_.date).addDays(date_->value())),
              std::chrono::minutes(time_->value())};
     showLook();
     Q_EMIT lookChanged(look_);
@@ -103,10 +103,10 @@ void TimeStrip::showLook() {
     date_->setMaximum(first.daysInYear() - 1);
     date_->setValue(int(first.daysTo(dateOf(look_.date))));
     time_->setValue(int(look_.at.count()));
-    date_->setVisible(look_.span != TimeSpan::period);
-    time_->setVisible(look_.span == TimeSpan::moment);
-    words_->setVisible(look_.span != TimeSpan::period);
-    use_->setVisible(look_.span != TimeSpan::period);
+    date_->setVisible(look_.span != LookSpan::period);
+    time_->setVisible(look_.span == LookSpan::moment);
+    words_->setVisible(look_.span != LookSpan::period);
+    use_->setVisible(look_.span != LookSpan::period);
 }
 
 }  // namespace noonmark

@@ -38,6 +38,28 @@ GroundLine lineOf(const Ring& ring, const City& city, bool closed) {
     return line;
 }
 
+// The middle of the widest piece of the polygon on the line from west to east at `y`.
+glm::dvec2 findMiddleOfWidest(const Footprint& polygon, double y) {
+    std::vector<double> crossings;
+    const auto add = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 a(ring[i]), b(ring[(i + 1) % ring.size()]);
+            if ((a.y <= y) != (b.y <= y)) crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+        }
+    };
+    add(polygon.outer);
+    for (const Ring& hole : polygon.holes) add(hole);
+    std::ranges::sort(crossings);
+    glm::dvec2 best(polygon.outer.front());
+    double widest = 0;
+    for (std::size_t i = 1; i < crossings.size(); i += 2)
+        if (crossings[i] - crossings[i - 1] > widest) {
+            widest = crossings[i] - crossings[i - 1];
+            best = {(crossings[i] + crossings[i - 1]) / 2, y};
+        }
+    return best;
+}
+
 }  // namespace
 
 std::vector<GroundLine> makeGroundLines(const Region& region, const City& city) {
@@ -47,6 +69,22 @@ std::vector<GroundLine> makeGroundLines(const Region& region, const City& city) 
         for (const Ring& hole : polygon.holes) lines.push_back(lineOf(hole, city, true));
     }
     return lines;
+}
+
+glm::dvec2 findMarkPoint(const Footprint& polygon) {
+    glm::dvec2 sum{0};
+    double twice = 0;
+    const glm::dvec2 origin(polygon.outer.front());
+    for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
+        const glm::dvec2 a = glm::dvec2(polygon.outer[i]) - origin;
+        const glm::dvec2 b = glm::dvec2(polygon.outer[(i + 1) % polygon.outer.size()]) - origin;
+        const double cross = a.x * b.y - a.y * b.x;
+        sum += (a + b) * cross;
+        twice += cross;
+    }
+    const glm::dvec2 centre = twice == 0 ? origin : origin + sum / (3 * twice);
+    if (contains(polygon, centre)) return centre;
+    return findMiddleOfWidest(polygon, centre.y);
 }
 
 GroundLine makeGroundLine(const std::vector<glm::vec3>& points, const City& city, bool closed) {

@@ -9,6 +9,10 @@ namespace noonmark {
 /// The outline of a region as lines slightly above the ground.
 std::vector<GroundLine> makeGroundLines(const Region& region, const City& city);
 
+/// A point within a polygon where its name can stand: the centre of its area, or, where that lies outside, a
+/// point on the line through it.
+glm::dvec2 findMarkPoint(const Footprint& polygon);
+
 /// A line through points on the ground; open while being drawn.
 GroundLine makeGroundLine(const std::vector<glm::vec3>& points, const City& city, bool closed);
 

@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QMimeData>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -15,6 +16,7 @@
 #include "app/window/view/hover_text.h"
 #include "app/window/view/view_picture.h"
 #include "app/window/view/visible_ground.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
@@ -32,6 +34,7 @@ ViewPanel::ViewPanel(QWidget* parent)
       navigator_(new ViewNavigator(*view_)),
       regionTool_(new PolygonTool(tr("region"), this)),
       lotTool_(new PolygonTool(tr("lot"), this)),
+      placeTool_(new PolygonTool(tr("place"), this)),
       label_(new CursorLabel(*view_, this)),
       messages_(new MessageBar),
       time_(new TimeStrip),
@@ -58,8 +61,7 @@ ViewPanel::ViewPanel(QWidget* parent)
         label_->hide();
         Q_EMIT hovered({});
     });
-    connectTool(regionTool_, lotTool_);
-    connectTool(lotTool_, regionTool_);
+    for (PolygonTool* tool : tools()) connectTool(tool);
     connectNavigator();
 }
 
@@ -78,11 +80,12 @@ void ViewPanel::connectNavigator() {
 }
 
 // Only one polygon is drawn at a time.
-void ViewPanel::connectTool(PolygonTool* tool, PolygonTool* other) {
+void ViewPanel::connectTool(PolygonTool* tool) {
     connect(tool, &PolygonTool::lineChanged, this, &ViewPanel::showLines);
     connect(tool, &PolygonTool::refused, messages_, &MessageBar::showError);
-    connect(tool, &PolygonTool::activeChanged, this, [this, other](bool active) {
-        if (active) other->cancel();
+    connect(tool, &PolygonTool::activeChanged, this, [this, tool](bool active) {
+        for (PolygonTool* other : tools())
+            if (active && other != tool) other->cancel();
         if (active)
             view_->setCursor(Qt::CrossCursor);
         else
@@ -92,7 +95,7 @@ void ViewPanel::connectTool(PolygonTool* tool, PolygonTool* other) {
 }
 
 PolygonTool* ViewPanel::activeTool() const {
-    for (PolygonTool* tool : {regionTool_, lotTool_})
+    for (PolygonTool* tool : tools())
         if (tool->active()) return tool;
     return nullptr;
 }
@@ -114,6 +117,38 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     }
     view_->showChanges(computeDifference(*city_->arrays, city_->city()));
     results_->forget();
+    markPlaces();
+}
+
+void ViewPanel::showPlaces(const std::vector<Place>& places) {
+    if (places == places_) return;
+    places_ = places;
+    markPlaces();
+}
+
+void ViewPanel::highlightPlace(const std::string& name) {
+    highlighted_ = name;
+    const auto found = std::ranges::find(places_, name, &Place::name);
+    view_->places().highlight(found == places_.end() ? std::nullopt
+                                                     : std::optional(std::size_t(found - places_.begin())));
+}
+
+// A place gets its name at the middle of its largest polygon.
+void ViewPanel::markPlaces() {
+    if (!city_) return;
+    std::vector<PlaceMarks::Mark> marks;
+    for (const Place& place : places_) {
+        const auto largest = std::ranges::max_element(place.polygons, {},
+                                                      [](const Footprint& polygon) { return area(polygon); });
+        const glm::dvec2 at = findMarkPoint(*largest);
+        marks.push_back({QString::fromStdString(place.name),
+                         {at.x, at.y, double(groundAt(city_->city(), at))},
+                         area(*largest),
+                         hasOwnName(place),
+                         makeGroundLines({place.name, place.polygons}, city_->city())});
+    }
+    view_->places().show(std::move(marks));
+    highlightPlace(highlighted_);
 }
 
 void ViewPanel::showRegion(const Region& region) {

@@ -6,6 +6,7 @@
 // the view shows and reports of the ground.
 
 #include <QWidget>
+#include <array>
 #include <memory>
 
 #include "app/window/results/result_layer.h"
@@ -14,6 +15,7 @@
 #include "app/window/widgets/cursor_label.h"
 #include "app/window/widgets/legend_strip.h"
 #include "app/window/widgets/message_bar.h"
+#include "core/receivers/place.h"
 #include "render/view/view_navigator.h"
 
 namespace noonmark {
@@ -30,11 +32,15 @@ public:
     /// Shows a city. If it has the arrays of the one before (an edit, another scenario), the camera stays.
     void showCity(std::shared_ptr<const OpenCity> city);
     void showRegion(const Region& region);
+    /// Shows the outlines and names of places.
+    void showPlaces(const std::vector<Place>& places);
+    void highlightPlace(const std::string& name);  ///< drawn bolder and always named; empty: none
 
     [[nodiscard]] CityView& view() { return *view_; }
     [[nodiscard]] ViewNavigator& navigator() { return *navigator_; }
     [[nodiscard]] PolygonTool& regionTool() { return *regionTool_; }
     [[nodiscard]] PolygonTool& lotTool() { return *lotTool_; }
+    [[nodiscard]] PolygonTool& placeTool() { return *placeTool_; }
     [[nodiscard]] bool drawing() const { return activeTool() != nullptr; }
     [[nodiscard]] CursorLabel& cursorLabel() { return *label_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
@@ -60,7 +66,9 @@ protected:
 
 private:
     void connectNavigator();
-    void connectTool(PolygonTool* tool, PolygonTool* other);
+    void connectTool(PolygonTool* tool);
+    [[nodiscard]] std::array<PolygonTool*, 3> tools() const { return {regionTool_, lotTool_, placeTool_}; }
+    void markPlaces();
     [[nodiscard]] PolygonTool* activeTool() const;
     void showLines();
     void draw(QPointF pixel);
@@ -71,6 +79,7 @@ private:
     ViewNavigator* navigator_;
     PolygonTool* regionTool_;
     PolygonTool* lotTool_;
+    PolygonTool* placeTool_;
     CursorLabel* label_;
     MessageBar* messages_;
     TimeStrip* time_;
@@ -78,6 +87,8 @@ private:
     std::shared_ptr<const OpenCity> city_;
     std::unique_ptr<ResultLayer> results_;
     Region region_;
+    std::vector<Place> places_;
+    std::string highlighted_;  ///< name of a place
 };
 
 }  // namespace noonmark

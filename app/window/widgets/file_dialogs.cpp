@@ -46,6 +46,12 @@ QString askForRegion(QWidget* parent) {
                                         tr("Polygons (*.geojson *.json *.gpkg *.shp *.kml);;All files (*)"));
 }
 
+QStringList askForPlaces(QWidget* parent) {
+    return QFileDialog::getOpenFileNames(
+        parent, tr("Read places"), {},
+        tr("Maps and polygons (*.osm *.pbf *.geojson *.json *.gpkg *.shp *.fgb *.kml);;All files (*)"));
+}
+
 QString askForPicture(QWidget* parent) {
     const QString file = QFileDialog::getSaveFileName(parent, tr("Save picture"),
                                                       QStringLiteral("noonmark.png"), tr("Pictures (*.png)"));

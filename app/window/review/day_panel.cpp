@@ -1,0 +1,120 @@
+#include "app/window/review/day_panel.h"
+
+#include <QDateEdit>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPixmap>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/window/frame/qt_dates.h"
+#include "app/window/review/chart_widget.h"
+
+namespace noonmark {
+
+DayPanel::DayPanel(QWidget* parent)
+    : QWidget(parent),
+      title_(new QLabel),
+      reading_(new QLabel),
+      day_(new QDateEdit),
+      widget_(new ChartWidget) {
+    title_->setTextFormat(Qt::PlainText);
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    reading_->setObjectName(QStringLiteral("timelineReading"));
+    reading_->setWordWrap(true);
+    day_->setObjectName(QStringLiteral("timelineDay"));
+    day_->setDisplayFormat(QStringLiteral("d MMM yyyy"));
+    day_->setCalendarPopup(true);
+    day_->setToolTip(tr("Any day, in the hours of the rule"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(title_, 1);
+    row->addWidget(day_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 4, 6, 4);
+    column->addLayout(row);
+    column->addWidget(widget_, 1);
+    column->addWidget(reading_);
+    connect(day_, &QDateEdit::dateChanged, this, &DayPanel::compute);
+    connect(widget_, &ChartWidget::hovered, this, &DayPanel::read);
+    connect(widget_, &ChartWidget::left, this, [this] { reading_->setText(times_); });
+    clear({});
+}
+
+void DayPanel::clear(const QString& why) {
+    working_.drop();
+    answer_.reset();
+    chart_ = {};
+    times_.clear();
+    title_->clear();
+    reading_->clear();
+    day_->hide();
+    widget_->show([why](const Canvas& canvas, const QRectF& area) { paintNothing(canvas, area, why); });
+}
+
+void DayPanel::show(std::shared_ptr<const ReviewAnswer> answer, std::size_t review, CivilDate day) {
+    answer_ = std::move(answer);
+    review_ = review;
+    const QSignalBlocker block(day_);
+    day_->setDate(dateOf(day));
+    day_->show();
+    compute();
+}
+
+void DayPanel::compute() {
+    if (!answer_) return;
+    title_->setText(QString::fromStdString(answer_->study.places[review_].name));
+    working_.start<ReviewDay>(
+        tr("Timeline"),
+        [answer = answer_, review = review_, day = civilOf(day_->date())](Progress& progress,
+                                                                          std::stop_token stop) {
+            return computeReviewDay(*answer, review, day, progress, std::move(stop));
+        },
+        [this](const Result<ReviewDay>& day) { take(day); });
+}
+
+void DayPanel::take(const Result<ReviewDay>& day) {
+    if (!day) {
+        if (isCancelled(day.error())) return;
+        chart_ = {};
+        times_.clear();
+        reading_->clear();
+        return widget_->show(
+            [why = QString::fromStdString(day.error().text())](const Canvas& canvas, const QRectF& area) {
+                paintNothing(canvas, area, why);
+            });
+    }
+    chart_ = makeTimelineChart(day->day, day->stepMinutes, day->clock);
+    tellTimes(*day);
+    if (chart_.samples.empty())
+        return widget_->show([](const Canvas& canvas, const QRectF& area) {
+            paintNothing(canvas, area,
+                         tr("The sun is not up in the rule's hours, or the place has no open ground"));
+        });
+    widget_->show([this](const Canvas& canvas, const QRectF& area) { paintTimeline(canvas, area, chart_); });
+}
+
+void DayPanel::tellTimes(const ReviewDay& day) {
+    const ShadowOnPlace& shadow = day.day.incremental;
+    if (!shadow.enters()) {
+        times_ = tr("No incremental shadow in the hours of the rule (%1).")
+                     .arg(QString::fromStdString(day.clock.text()));
+    } else {
+        const auto at = [&](const Instant& instant) {
+            return QString::fromStdString(day.clock.timeText(day.day.day, instant));
+        };
+        times_ = tr("Incremental shadow enters %1, exits %2, at most %3 m² at %4 (%5).")
+                     .arg(at(*shadow.enters()), at(*shadow.exits()), formatAmount(shadow.largestM2),
+                          at(*shadow.largestAt), QString::fromStdString(day.clock.text()));
+    }
+    reading_->setText(times_);
+}
+
+void DayPanel::read(QPointF at) {
+    QPixmap measure(1, 1);  // text is measured on a canvas
+    QPainter painter(&measure);
+    const auto sample = findSampleAt(widget_->canvasOn(painter), widget_->area(), chart_, at);
+    reading_->setText(sample ? describeSample(chart_, *sample) : times_);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "app/report/charts/carpet_chart.h"
+#include "app/report/charts/month_bars.h"
+#include "app/window/review/review_question.h"
+#include "app/window/study/job_slot.h"
+
+class QComboBox;
+class QLabel;
+
+namespace noonmark {
+
+class ChartWidget;
+
+/// The shaded share of a place by hour and day of a rule's range, or bars of its incremental shadow by month.
+/// Computed in a job while it is visible.
+class RangePanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit RangePanel(QWidget* parent = nullptr);
+
+    void show(std::shared_ptr<const ReviewAnswer> answer, std::size_t review);
+    void clear(const QString& why);
+    [[nodiscard]] const CarpetChart& carpet() const { return carpet_; }
+    [[nodiscard]] JobSlot& working() { return working_; }
+
+Q_SIGNALS:
+    void dayChosen(noonmark::CivilDate day);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void compute();
+    void draw();
+    void drawBars();
+    [[nodiscard]] std::optional<CarpetCell> cellAt(QPointF at) const;
+
+    std::shared_ptr<const ReviewAnswer> answer_;
+    std::size_t review_ = 0;
+    std::optional<ReviewRange> range_;  ///< of answer_ and review_; none: not computed yet
+    CarpetChart carpet_;
+    QLabel* title_;
+    QLabel* reading_;
+    QComboBox* what_;
+    ChartWidget* widget_;
+    JobSlot working_;
+};
+
+}  // namespace noonmark

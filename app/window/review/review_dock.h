@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/window/review/review_session.h"
+
+class QLabel;
+class QPushButton;
+class QTabWidget;
+class QTextBrowser;
+class QTimer;
+
+namespace noonmark {
+
+class DayPanel;
+class PlaceList;
+class ProjectSession;
+class ProgressStrip;
+class RangePanel;
+class RuleForm;
+class VerdictTable;
+
+/// Chooses a rule, scenarios and places, runs the review, and shows the verdicts with the numbers behind
+/// them, the timeline of the chosen place, and what the rule rests on. Empty, it states what to do next.
+class ReviewDock final : public QWidget {
+    Q_OBJECT
+public:
+    /// Both must outlive it.
+    ReviewDock(ReviewSession& review, ProjectSession& project, QWidget* parent = nullptr);
+
+    [[nodiscard]] VerdictTable& table() { return *table_; }
+    [[nodiscard]] DayPanel& day() { return *day_; }
+    [[nodiscard]] RangePanel& range() { return *range_; }
+    void copyTable();
+
+Q_SIGNALS:
+    void placePointedAt(const std::string& place);  ///< to be highlighted in the view
+    void zoomRequested(const std::string& place);
+    void exportRequested();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    QWidget* makeForm();
+    QWidget* makeTable();
+    QWidget* makeCharts();
+    void connectSession();
+    void connectTable();
+    void showChoice();
+    void showAnswer();
+    void showState();
+    void showChart();
+    void showDetails();
+    void showRule();
+
+    ReviewSession& review_;
+    ProjectSession& project_;
+    RuleForm* form_;
+    PlaceList* places_;
+    QPushButton* run_;
+    QPushButton* copy_;
+    QPushButton* export_;
+    QLabel* estimate_;
+    QLabel* state_;
+    QLabel* details_;  ///< of the chosen place
+    ProgressStrip* progress_;
+    VerdictTable* table_;
+    QTabWidget* tabs_;
+    DayPanel* day_;
+    RangePanel* range_;
+    QTextBrowser* about_;
+    QTimer* estimateSoon_;
+    std::shared_ptr<const ReviewAnswer> answer_;  ///< in the table
+    std::size_t chosen_ = 0;                      ///< review whose charts are shown
+    std::optional<CivilDate> chosenDay_;
+};
+
+}  // namespace noonmark

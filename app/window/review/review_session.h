@@ -1,0 +1,97 @@
+#pragma once
+
+// The review of places by the rule of a board. ReviewSession holds what is chosen and the latest answer, and
+// runs the jobs; review_choice is the choice as it is saved, review_question the work without a window.
+// ReviewDock shows it: RuleForm and PlaceList choose, VerdictTable lists verdicts and the numbers behind
+// them, DayPanel and RangePanel draw charts on a ChartWidget. verdict_words has the words and colours of
+// verdicts.
+
+#include <QObject>
+
+#include "app/window/review/review_question.h"
+#include "app/window/study/job_slot.h"
+
+namespace noonmark {
+
+class Workbench;
+enum class ProjectPart;
+
+/// The review of the open project: the choice, its answer, and the answer for the building that is being
+/// shaped. Long work runs in jobs. Knows no widgets.
+class ReviewSession final : public QObject {
+    Q_OBJECT
+public:
+    explicit ReviewSession(Workbench& workbench, QObject* parent = nullptr);  ///< `workbench` must outlive it
+
+    [[nodiscard]] const RuleLibrary& library() const { return library_; }
+    [[nodiscard]] const ReviewChoice& choice() const { return choice_; }
+    void choose(const ReviewChoice& choice);  ///< no undo step, like the camera
+    /// Another project was opened: takes the choice saved in it, and drops the answers of the one before.
+    void restore(const std::string& text);
+
+    [[nodiscard]] Result<Rule> rule() const { return library_.find(choice_.rule, choice_.options); }
+    /// The places that can be chosen; the lots, for a rule about parcels.
+    [[nodiscard]] std::vector<Place> candidates() const;
+    /// What run() would compute. Error: what is still missing, and what to do.
+    [[nodiscard]] Result<ReviewQuestion> question();
+
+    void run();
+    void screen();  ///< chooses the places that can be reached
+    /// Computes the expected time of run() and emits estimated().
+    void estimate();
+    /// Writes review.json and review.csv of the latest answer; existing ones are replaced.
+    void write(const std::filesystem::path& folder);
+
+    /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While
+    /// `following`, the verdicts follow if the rule has few days.
+    void shape(std::shared_ptr<const City> proposed);
+    void setFollowing(bool following);
+
+    /// The live answer, or else the latest one; null: none.
+    [[nodiscard]] std::shared_ptr<const ReviewAnswer> shown() const { return live_ ? live_ : answer_; }
+    [[nodiscard]] bool isLive() const { return live_ != nullptr; }
+    /// Why the answer shown is not up to date; empty: it is.
+    [[nodiscard]] QString whyOutdated();
+    /// By name: why the last screening left a place out, or that it is reached.
+    [[nodiscard]] const std::map<std::string, QString>& screened() const { return screened_; }
+
+    [[nodiscard]] JobSlot& running() { return running_; }
+    [[nodiscard]] JobSlot& following() { return followed_; }
+
+    /// A review that took at most this many seconds is computed again after an edit without asking.
+    static constexpr double quickSeconds = 10;
+
+Q_SIGNALS:
+    void changed();   ///< the choice, or what can be chosen
+    void answered();  ///< shown() or whether it is up to date
+    void estimated(QString words);
+    void screeningDone(std::size_t reached, std::size_t of);
+    void noted(QString text);
+    void failed(noonmark::Error error);  ///< not emitted for cancelled work
+
+private:
+    void follow();
+    void takeLive(Result<ReviewAnswer> answer);
+    void takeScreening(const ReviewQuestion& question, const std::vector<ScreenedPlace>& screened);
+    void rename(ProjectPart part, const std::string& from, const std::string& to);
+    void cityChanged();
+    void tell(const Error& error);
+    [[nodiscard]] std::string scenarioName() const;
+    Result<std::vector<Place>> chosenPlaces(const Rule& rule) const;
+
+    Workbench& workbench_;
+    RuleLibrary library_;
+    ReviewChoice choice_;
+    std::shared_ptr<const ReviewAnswer> answer_;
+    std::shared_ptr<const ReviewAnswer> live_;
+    std::shared_ptr<const City> proposed_;
+    std::map<std::string, QString> screened_;
+    bool newerShape_ = false;
+    bool following_ = false;
+    JobSlot running_;
+    JobSlot followed_;
+    JobSlot estimating_;
+    JobSlot writing_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include "core/review/rule.h"
+#include "core/review/verdict.h"
+
+namespace noonmark {
+
+/// "✓ pass", "✗ fail", "≈ borderline": a verdict is told by its symbol and word as well as by its colour.
+QString describeVerdict(Verdict verdict);
+/// Dark enough to be read on white, and told apart by people who do not see red and green apart.
+QColor verdictColour(Verdict verdict);
+
+/// How sure the figures of a rule are, in a sentence.
+QString describeStatus(const Rule& rule);
+
+}  // namespace noonmark

@@ -1,0 +1,138 @@
+#include "render/scene/place_marks.h"
+
+#include <QColor>
+#include <QRectF>
+#include <QVector2D>
+#include <QVector4D>
+#include <Qt3DCore/QEntity>
+#include <Qt3DRender/QLayer>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/scene/array_entity.h"
+#include "render/scene/name_labels.h"
+#include "render/scene/shader_material.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr QColor outlineColour{0x17, 0x5c, 0x8a, 200};
+constexpr QColor thinColour{0x17, 0x5c, 0x8a, 120};
+constexpr QColor highlightColour{0x00, 0x3f, 0x9e, 255};
+constexpr double leastNamedPx = 14;  // side of a square as large as a place that still has its name
+constexpr double labelGapPx = 4;
+
+ShaderMaterial* makeLine(const QColor& c, float widthPx, Qt3DCore::QNode* parent) {
+    auto* line = new ShaderMaterial(QStringLiteral("ribbon"), parent);
+    line->set(QStringLiteral("lineColour"), QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()));
+    line->set(QStringLiteral("widthPx"), widthPx);
+    line->blend();
+    line->alwaysVisible();
+    line->bothSides();
+    return line;
+}
+
+double pixelsPerMetre(const CameraPose& pose, const ViewLens& lens, const glm::dvec3& at) {
+    const double away = glm::distance(computeEye(pose), at);
+    return lens.heightPx / (2 * std::tan(lens.verticalDeg * 3.14159265358979 / 360) * std::max(1.0, away));
+}
+
+}  // namespace
+
+PlaceMarks::PlaceMarks(Qt3DRender::QLayer* overlay, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent)
+    : root_(new Qt3DCore::QEntity(parent)),
+      blended_(blended),
+      line_(makeLine(outlineColour, 1.6F, root_)),
+      thin_(makeLine(thinColour, 1, root_)),
+      bold_(makeLine(highlightColour, 4, root_)) {
+    root_->addComponent(overlay);
+    labels_ = std::make_unique<NameLabels>(blended, root_);
+}
+
+PlaceMarks::~PlaceMarks() {
+    labels_.reset();
+    delete root_;
+}
+
+void PlaceMarks::show(std::vector<Mark> marks) {
+    marks_ = std::move(marks);
+    highlighted_.reset();
+    draw();
+}
+
+void PlaceMarks::highlight(std::optional<std::size_t> mark) {
+    if (mark && *mark >= marks_.size()) mark.reset();
+    if (mark == highlighted_) return;
+    highlighted_ = mark;
+    draw();
+}
+
+void PlaceMarks::setShown(bool shown) {
+    shown_ = shown;
+    draw();
+}
+
+void PlaceMarks::draw() {
+    delete std::exchange(lines_, nullptr);
+    delete std::exchange(thinLines_, nullptr);
+    delete std::exchange(highlightedLines_, nullptr);
+    lines_ = drawLines(true, *line_);
+    thinLines_ = drawLines(false, *thin_);
+    if (highlighted_)
+        highlightedLines_ =
+            makeArrayEntity(makeOutlineGeometry(marks_[*highlighted_].lines), *bold_, root_, blended_);
+    if (changed_) changed_();
+}
+
+Qt3DCore::QEntity* PlaceMarks::drawLines(bool named, ShaderMaterial& material) {
+    std::vector<GroundLine> lines;
+    for (const Mark& mark : marks_)
+        if (shown_ && mark.named == named) lines.insert(lines.end(), mark.lines.begin(), mark.lines.end());
+    return lines.empty() ? nullptr : makeArrayEntity(makeOutlineGeometry(lines), material, root_, blended_);
+}
+
+std::vector<std::size_t> PlaceMarks::ranked() const {
+    std::vector<std::size_t> order(marks_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [this](std::size_t a, std::size_t b) {
+        const bool first = a == highlighted_, second = b == highlighted_;
+        return first != second ? first : marks_[a].areaM2 > marks_[b].areaM2;
+    });
+    if (!shown_) order.resize(highlighted_ ? 1 : 0);
+    return order;
+}
+
+void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
+    std::vector<std::size_t> chosen;
+    std::vector<QRectF> taken;
+    const QRectF screen(0, 0, lens.widthPx, lens.heightPx);
+    for (const std::size_t i : ranked()) {
+        if (chosen.size() == mostNames) break;
+        const Mark& mark = marks_[i];
+        const double side = std::sqrt(mark.areaM2) * pixelsPerMetre(pose, lens, mark.at);
+        if (i != highlighted_ && (side < leastNamedPx || !mark.named)) continue;
+        const auto pixel = pixelOf(pose, lens, mark.at);
+        if (!pixel || !screen.contains(pixel->x, pixel->y)) continue;
+        QRectF box(QPointF(), NameLabels::sizeOf(mark.name));
+        box.moveCenter({pixel->x, pixel->y});
+        box.adjust(-labelGapPx, -labelGapPx, labelGapPx, labelGapPx);
+        if (!screen.contains(box)) continue;  // a name that is cut off cannot be read
+        if (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(box); })) continue;
+        taken.push_back(box);
+        chosen.push_back(i);
+    }
+    named_ = std::move(chosen);
+    std::vector<NameLabels::Label> labels;
+    for (const std::size_t i : named_) labels.push_back({marks_[i].name, marks_[i].at, i == highlighted_});
+    labels_->show(labels);
+}
+
+void PlaceMarks::setLens(const ViewLens& lens) {
+    const QVector2D size(float(lens.widthPx), float(lens.heightPx));
+    for (ShaderMaterial* line : {line_, thin_, bold_}) line->set(QStringLiteral("viewSize"), size);
+    labels_->setViewSize(size);
+}
+
+}  // namespace noonmark

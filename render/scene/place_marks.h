@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/scene/outline_geometry.h"
+#include "render/view/view_ray.h"
+
+namespace Qt3DCore {
+class QEntity;
+}
+namespace Qt3DRender {
+class QLayer;
+}
+
+namespace noonmark {
+
+class NameLabels;
+class ShaderMaterial;
+
+/// Outlines of places on the ground with their names. Names keep their size on the screen; where they would
+/// cover each other the larger place has its name.
+class PlaceMarks {
+public:
+    struct Mark {
+        QString name;
+        glm::dvec3 at{0};   ///< where the name stands
+        double areaM2 = 0;  ///< of the polygon around that point
+        bool named = true;  ///< false: drawn thinner, and its name is shown only while it is highlighted
+        std::vector<GroundLine> lines;
+    };
+
+    /// `parent` owns the nodes of this object; `overlay` and `blended` are the layers that the view draws
+    /// last.
+    PlaceMarks(Qt3DRender::QLayer* overlay, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
+    ~PlaceMarks();
+    PlaceMarks(const PlaceMarks&) = delete;
+    PlaceMarks& operator=(const PlaceMarks&) = delete;
+
+    /// Called when names have to be chosen again.
+    void onChange(std::function<void()> changed) { changed_ = std::move(changed); }
+
+    void show(std::vector<Mark> marks);
+    /// Draws the outline of this mark bolder, and its name in any case; an index beyond the marks: none.
+    void highlight(std::optional<std::size_t> mark);
+    void setShown(bool shown);
+    [[nodiscard]] bool shown() const { return shown_; }
+
+    /// Chooses the names for this camera: at most mostNames, the highlighted one first, then by area. A place
+    /// that is small on the screen has none. Some ms.
+    void layNames(const CameraPose& pose, const ViewLens& lens);
+    /// The marks whose names are shown, in the order of their choice.
+    [[nodiscard]] const std::vector<std::size_t>& named() const { return named_; }
+
+    void setLens(const ViewLens& lens);  ///< device-independent pixels
+
+    static constexpr std::size_t mostNames = 60;
+
+private:
+    void draw();
+    [[nodiscard]] Qt3DCore::QEntity* drawLines(bool named, ShaderMaterial& material);
+    [[nodiscard]] std::vector<std::size_t> ranked() const;
+
+    Qt3DCore::QEntity* root_;
+    Qt3DRender::QLayer* blended_;
+    ShaderMaterial* line_;
+    ShaderMaterial* thin_;
+    ShaderMaterial* bold_;
+    Qt3DCore::QEntity* lines_ = nullptr;
+    Qt3DCore::QEntity* thinLines_ = nullptr;
+    Qt3DCore::QEntity* highlightedLines_ = nullptr;
+    std::unique_ptr<NameLabels> labels_;
+    std::vector<Mark> marks_;
+    std::vector<std::size_t> named_;
+    std::optional<std::size_t> highlighted_;
+    std::function<void()> changed_;
+    bool shown_ = true;
+};
+
+}  // namespace noonmark

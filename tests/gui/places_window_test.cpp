@@ -1,0 +1,156 @@
+#include <QComboBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QTreeView>
+#include <QUndoStack>
+
+#include "app/window/project/project_dock.h"
+#include "app/window/project/project_model.h"
+#include "core/receivers/place_names.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::square;
+using test::waitFor;
+
+struct PlacesWindow : test::ProjectWindow {
+    ProjectDock& tree() { return *window->findChild<ProjectDock*>(); }
+    [[nodiscard]] const std::vector<Place>& places() { return session().project().places; }
+    QUndoStack& undo() { return workbench().document().undoStack(); }
+
+    // Two squares of about 80 m beside the small city, the first named and with a kind.
+    QString polygonFile(const char* firstName = "Green") {
+        const QString name = folder.filePath(QStringLiteral("parks.geojson"));
+        QFile file(name);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        const auto ring = [](double west) {
+            return QStringLiteral("[[[%1,40.7605],[%2,40.7605],[%2,40.7612],[%1,40.7612],[%1,40.7605]]]")
+                .arg(west, 0, 'f', 4)
+                .arg(west + 0.001, 0, 'f', 4);
+        };
+        const auto feature = [&](double west, const QString& properties) {
+            return QStringLiteral(
+                       R"({"type":"Feature","properties":{%1},"geometry":{"type":"Polygon","coordinates":%2}})")
+                .arg(properties, ring(west));
+        };
+        file.write(
+            QStringLiteral(R"({"type":"FeatureCollection","features":[%1,%2]})")
+                .arg(feature(-73.9805,
+                             QStringLiteral(R"("name":"%1","kind":"plaza")").arg(QLatin1String(firstName))),
+                     feature(-73.9795, QStringLiteral(R"("name":"Court","kind":"playground")")))
+                .toUtf8());
+        return name;
+    }
+    void read(const QString& name) {
+        window->places().read({name});
+        ASSERT_TRUE(waitFor([this] { return !window->places().reading().busy(); }));
+    }
+};
+
+TEST_F(PlacesWindow, AFileOfPolygonsBecomesPlacesInTheTreeAndOneUndoRemovesThem) {
+    read(polygonFile());
+    ASSERT_EQ(places().size(), 2U) << message().toStdString();
+    EXPECT_EQ(places()[0].kind, PlaceKind::plaza);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("2 places were read")));
+    const QModelIndex green = tree().model().indexOf(ProjectPart::place, "Green");
+    ASSERT_TRUE(green.isValid());
+    EXPECT_TRUE(green.data().toString().contains(QStringLiteral("plaza, ")));
+    undo().undo();
+    EXPECT_TRUE(places().empty());
+}
+
+TEST_F(PlacesWindow, AFileReadAgainReplacesItsPlacesAndKeepsNamesGivenByTheUser) {
+    read(polygonFile());
+    ASSERT_TRUE(session().rename(ProjectPart::place, "Green", "Our green"));
+    read(polygonFile("Grass"));
+    ASSERT_EQ(places().size(), 2U);
+    EXPECT_EQ(places()[0].name, "Our green");
+    EXPECT_TRUE(message().contains(QStringLiteral("2 replace earlier ones")));
+}
+
+TEST_F(PlacesWindow, KindNameAndRemovalAreUndone) {
+    read(polygonFile());
+    tree().setKind("Green", PlaceKind::cemetery);
+    EXPECT_EQ(places()[0].kind, PlaceKind::cemetery);
+    undo().undo();
+    EXPECT_EQ(places()[0].kind, PlaceKind::plaza);
+    tree().remove(tree().model().indexOf(ProjectPart::place, "Green"));
+    EXPECT_EQ(places().size(), 1U);
+    undo().undo();
+    EXPECT_EQ(places()[0].name, "Green");
+}
+
+TEST_F(PlacesWindow, PlacesAreNamedInTheViewAndOneIsZoomedTo) {
+    read(polygonFile());
+    PlaceMarks& marks = window->panel().view().places();
+    tree().use(tree().model().indexOf(ProjectPart::place, "Court"));
+    const CameraPose pose = window->panel().view().pose();
+    const Box2 box = bounds(places()[1]);
+    EXPECT_GT(pose.target.x, double(box.low.x));
+    EXPECT_LT(pose.target.x, double(box.high.x));
+    ASSERT_TRUE(waitFor([&] { return !marks.named().empty(); }));
+    EXPECT_EQ(marks.named().front(), 1U);
+    marks.setShown(false);
+    ASSERT_TRUE(waitFor([&] { return marks.named().size() == 1; }));  // the chosen one stays
+}
+
+TEST_F(PlacesWindow, TheRegionListTakesAPlaceByItsNameAndSuggestsOneForAMistypedName) {
+    read(polygonFile());
+    auto* list = window->findChild<QComboBox*>(QStringLiteral("regionList"));
+    EXPECT_EQ(list->count(), 3);  // Square, Court, Green
+    list->lineEdit()->setText(QStringLiteral("court"));
+    Q_EMIT list->lineEdit()->returnPressed();
+    const Region& region = workbench().document().settings().region;
+    EXPECT_EQ(region.name, "Court");
+    EXPECT_EQ(region.polygons, places()[1].polygons);
+    list->lineEdit()->setText(QStringLiteral("Courd"));
+    Q_EMIT list->lineEdit()->returnPressed();
+    EXPECT_EQ(workbench().document().settings().region.name, "Court");
+    EXPECT_TRUE(message().contains(QStringLiteral("Court"))) << message().toStdString();
+}
+
+TEST_F(PlacesWindow, AnOutlineAndADrawingBecomePlacesWithNamesOfTheirOwn) {
+    const auto& buildings = workbench().city()->city().buildings;
+    window->tools().building().select(1);
+    window->places().makeFromBuilding();
+    ASSERT_EQ(places().size(), 1U);
+    EXPECT_EQ(places()[0].name, buildings[1]->name);
+    EXPECT_NEAR(area(places()[0]), 900, 0.1);
+    PolygonTool& tool = window->panel().placeTool();
+    for (int i = 0; i < 2; ++i) {
+        window->places().draw();
+        for (const glm::dvec3 corner : {glm::dvec3(0, 100, 0), {40, 100, 0}, {40, 140, 0}})
+            tool.addPoint(corner);
+        tool.finish();
+    }
+    ASSERT_EQ(places().size(), 3U);
+    EXPECT_EQ(places()[1].name, "Place");
+    EXPECT_EQ(places()[2].name, "Place (2)");
+    EXPECT_NEAR(area(places()[2]), 800, 0.1);
+}
+
+TEST_F(PlacesWindow, DroppedPolygonsAreReadOrOpenedAsTheUserChooses) {
+    const QString file = polygonFile();
+    window->places().setDropQuestion([] { return PlaceActions::Dropped::nothing; });
+    window->places().takeDropped({file});
+    EXPECT_FALSE(window->places().reading().busy());
+    window->places().setDropQuestion([] { return PlaceActions::Dropped::readPlaces; });
+    window->places().takeDropped({file});
+    ASSERT_TRUE(waitFor([this] { return places().size() == 2; }));
+    EXPECT_EQ(workbench().city()->city().buildings.size(), 3U);
+}
+
+TEST_F(PlacesWindow, AFileWithoutPolygonsIsRefused) {
+    QFile bad(folder.filePath(QStringLiteral("bad.geojson")));
+    ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+    bad.write("{\"type\":");
+    bad.close();
+    read(bad.fileName());
+    EXPECT_TRUE(places().empty());
+    EXPECT_FALSE(message().isEmpty());
+}
+
+}  // namespace
+}  // namespace noonmark

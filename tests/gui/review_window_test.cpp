@@ -1,0 +1,232 @@
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QUndoStack>
+
+#include "app/window/review/day_panel.h"
+#include "app/window/review/range_panel.h"
+#include "app/window/review/review_dock.h"
+#include "app/window/review/verdict_table.h"
+#include "core/engines/auto_engine.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::newTower;
+using test::square;
+using test::waitFor;
+
+/// The small project with a park north of the new tower, which stands at (20, 20) and is 70 m high, and a
+/// park that no shadow reaches.
+struct ReviewWindow : test::ProjectWindow {
+    void SetUp() override {
+        ProjectWindow::SetUp();
+        StudySettings study = workbench().document().settings();
+        study.period.zone = "America/New_York";
+        workbench().document().change(study, QStringLiteral("zone"));
+    }
+    void addPlaces() {
+        Project next = session().project();
+        next.places.push_back({"Park", PlaceKind::park, {square({10, 60}, 40)}, "drawn"});
+        next.places.push_back({"Far park", PlaceKind::park, {square({3000, -3000}, 30)}, "drawn"});
+        ASSERT_TRUE(session().change(std::move(next), QStringLiteral("places")));
+    }
+    ReviewSession& review() { return window->review(); }
+    ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
+    void showDock() {
+        for (QDockWidget* one : window->findChildren<QDockWidget*>())
+            if (one->isAncestorOf(&dock())) one->show();
+        ASSERT_TRUE(waitFor([this] { return dock().isVisible(); }));
+    }
+    void choose(const std::string& rule) {
+        ReviewChoice choice = review().choice();
+        choice.rule = rule;
+        review().choose(choice);
+    }
+    void run() {
+        review().run();
+        ASSERT_TRUE(waitFor([this] { return !review().running().busy(); }));
+    }
+    QString state() { return dock().findChild<QLabel*>(QStringLiteral("reviewState"))->text(); }
+};
+
+TEST_F(ReviewWindow, TheEmptyDockSaysWhatToDoNext) {
+    showDock();
+    EXPECT_TRUE(state().contains(QStringLiteral("no places yet"))) << state().toStdString();
+    addPlaces();
+    EXPECT_TRUE(state().contains(QStringLiteral("Design a tower"))) << state().toStdString();
+    build();
+    EXPECT_TRUE(state().contains(QStringLiteral("Press Run review"))) << state().toStdString();
+}
+
+TEST_F(ReviewWindow, VerdictsAndNumbersAreThoseOfTheReview) {
+    showDock();
+    addPlaces();
+    build();
+    choose("ceqr");
+    run();
+    const auto shown = review().shown();
+    ASSERT_TRUE(shown) << message().toStdString();
+    ASSERT_EQ(shown->study.places.size(), 2U);
+    NoProgress progress;
+    const auto question = review().question();
+    ASSERT_TRUE(question);
+    const auto expected =
+        runReview(question->rule, *session().cityOf(existingCity).value(), *session().city(),
+                  session().project().places, question->settings, AutoEngine(), progress, {});
+    ASSERT_TRUE(expected);
+    VerdictTable& table = dock().table();
+    ASSERT_EQ(table.topLevelItemCount(), 2);
+    for (int i = 0; i < 2; ++i) {
+        const PlaceReview& place = expected->places[std::size_t(i)];
+        EXPECT_EQ(shown->study.places[std::size_t(i)].verdict, place.verdict);
+        EXPECT_TRUE(table.topLevelItem(i)->text(1).endsWith(QString::fromUtf8(nameOf(place.verdict).data())));
+        EXPECT_EQ(table.topLevelItem(i)->childCount(), 4);  // the rule's days
+    }
+    EXPECT_EQ(table.topLevelItem(0)->text(0), QStringLiteral("Park"));  // has the incremental shadow
+    EXPECT_GT(expected->places[0].totals.incrementalM2h, 0);  // at noon the shadow falls on the park
+    EXPECT_EQ(expected->places[1].totals.incrementalM2h, 0);
+    dock().copyTable();
+    const QString copied = QGuiApplication::clipboard()->text();
+    EXPECT_EQ(copied.count(u'\n'), 1 + 2 * 4);
+    EXPECT_TRUE(copied.contains(QString::fromStdString(expected->places[0].rows[0].entersText)));
+}
+
+TEST_F(ReviewWindow, ARowShowsTheTimelineOfItsDayWithTheSameFigures) {
+    showDock();
+    addPlaces();
+    build();
+    choose("ceqr");
+    run();
+    ASSERT_TRUE(review().shown());
+    const PlaceReview& park = review().shown()->study.places[0];
+    QTreeWidgetItem* place = dock().table().topLevelItem(0);
+    for (int i = 0; i < place->childCount(); ++i) {
+        dock().table().setCurrentItem(place->child(i));
+        ASSERT_TRUE(waitFor([this] { return !dock().day().working().busy(); }));
+        double largest = 0;
+        for (const auto& sample : dock().day().chart().samples)
+            largest = std::max(largest, sample.incrementalM2);
+        EXPECT_DOUBLE_EQ(largest, park.rows[std::size_t(i)].maxAreaM2) << i;
+        EXPECT_EQ(dock().day().chart().areaM2, park.areaM2);
+    }
+}
+
+TEST_F(ReviewWindow, ScreeningTicksThePlacesInReachOnly) {
+    showDock();
+    addPlaces();
+    build();
+    choose("ceqr");
+    review().screen();
+    ASSERT_TRUE(waitFor([this] { return !review().running().busy(); }));
+    EXPECT_FALSE(review().choice().allPlaces);
+    EXPECT_EQ(review().choice().places, std::vector<std::string>{"Park"});
+    EXPECT_FALSE(review().screened().at("Far park").isEmpty());
+    run();
+    EXPECT_EQ(review().shown()->study.places.size(), 1U);
+}
+
+TEST_F(ReviewWindow, VerdictsFollowTheBuildingThatIsShapedUntilItIsBuilt) {
+    showDock();
+    addPlaces();
+    choose("ceqr");
+    EditPreview& preview = window->tools().context().preview;
+    for (const float height : {30.F, 50.F, 90.F}) ASSERT_TRUE(preview.show({newTower("New", height)}));
+    ASSERT_TRUE(waitFor([this] { return review().isLive() && !review().following().busy(); }));
+    NoProgress progress;
+    const auto& live = *review().shown();
+    const auto expected =
+        runReview(live.question.rule, *session().city(), *live.question.after, session().project().places,
+                  live.question.settings, AutoEngine(), progress, {});
+    ASSERT_TRUE(expected);
+    EXPECT_EQ(live.question.after->buildings.back()->parts[0].topM, 90);  // the newest shape
+    EXPECT_EQ(live.study.places[0].totals.incrementalM2h, expected->places[0].totals.incrementalM2h);
+    EXPECT_GT(live.study.places[0].totals.incrementalM2h, 0);
+    EXPECT_TRUE(state().contains(QStringLiteral("Follows the building")));
+    preview.clear();
+    EXPECT_FALSE(review().isLive());
+}
+
+TEST_F(ReviewWindow, ARuleOfAYearDoesNotFollowAndIsMarkedAsNotUpToDate) {
+    showDock();
+    addPlaces();
+    build();
+    ReviewChoice choice = review().choice();
+    choice.rule = "san-francisco-295";
+    choice.allPlaces = false;
+    choice.places = {"Park"};
+    review().choose(choice);
+    run();
+    ASSERT_TRUE(review().shown()) << message().toStdString();
+    EXPECT_TRUE(review().whyOutdated().isEmpty());
+    EditPreview& preview = window->tools().context().preview;
+    ASSERT_TRUE(preview.show({newTower("Other", 50)}) || preview.show({ChangeHeight{"New", 50}}));
+    EXPECT_FALSE(review().isLive());
+    EXPECT_FALSE(review().following().busy());
+    EXPECT_TRUE(state().contains(QStringLiteral("Not up to date"))) << state().toStdString();
+    preview.clear();
+    EXPECT_TRUE(review().whyOutdated().isEmpty());
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 50}}, QStringLiteral("height")));
+    EXPECT_TRUE(review().whyOutdated().contains(QStringLiteral("buildings")));
+}
+
+TEST_F(ReviewWindow, ARangeOfDaysHasACarpet) {
+    showDock();
+    addPlaces();
+    build();
+    choose("vancouver");
+    ASSERT_TRUE(review().rule());
+    run();
+    ASSERT_TRUE(review().shown());
+    dock().table().setCurrentItem(dock().table().topLevelItem(0));
+    ASSERT_FALSE(hasFewDays(review().shown()->question.rule));
+    dock().findChild<QTabWidget*>()->setCurrentWidget(&dock().range());
+    ASSERT_TRUE(waitFor([this] { return dock().range().carpet().rows > 0; }));
+    EXPECT_GT(dock().range().carpet().days.size(), 20U);
+}
+
+TEST_F(ReviewWindow, TheChoiceIsSavedWithTheProjectAndFollowsRenaming) {
+    addPlaces();
+    build();
+    ReviewChoice choice{.rule = "japan",
+                        .options = {},
+                        .from = existingCity,
+                        .to = session().scenario(),
+                        .allPlaces = false,
+                        .places = {"Park"}};
+    review().choose(choice);
+    ASSERT_TRUE(session().rename(ProjectPart::place, "Park", "Green"));
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, session().scenario(), "Slim"));
+    choice.places = {"Green"};
+    choice.to = "Slim";
+    EXPECT_EQ(review().choice(), choice);
+    save();
+    makeWindow();
+    open(file);
+    EXPECT_EQ(review().choice(), choice);
+    EXPECT_EQ(parseReviewChoice("{\"rule\": 3}"), ReviewChoice{});
+    EXPECT_EQ(parseReviewChoice(formatText(choice)), choice);
+}
+
+TEST_F(ReviewWindow, ExportWritesTheFilesOfTheCommandLine) {
+    showDock();
+    addPlaces();
+    build();
+    choose("ceqr");
+    review().write(folder.filePath(QStringLiteral("out")).toStdString());
+    EXPECT_TRUE(message().contains(QStringLiteral("no review to export")));
+    run();
+    review().write(folder.filePath(QStringLiteral("out")).toStdString());
+    ASSERT_TRUE(waitFor([this] { return QFile::exists(folder.filePath(QStringLiteral("out/review.csv"))); }));
+    EXPECT_TRUE(
+        test::bytesOf(folder.filePath(QStringLiteral("out/review.json"))).contains("\"rule\": \"ceqr\""));
+}
+
+}  // namespace
+}  // namespace noonmark
