@@ -27,5 +27,6 @@ void addProjectWeights(CLI::App& project, Run& run);
 void addProjectPeriod(CLI::App& project, Run& run);
 void addProjectResult(CLI::App& project, Run& run);
 void addProjectExport(CLI::App& project, Run& run);
+void addProjectShadows(CLI::App& project, Run& run);
 
 }  // namespace noonmark::cli

@@ -17,6 +17,7 @@
 #include "app/report/files/review_files.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
+#include "core/study/shadow_drawings.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 
@@ -36,6 +37,7 @@ struct ReviewRunOptions {
 struct ReviewAnswer {
     ReviewStudy study;
     ReviewLabels labels;
+    ShadowDrawing shadows;
 };
 
 Place placeOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
@@ -114,9 +116,13 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
     putBefore(study->warnings, project.reading->warnings);
+    auto shadows = drawReviewShadows(*study, before->city, after->city, *places, progress, interrupt.token());
+    if (!shadows) return tl::make_unexpected(shadows.error());
+    shadows->notes.push_back(fmt::format("From {} to {}", options.from, options.to));
     return ReviewAnswer{
         *std::move(study),
-        {options.from, options.to, provenanceOf(project, &disk, {options.to, options.from, {}, {}})}};
+        {options.from, options.to, provenanceOf(project, &disk, {options.to, options.from, {}, {}})},
+        *std::move(shadows)};
 }
 
 /// The rule's own table as text; of many days those with incremental shadow.
@@ -171,7 +177,8 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     OutputRules outputs = outputRules({options.file}, disk->project().inputs, options.overwrite);
     const auto answer = computeReview(options, *disk, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = writeReviewFiles(answer->study, answer->labels, options.out, outputs);
+    const auto written =
+        writeReviewFiles(answer->study, answer->labels, answer->shadows, options.out, outputs);
     if (!written) return fail(console, written.error(), exitFailed);
     if (options.json)
         console.out << toJsonText(reviewJson(answer->study, answer->labels)) << '\n';
@@ -210,7 +217,8 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->type_name("M");
     addRuleFolders(command, options.rules);
     addRuleChoices(command, options.rules);
-    command.add_option("--out", options.out, "Folder for review.json and review.csv")
+    command
+        .add_option("--out", options.out, "Folder for review.json, review.csv, shadows.dxf and shadows.gpkg")
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);

@@ -20,6 +20,7 @@ namespace noonmark {
 /// A moment as drawings name it.
 struct DrawnTime {
     std::string name;   ///< "2026-03-21_0900": in names of layers and files
+    std::string day;    ///< "2026-03-21": moments of a day share a fan
     std::string clock;  ///< "2026-03-21 09:00 America/New_York": as shown
     SunStep sun;
 };

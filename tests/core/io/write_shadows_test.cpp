@@ -32,7 +32,7 @@ Footprint withHole(float west, float south, float side, float hole) {
 DrawnTime timeNamed(std::string name) {
     const Instant at = sys_days{year{2026} / 3 / 21} + 13h;
     SunStep sun{towardsSun(120, 30), 120, 30, 0, at};
-    return {std::move(name), "2026-03-21 09:00 America/New_York", sun};
+    return {std::move(name), "2026-03-21", "2026-03-21 09:00 America/New_York", sun};
 }
 
 // Baseline: 100 x 100 m with a hole of 40 x 40 m and a box of 20 x 30 m; incremental: 60 x 60 m with a hole
