@@ -22,10 +22,10 @@ void registerDrivers() {
           GDALRegister_DTED, GDALRegister_SRTMHGT, GDALRegister_USGSDEM, GDALRegister_EHdr, GDALRegister_XYZ,
           GDALRegister_MEM, GDALRegister_PNG})  // PNG: tiles of integers in a GeoPackage
         add();
-    for (const auto& add :
-         {RegisterOGRShape, RegisterOGRGeoJSON, RegisterOGRGeoJSONSeq, RegisterOGRESRIJSON,
-          RegisterOGRTopoJSON, RegisterOGRCSV, RegisterOGRGeoPackage, RegisterOGRFlatGeobuf, RegisterOGROSM,
-          RegisterOGRGML, RegisterOGRKML, RegisterOGROpenFileGDB, RegisterOGRMEM})
+    for (const auto& add : {RegisterOGRShape, RegisterOGRGeoJSON, RegisterOGRGeoJSONSeq, RegisterOGRESRIJSON,
+                            RegisterOGRTopoJSON, RegisterOGRCSV, RegisterOGRGeoPackage, RegisterOGRFlatGeobuf,
+                            RegisterOGROSM, RegisterOGRGML, RegisterOGRKML, RegisterOGROpenFileGDB,
+                            RegisterOGRMEM, RegisterOGRDXF})  // written only: no reader allows it
         add();
 }
 

@@ -26,6 +26,7 @@ void addProjectCommand(CLI::App& app, Run& run) {
     addProjectSheets(*project, run);
     addProjectResult(*project, run);
     addProjectExport(*project, run);
+    addProjectShadows(*project, run);
     project->footer(
         "A first project:\n"
         "  noonmark-cli project new park.noonmark.gpkg sample:central-park-south\n"

@@ -28,5 +28,6 @@ void addProjectPeriod(CLI::App& project, Run& run);
 void addProjectSheets(CLI::App& project, Run& run);
 void addProjectResult(CLI::App& project, Run& run);
 void addProjectExport(CLI::App& project, Run& run);
+void addProjectShadows(CLI::App& project, Run& run);
 
 }  // namespace noonmark::cli

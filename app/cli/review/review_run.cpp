@@ -16,7 +16,6 @@
 #include "app/cli/review/rule_options.h"
 #include "app/cli/table.h"
 #include "app/input/output_rules.h"
-#include "app/report/book/review/review_book.h"
 #include "app/report/files/review_files.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
@@ -34,13 +33,17 @@ struct ReviewRunOptions {
     std::vector<std::string> places;
     ReviewSettings settings{1, {}, 0};
     bool overwrite = false;
+    bool byteOrderMark = false;
     bool json = false;
 };
 
 struct ReviewAnswer {
     ReviewStudy study;
     ReviewLabels labels;
-    Book book;
+    City before, after;
+    std::vector<Place> places;
+    HeightFacts heights;
+    BookSettings sheets;
 };
 
 Place placeOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
@@ -122,10 +125,8 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     const ReviewLabels labels{options.from, options.to,
                               provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
                               options.places, makeRepeatOptions(options.sheets, *sheets)};
-    auto book = makeReviewBook({*study, labels, before->city, after->city, *places, project.reading->heights},
-                               *sheets, progress, interrupt.token());
-    if (!book) return tl::make_unexpected(book.error());
-    return ReviewAnswer{*std::move(study), labels, *std::move(book)};
+    return ReviewAnswer{*std::move(study),        labels, before->city, after->city, *places,
+                        project.reading->heights, *sheets};
 }
 
 /// The rule's own table as text; of many days those with incremental shadow.
@@ -174,6 +175,16 @@ void printReview(const ReviewAnswer& answer, std::ostream& out) {
     printWarnings(out, study.warnings);
 }
 
+Result<std::vector<std::filesystem::path>> writeFiles(const ReviewAnswer& answer,
+                                                      const ReviewRunOptions& options,
+                                                      const OutputRules& outputs, const Console& console) {
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return writeReviewFiles(
+        {answer.study, answer.labels, answer.before, answer.after, answer.places, answer.heights},
+        {answer.sheets, options.byteOrderMark, outputs}, options.out, progress, interrupt.token());
+}
+
 int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     const OffscreenQt qt;
     const auto disk = ProjectFile::open(options.file);
@@ -181,7 +192,7 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     OutputRules outputs = outputRules({options.file}, disk->project().inputs, options.overwrite);
     const auto answer = computeReview(options, *disk, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = writeReviewFiles(answer->study, answer->labels, answer->book, options.out, outputs);
+    const auto written = writeFiles(*answer, options, outputs, console);
     if (!written) return fail(console, written.error(), exitFailed);
     if (options.json)
         console.out << toJsonText(reviewJson(answer->study, answer->labels)) << '\n';
@@ -220,11 +231,15 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->type_name("M");
     addRuleFolders(command, options.rules);
     addRuleChoices(command, options.rules);
-    command.add_option("--out", options.out, "Folder for review.json, review.csv and sheets.pdf")
+    command
+        .add_option("--out", options.out,
+                    "Folder for review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg")
         ->required()
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
     addDiagramScale(command, options.sheets);
+    command.add_flag("--bom", options.byteOrderMark,
+                     "review.csv begins with a byte order mark, by which Excel recognises UTF-8");
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--json", options.json, "Print only JSON to standard output");
 }

@@ -2,22 +2,49 @@
 
 #include "app/report/book/write_book.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/files/shadow_files.h"
+#include "core/base/progress_share.h"
+#include "core/study/shadow_drawings.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 
-std::vector<std::string> reviewFileNames() { return {"review.json", "review.csv", "sheets.pdf"}; }
+namespace {
 
-Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewStudy& study,
-                                                            const ReviewLabels& labels, const Book& sheets,
+constexpr const char* utf8Mark = "\xEF\xBB\xBF";
+
+Result<ShadowDrawing> drawShadows(const ReviewBookSource& source, Progress& progress,
+                                  const std::stop_token& stop) {
+    return drawReviewShadows(source.study, source.baseline, source.scenario, source.places, progress, stop)
+        .map([&](ShadowDrawing drawing) {
+            drawing.notes.push_back("From " + source.labels.from + " to " + source.labels.to);
+            return drawing;
+        });
+}
+
+}  // namespace
+
+std::vector<std::string> reviewFileNames() {
+    return {"review.json", "review.csv", "sheets.pdf", "shadows.dxf", "shadows.gpkg"};
+}
+
+Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewBookSource& source,
+                                                            const ReviewFileSettings& settings,
                                                             const std::filesystem::path& folder,
-                                                            const OutputRules& rules) {
-    if (auto may = checkOutputs(folder, reviewFileNames(), rules); !may)
+                                                            Progress& progress, const std::stop_token& stop) {
+    if (auto may = checkOutputs(folder, reviewFileNames(), settings.rules); !may)
         return tl::make_unexpected(may.error());
-    OutputFolder files(folder, rules);
-    files.add("review.json", textContent(toJsonText(reviewJson(study, labels)) + "\n"));
-    files.add("review.csv", textContent(reviewCsv(study, labels)));
-    files.add("sheets.pdf", [&](QIODevice& device) { return writeBook(sheets, device).has_value(); });
+    ProgressShare forSheets(progress, 0, 2), forDrawing(progress, 1, 2);
+    const auto sheets = makeReviewBook(source, settings.sheets, forSheets, stop);
+    if (!sheets) return tl::make_unexpected(sheets.error());
+    const auto drawing = drawShadows(source, forDrawing, stop);
+    if (!drawing) return tl::make_unexpected(drawing.error());
+    OutputFolder files(folder, settings.rules);
+    files.add("review.json", textContent(toJsonText(reviewJson(source.study, source.labels)) + "\n"));
+    files.add("review.csv",
+              textContent((settings.byteOrderMark ? utf8Mark : "") + reviewCsv(source.study, source.labels)));
+    files.add("sheets.pdf", [&](QIODevice& device) { return writeBook(*sheets, device).has_value(); });
+    addShadowFiles(files, *drawing, {});
     return std::move(files).result();
 }
 

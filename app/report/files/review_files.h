@@ -1,23 +1,31 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "app/report/book/book.h"
+#include "app/report/book/review/review_book.h"
+#include "core/base/progress.h"
 #include "core/io/files/check_output.h"
-#include "core/study/text/review_text.h"
 
 namespace noonmark {
 
-/// The files of a review: review.json, review.csv and sheets.pdf.
+/// The files of a review: review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg.
 std::vector<std::string> reviewFileNames();
 
-/// Writes the files of a review into a folder, which is created if missing; all or none. `rules`: which files
-/// may be replaced. Returns the paths written. Needs a QGuiApplication.
-Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewStudy& study,
-                                                            const ReviewLabels& labels, const Book& sheets,
+struct ReviewFileSettings {
+    BookSettings sheets;
+    bool byteOrderMark = false;  ///< review.csv begins with one, by which Excel recognises UTF-8
+    OutputRules rules;           ///< which files may be replaced
+};
+
+/// Computes the shadows of the rule's days and hours, and writes the files of a review into a folder, which
+/// is created if missing; all or none. Returns the paths written. Needs a QGuiApplication; may run on any
+/// thread. Errors of makeReviewBook() and drawReviewShadows(), and of writing; cancelled().
+Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewBookSource& source,
+                                                            const ReviewFileSettings& settings,
                                                             const std::filesystem::path& folder,
-                                                            const OutputRules& rules = {});
+                                                            Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

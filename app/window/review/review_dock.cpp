@@ -122,7 +122,9 @@ QWidget* ReviewDock::makeTable() {
     state_->setObjectName(QStringLiteral("reviewState"));
     state_->setWordWrap(true);
     copy_->setToolTip(tr("Copies the table, with all days, as text for a spreadsheet"));
-    export_->setToolTip(tr("Writes review.json and review.csv, as the command line does"));
+    export_->setToolTip(
+        tr("Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, "
+           "GeoPackage)"));
     auto* row = new QHBoxLayout;
     row->addWidget(run_);
     row->addWidget(estimate_, 1);

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/report/files/review_files.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/review/review_export.h"
 #include "core/receivers/place_names.h"
-#include "scenarios/project/project_provenance.h"
 
 namespace noonmark {
 
@@ -197,17 +196,10 @@ void ReviewSession::write(const std::filesystem::path& folder) {
     const ProjectSession& session = workbench_.session();
     writing_.start<Paths>(
         tr("Exporting"),
-        [answer = answer_, project = session.project(), file = session.file(),
-         rules = workbench_.exportRules(), ruleWarnings = library_.warnings(),
-         folder](Progress&, const std::stop_token&) {
-            const ReviewQuestion& asked = answer->question;
-            ReviewStudy study = answer->study;
-            study.warnings.insert(study.warnings.end(), ruleWarnings.begin(), ruleWarnings.end());
-            putBefore(study.warnings, project.reading->warnings);
-            const ReviewLabels labels{
-                asked.from, asked.to,
-                provenanceOf(project, file ? &*file : nullptr, {asked.to, asked.from, {}, {}})};
-            return writeReviewFiles(study, labels, folder, rules);
+        [review = ReviewExport{answer_, session.project(), session.file(), library_.warnings(),
+                               workbench_.exportRules()},
+         folder](Progress& progress, const std::stop_token& stop) {
+            return exportReview(review, folder, progress, stop);
         },
         [this, folder](Result<Paths> paths) {
             if (!paths) return tell(paths.error());

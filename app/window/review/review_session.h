@@ -39,7 +39,7 @@ public:
     void screen();  ///< chooses the places that can be reached
     /// Computes the expected time of run() and emits estimated().
     void estimate();
-    /// Writes review.json and review.csv of the latest answer; existing ones are replaced.
+    /// Writes the files of the latest answer, as `noonmark-cli review run` does; existing ones are replaced.
     void write(const std::filesystem::path& folder);
 
     /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While

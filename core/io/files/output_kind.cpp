@@ -24,6 +24,7 @@ constexpr std::array kindsOfEndings{
     KindOfEnding{".gpkg", OutputKind::geoPackage}, KindOfEnding{".geojson", OutputKind::geoJson},
     KindOfEnding{".tif", OutputKind::geoTiff},     KindOfEnding{".png", OutputKind::picture},
     KindOfEnding{".pdf", OutputKind::pdf},         KindOfEnding{".json", OutputKind::json},
+    KindOfEnding{".dxf", OutputKind::dxf},         KindOfEnding{".svg", OutputKind::svg},
 };
 
 bool beginsWithOneOf(std::string_view head, std::initializer_list<std::string_view> magics) {
@@ -54,6 +55,13 @@ bool looksLikeTable(std::string_view head) {
            line.find_first_of("{[<%") != 0;
 }
 
+// Pairs of lines: group code 0 begins a section, 999 is a comment.
+bool looksLikeDxf(std::string_view head) {
+    const std::string_view text = withoutMarkAndBlanks(head);
+    return (text.starts_with("0\n") || text.starts_with("0\r\n") || text.starts_with("999")) &&
+           head.find("SECTION") != head.npos;
+}
+
 JsonKind jsonKindOf(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return detectJsonKind(stream);
@@ -75,6 +83,11 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
             return head.starts_with("%PDF-");
         case OutputKind::table:
             return looksLikeTable(head);
+        case OutputKind::dxf:
+            return looksLikeDxf(head);
+        case OutputKind::svg:
+            return beginsWithOneOf(withoutMarkAndBlanks(head), {"<svg", "<?xml"}) &&
+                   head.find("<svg") != head.npos;
     }
     return false;
 }
@@ -105,6 +118,10 @@ std::string_view describe(OutputKind kind) {
             return "a CSV table";
         case OutputKind::json:
             return "JSON with figures";
+        case OutputKind::dxf:
+            return "a DXF drawing";
+        case OutputKind::svg:
+            return "an SVG picture";
         case OutputKind::project:
             return "a Noonmark project";
     }

@@ -12,8 +12,10 @@ enum class OutputKind {
     geoTiff,
     picture,  ///< PNG or JPEG
     pdf,
-    table,    ///< CSV
-    json,     ///< numbers; neither GeoJSON nor CityJSON nor glTF
+    table,  ///< CSV
+    json,   ///< numbers; neither GeoJSON nor CityJSON nor glTF
+    dxf,    ///< text DXF, not the binary form
+    svg,
     project,  ///< a Noonmark project
 };
 

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "core/city/footprints/geos_shapes.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/measures/outlines/clip_polygon.h"
 #include "core/measures/outlines/join_shadows.h"
 
@@ -161,6 +162,17 @@ struct TiledShadows {
     }
 };
 
+// Rounding to float32 may make edges cross or points coincide.
+std::vector<Footprint> repaired(const std::vector<Footprint>& polygons) {
+    std::vector<Footprint> valid;
+    for (const Footprint& polygon : polygons) {
+        std::vector<RawRing> rings{RawRing(polygon.outer.begin(), polygon.outer.end())};
+        for (const Ring& hole : polygon.holes) rings.emplace_back(hole.begin(), hole.end());
+        for (Footprint& piece : repairFootprint(rings).pieces) valid.push_back(std::move(piece));
+    }
+    return valid;
+}
+
 // The tiles' parts of one outline, joined along the edges of the tiles.
 Result<std::vector<Footprint>> joinTiles(std::vector<TileOutlines>& tiles, std::size_t outline) {
     const Geos geos;
@@ -174,7 +186,7 @@ Result<std::vector<Footprint>> joinTiles(std::vector<TileOutlines>& tiles, std::
         GEOSGeom_createCollection_r(geos, GEOS_GEOMETRYCOLLECTION, parts.data(), unsigned(parts.size())));
     const Geometry joined = failed ? geos.owned(nullptr) : uniteGeometry(geos, all);
     if (!joined) return internalError("The polygons of the shadows cannot be joined", "outlines of shadows");
-    return toPolygons(geos, joined);
+    return repaired(toPolygons(geos, joined));
 }
 
 }  // namespace

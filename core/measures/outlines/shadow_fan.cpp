@@ -1,29 +1,13 @@
 #include "core/measures/outlines/shadow_fan.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 
 #include "core/city/footprints/plan_overlay.h"
-#include "core/engines/common/shared_buildings.h"
 
 namespace noonmark {
 
 namespace {
-
-SharedBuildings findChanges(const City& baseline, const City& scenario) {
-    const std::array<const City*, 2> cities{&baseline, &scenario};
-    return findSharedBuildings(cities);
-}
-
-City cityOfChanges(const City& baseline, const City& scenario) {
-    City proposal = scenario;
-    proposal.buildings.clear();
-    const SharedBuildings changes = findChanges(baseline, scenario);
-    for (const std::uint32_t i : changes.own.back())
-        proposal.buildings.push_back(scenario.buildings[i]);
-    return proposal;
-}
 
 double lowestGroundUnder(const City& city, const Box2& box) {
     if (!city.terrain) return 0;
@@ -43,12 +27,10 @@ void addShadow(const Building& building, double groundM, const SunStep& step, do
 
 }  // namespace
 
-Result<ShadowFan> outlineShadowFan(const City& baseline, const City& scenario, std::span<const SunStep> steps,
+Result<ShadowFan> outlineShadowFan(const City& proposal, std::span<const SunStep> steps,
                                    const OutlineSettings& settings, Progress& progress,
                                    const std::stop_token& stop) {
-    City ground = baseline;
-    ground.buildings.clear();
-    const City proposal = cityOfChanges(baseline, scenario);
+    const City ground{proposal.frame, {}, proposal.terrain};
     auto outlines = outlineShadows(ground, &proposal, steps, settings, progress, stop);
     if (!outlines) return tl::make_unexpected(outlines.error());
     ShadowFan fan;
@@ -62,20 +44,13 @@ Result<ShadowFan> outlineShadowFan(const City& baseline, const City& scenario, s
     return fan;
 }
 
-Box2 boundChangedShadows(const City& baseline, const City& scenario, std::span<const SunStep> steps,
-                         double longestM) {
-    const SharedBuildings changes = findChanges(baseline, scenario);
+Box2 boundShadows(const City& city, std::span<const SunStep> steps, double longestM) {
     Box2 box;
-    const auto add = [&](const City& city, const std::vector<std::uint32_t>& own) {
-        for (const std::uint32_t i : own) {
-            const Building& building = *city.buildings[i];
-            box.add(bounds(building));
-            const double groundM = lowestGroundUnder(city, bounds(building));
-            for (const SunStep& step : steps) addShadow(building, groundM, step, longestM, box);
-        }
-    };
-    add(baseline, changes.own.front());
-    add(scenario, changes.own.back());
+    for (const auto& building : city.buildings) {
+        box.add(bounds(*building));
+        const double groundM = lowestGroundUnder(city, bounds(*building));
+        for (const SunStep& step : steps) addShadow(*building, groundM, step, longestM, box);
+    }
     return box;
 }
 

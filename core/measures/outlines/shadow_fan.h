@@ -19,16 +19,15 @@ struct ShadowFan {
     double cellM = 0;                            ///< as in ShadowOutlines
 };
 
-/// The fan of the buildings that the scenario adds or changes: their shadow on open ground, whatever other
-/// buildings shade or cover there. The ground that they cover themselves is left out. On terrain, ground in
-/// the terrain's own shadow is left out too. Errors as of outlineShadows().
-Result<ShadowFan> outlineShadowFan(const City& baseline, const City& scenario, std::span<const SunStep> steps,
+/// The fan of the buildings of `proposal`, which has only those, and the terrain: their shadow on open
+/// ground, whatever other buildings shade or cover there. The ground that they cover themselves is left out.
+/// On terrain, ground in the terrain's own shadow is left out too. Errors as of outlineShadows().
+Result<ShadowFan> outlineShadowFan(const City& proposal, std::span<const SunStep> steps,
                                    const OutlineSettings& settings, Progress& progress,
                                    const std::stop_token& stop);
 
-/// A box around the buildings in which the scenario differs from the baseline and all their shadows, none of
-/// them taken longer than `longestM`. Empty if the cities are equal.
-Box2 boundChangedShadows(const City& baseline, const City& scenario, std::span<const SunStep> steps,
-                         double longestM);
+/// A box around all buildings of a city and their shadows, none of them taken longer than `longestM`. Empty
+/// if there is no building.
+Box2 boundShadows(const City& city, std::span<const SunStep> steps, double longestM);
 
 }  // namespace noonmark

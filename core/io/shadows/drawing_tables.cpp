@@ -1,0 +1,105 @@
+#include "core/io/shadows/drawing_tables.h"
+
+namespace noonmark {
+
+namespace {
+
+using Columns = std::vector<DrawingColumn>;
+
+const DrawingValue text = std::string(), number = 0.0, instant = Instant();
+
+Columns sunColumns() {
+    return {{"time", text}, {"utc", instant}, {"azimuth_deg", number}, {"altitude_deg", number}};
+}
+
+std::vector<DrawingValue> sunValues(const DrawnTime& time) {
+    return {time.clock, time.sun.at, double(time.sun.azimuthDeg), double(time.sun.altitudeDeg)};
+}
+
+void append(std::vector<DrawingValue>& values, std::vector<DrawingValue> more) {
+    values.insert(values.end(), more.begin(), more.end());
+}
+
+DrawingTable shadowTable(const ShadowDrawing& drawing) {
+    DrawingTable table{"shadows", false, sunColumns(), {}};
+    for (const char* name : {"kind", "area_m2", "cell_m"})
+        table.columns.push_back({name, std::string_view(name) == "kind" ? text : number});
+    for (const DrawnMoment& moment : drawing.moments)
+        for (const auto& [kind, polygons] : listShadows(moment.outlines)) {
+            if (polygons->empty()) continue;
+            DrawingRow& row = table.rows.emplace_back();
+            row.polygons = *polygons;
+            row.values = sunValues(moment.time);
+            append(row.values, {std::string(kind), area(*polygons), moment.outlines.cellM});
+        }
+    return table;
+}
+
+DrawingTable buildingTable(const ShadowDrawing& drawing) {
+    DrawingTable table{
+        "buildings",
+        false,
+        {{"id", text}, {"name", text}, {"state", text}, {"height_m", number}, {"bottom_m", number}},
+        {}};
+    for (const DrawnPart& part : drawing.buildings)
+        table.rows.push_back(
+            {{part.outline},
+             {},
+             {part.id, part.name, std::string(nameOf(part.state)), part.topM, part.bottomM}});
+    return table;
+}
+
+DrawingTable placeTable(const ShadowDrawing& drawing) {
+    DrawingTable table{"places", false, {{"name", text}, {"kind", text}, {"area_m2", number}}, {}};
+    for (const Place& place : drawing.places)
+        table.rows.push_back(
+            {place.polygons, {}, {place.name, std::string(nameOf(place.kind)), area(place.polygons)}});
+    return table;
+}
+
+DrawingTable fanTable(const ShadowDrawing& drawing) {
+    DrawingTable table{"fan", false, {{"day", text}}, {}};
+    for (DrawingColumn& column : sunColumns()) table.columns.push_back(std::move(column));
+    table.columns.push_back({"area_m2", number});
+    for (const DrawnFan& fan : drawing.fans)
+        for (const DrawnFanStep& step : fan.steps) {
+            if (step.outlines.empty()) continue;
+            DrawingRow& row = table.rows.emplace_back();
+            row.polygons = step.outlines;
+            row.values = {fan.name};
+            append(row.values, sunValues(step.time));
+            append(row.values, {area(step.outlines)});
+        }
+    return table;
+}
+
+DrawingTable isochroneTable(const ShadowDrawing& drawing) {
+    DrawingTable table{"isochrones", true, {{"minutes", number}, {"closed", number}}, {}};
+    for (const Isochrone& line : drawing.isochrones)
+        table.rows.push_back({{}, {pointsToDraw(line)}, {line.level, line.closed ? 1.0 : 0.0}});
+    return table;
+}
+
+}  // namespace
+
+std::vector<DrawingTable> makeDrawingTables(const ShadowDrawing& drawing) {
+    std::vector<DrawingTable> tables{shadowTable(drawing), buildingTable(drawing), placeTable(drawing),
+                                     fanTable(drawing), isochroneTable(drawing)};
+    std::erase_if(tables,
+                  [](const DrawingTable& table) { return table.rows.empty() && table.name != "shadows"; });
+    return tables;
+}
+
+std::vector<NamedShadow> listShadows(const ShadowOutlines& outlines) {
+    return {{"baseline", &outlines.baseline},
+            {"incremental", &outlines.incremental},
+            {"gained", &outlines.gained}};
+}
+
+std::vector<glm::vec2> pointsToDraw(const Isochrone& line) {
+    std::vector<glm::vec2> points = line.points;
+    if (line.closed && !points.empty()) points.push_back(points.front());
+    return points;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,78 @@
+#pragma once
+
+// The folder core/io/shadows writes outlines of shadows for other programs. ShadowDrawing (this file) is
+// everything that is written; write_shadows.h writes it as DXF, GeoPackage, GeoJSON or SVG. drawing_tables.h
+// has the rows of the layers, layer_names.h the names of layers in DXF, and ogr_drawing.h the coordinates and
+// shapes of GDAL.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/measures/outlines/isochrones.h"
+#include "core/measures/shadow_outlines.h"
+#include "core/receivers/place.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// A moment as drawings name it.
+struct DrawnTime {
+    std::string name;   ///< "2026-03-21_0900": in names of layers and files
+    std::string day;    ///< "2026-03-21": moments of a day share a fan
+    std::string clock;  ///< "2026-03-21 09:00 America/New_York": as shown
+    SunStep sun;
+};
+
+struct DrawnMoment {
+    DrawnTime time;
+    ShadowOutlines outlines;
+};
+
+struct DrawnFanStep {
+    DrawnTime time;
+    std::vector<Footprint> outlines;
+};
+
+/// A day's fan (core/measures/outlines/shadow_fan.h).
+struct DrawnFan {
+    std::string name;  ///< "2026-03-21"
+    std::vector<DrawnFanStep> steps;
+    std::vector<Footprint> all;
+};
+
+enum class BuildingState {
+    unchanged,
+    proposed,  ///< of the scenario alone
+    removed,   ///< of the baseline alone
+};
+std::string_view nameOf(BuildingState state);  ///< "unchanged", "proposed", "removed"
+
+/// One part of a building.
+struct DrawnPart {
+    std::string id, name;  ///< of the building
+    BuildingState state = BuildingState::unchanged;
+    Footprint outline;
+    double bottomM = 0, topM = 0;  ///< above the ground under the building
+};
+
+/// What a file of shadows holds. All polygons and lines are in local metres of the frame.
+struct ShadowDrawing {
+    Frame frame;
+    Box2 area;  ///< shadows are cut at its edges
+    std::vector<DrawnMoment> moments;
+    std::vector<DrawnPart> buildings;
+    std::vector<Place> places;
+    std::vector<DrawnFan> fans;
+    std::vector<Isochrone> isochrones;
+    std::vector<std::string> notes;  ///< lines of text: scenarios, method, sources
+};
+
+/// The parts of a city's buildings that meet the area.
+void addBuildings(const City& city, BuildingState state, const Box2& area, std::vector<DrawnPart>& to);
+
+/// The places that meet the area.
+std::vector<Place> choosePlacesIn(const std::vector<Place>& places, const Box2& area);
+
+}  // namespace noonmark

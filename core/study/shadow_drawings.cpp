@@ -1,0 +1,164 @@
+#include "core/study/shadow_drawings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/progress_share.h"
+#include "core/measures/outlines/shadow_fan.h"
+#include "core/measures/place_run.h"
+#include "core/review/rule_moments.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float drawingMarginM = 12;
+
+std::vector<SunStep> stepsOf(const std::vector<DrawnTime>& times) {
+    std::vector<SunStep> steps;
+    for (const DrawnTime& time : times) steps.push_back(time.sun);
+    return steps;
+}
+
+Box2 boxAround(const std::vector<Place>& places) {
+    Box2 box;
+    for (const Place& place : places)
+        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
+    return box;
+}
+
+/// What differs between the two cities.
+struct Changes {
+    City proposal, removed;
+};
+
+Changes findChanges(const City& baseline, const City* scenario) {
+    if (scenario == nullptr) return {};
+    return {keepOwnBuildings(*scenario, baseline), keepOwnBuildings(baseline, *scenario)};
+}
+
+Box2 chooseArea(const City& baseline, const Changes& changes, const std::vector<Place>& places,
+                const std::vector<SunStep>& steps, double longestM) {
+    Box2 reach = boundShadows(changes.proposal, steps, longestM);
+    if (const Box2 removed = boundShadows(changes.removed, steps, longestM); !removed.empty())
+        reach.add(removed);
+    if (reach.empty()) {
+        const Box2 around = boxAround(places);
+        return around.empty() ? bounds(baseline) : around;
+    }
+    const Box2 beside = reach;
+    for (const Place& place : choosePlacesIn(places, beside)) reach.add(boxAround({place}));
+    return reach;
+}
+
+Box2 widened(Box2 box) {
+    box.low -= drawingMarginM;
+    box.high += drawingMarginM;
+    return box;
+}
+
+Result<std::vector<DrawnFan>> drawFans(const City& proposal, const std::vector<DrawnTime>& times,
+                                       const OutlineSettings& settings, Progress& progress,
+                                       const std::stop_token& stop) {
+    std::vector<DrawnFan> fans;
+    for (auto first = times.begin(); first != times.end();) {
+        const auto end =
+            std::find_if(first, times.end(), [&](const DrawnTime& time) { return time.day != first->day; });
+        const std::vector<DrawnTime> ofDay(first, end);
+        auto fan = outlineShadowFan(proposal, stepsOf(ofDay), settings, progress, stop);
+        if (!fan) return tl::make_unexpected(fan.error());
+        DrawnFan& drawn = fans.emplace_back(DrawnFan{first->day, {}, std::move(fan->all)});
+        for (std::size_t i = 0; i < ofDay.size(); ++i)
+            drawn.steps.push_back({ofDay[i], std::move(fan->ofStep[i])});
+        first = end;
+    }
+    return fans;
+}
+
+void addAllBuildings(const City& baseline, const City* scenario, const Changes& changes,
+                     ShadowDrawing& drawing) {
+    const City unchanged =
+        changes.removed.buildings.empty() ? baseline : keepOwnBuildings(baseline, changes.removed);
+    addBuildings(unchanged, BuildingState::unchanged, drawing.area, drawing.buildings);
+    if (scenario == nullptr) return;
+    addBuildings(changes.proposal, BuildingState::proposed, drawing.area, drawing.buildings);
+    addBuildings(changes.removed, BuildingState::removed, drawing.area, drawing.buildings);
+}
+
+std::vector<DrawnTime> timesOf(const std::vector<RuleMoment>& moments, const std::string& clock) {
+    std::vector<DrawnTime> times;
+    for (const RuleMoment& moment : moments) {
+        const std::string day = formatText(moment.day);
+        std::string digits = moment.clock;
+        std::erase(digits, ':');
+        times.push_back(
+            {day + "_" + digits, day, fmt::format("{} {} {}", day, moment.clock, clock), moment.sun});
+    }
+    return times;
+}
+
+/// The day of most incremental shadow on any place.
+std::vector<std::chrono::month_day> worstDay(const ReviewStudy& study) {
+    const PlaceReview* worst = nullptr;
+    for (const PlaceReview& place : study.places)
+        if (place.totals.largestDay &&
+            (worst == nullptr || place.totals.incrementalM2h > worst->totals.incrementalM2h))
+            worst = &place;
+    if (worst == nullptr) return {};
+    return {{worst->totals.largestDay->month(), worst->totals.largestDay->day()}};
+}
+
+}  // namespace
+
+Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
+                                  const std::vector<Place>& places, const std::vector<DrawnTime>& times,
+                                  const DrawingSettings& settings, Progress& progress,
+                                  const std::stop_token& stop) {
+    const Changes changes = findChanges(baseline, scenario);
+    const std::vector<SunStep> steps = stepsOf(times);
+    ShadowDrawing drawing;
+    drawing.frame = baseline.frame;
+    drawing.area =
+        settings.area.value_or(widened(chooseArea(baseline, changes, places, steps, settings.longestM)));
+    const OutlineSettings outlining{drawing.area, settings.cellM};
+    ProgressShare share(progress, 0, 2);
+    auto outlines = outlineShadows(baseline, scenario, steps, outlining, share, stop);
+    if (!outlines) return tl::make_unexpected(outlines.error());
+    for (std::size_t i = 0; i < times.size(); ++i)
+        drawing.moments.push_back({times[i], std::move((*outlines)[i])});
+    if (settings.withFans && !changes.proposal.buildings.empty()) {
+        ProgressShare rest(progress, 1, 2);
+        auto fans = drawFans(changes.proposal, times, outlining, rest, stop);
+        if (!fans) return tl::make_unexpected(fans.error());
+        drawing.fans = *std::move(fans);
+    }
+    drawing.places = choosePlacesIn(places, drawing.area);
+    addAllBuildings(baseline, scenario, changes, drawing);
+    return drawing;
+}
+
+Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,
+                                        const std::vector<Place>& places, Progress& progress,
+                                        const std::stop_token& stop) {
+    const Rule& rule = study.rule;
+    const auto moments =
+        computeRuleMoments(rule, {observerOfPlaces(baseline), study.settings.zone, study.year},
+                           {.moreDays = worstDay(study)}, stop);
+    if (!moments) return tl::make_unexpected(moments.error());
+    const bool alone = rule.occluders.casters == RuleCasters::proposal;
+    const City before = alone ? keepOwnBuildings(baseline, scenario) : baseline,
+               after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
+    auto drawing = drawShadows(before, &after, places, timesOf(*moments, study.clock),
+                               {.cellM = study.settings.cellM}, progress, stop);
+    if (!drawing) return tl::make_unexpected(drawing.error());
+    if (alone)
+        addBuildings(keepOwnBuildings(baseline, before), BuildingState::unchanged, drawing->area,
+                     drawing->buildings);
+    drawing->notes.push_back("Rule: " + rule.name);
+    if (rule.receivers.surface == RuleSurface::plane)
+        drawing->notes.push_back("Shadows are on the ground, not on the rule's plane above it");
+    return drawing;
+}
+
+}  // namespace noonmark

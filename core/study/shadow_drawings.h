@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/io/shadows/shadow_drawing.h"
+#include "core/study/review_study.h"
+
+namespace noonmark {
+
+struct DrawingSettings {
+    /// None: a box around what the scenario changes, its shadows up to `longestM`, and the places that these
+    /// can reach; without a change, around the places; without places, around the city.
+    std::optional<Box2> area;
+    double longestM = 1500;  ///< of shadows that widen the area
+    double cellM = 1;        ///< on terrain, 0.25 to 10
+    bool withFans = true;
+};
+
+/// The shadows of a baseline and a scenario (null: the baseline alone) at several times, with buildings,
+/// places and, of the scenario, each day's fan. Errors of outlineShadows(), and where there is no area.
+Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
+                                  const std::vector<Place>& places, const std::vector<DrawnTime>& times,
+                                  const DrawingSettings& settings, Progress& progress,
+                                  const std::stop_token& stop);
+
+/// The moments that the rule of a review wants drawn (computeRuleMoments), with the casters that it counts.
+/// Shadows are on the ground, also of a rule about a plane above it.
+Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,
+                                        const std::vector<Place>& places, Progress& progress,
+                                        const std::stop_token& stop);
+
+}  // namespace noonmark
