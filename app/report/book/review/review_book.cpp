@@ -16,7 +16,8 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
     if (!scene) return tl::make_unexpected(scene.error());
     Book book = beginBook(settings, QStringLiteral("Shadow review: ") + plainText(source.study.rule.name),
                           source.labels.provenance.attribution);
-    for (const MakePages make : {makeSummaryPages, makeDiagramPages, makeFanPages, makeSunViewPages}) {
+    for (const MakePages make :
+         {makeSummaryPages, makeDiagramPages, makeFanPages, makeIsochronePages, makeSunViewPages}) {
         auto pages = make(*scene, progress, stop);
         if (!pages) return tl::make_unexpected(pages.error());
         appendPages(book.pages, *std::move(pages));
