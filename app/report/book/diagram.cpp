@@ -130,8 +130,10 @@ private:
                     longest = std::size_t(&line - value.lines.data());
             }
             if (!value.lines.empty() && !value.lines[longest].empty())
-                paintMark(view_.at(value.lines[longest][value.lines[longest].size() / 2]), value.label,
-                          value.isDistance ? ink::text : shade::incremental.darker(130));
+                paintMark(view_.at(*std::ranges::max_element(
+                              value.lines[longest], {},
+                              [&](glm::dvec2 point) { return glm::distance(point, diagram_.centre); })),
+                          value.label, value.isDistance ? ink::text : shade::incremental.darker(130));
         }
     }
 
