@@ -6,12 +6,15 @@
 #include "app/report/book/flow.h"
 #include "app/report/maps/palette.h"
 #include "app/report/sheets/impact_report.h"
+#include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/score_report.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 
 namespace {
 
+constexpr std::size_t commandLetters = 60;  // in a line of a column
 constexpr double tablePt = 7.8;
 
 QString areaText(const BookSettings& settings, double m2) {
@@ -49,12 +52,13 @@ void appendPages(Book& book, std::vector<BookPage> pages) {
     std::move(pages.begin(), pages.end(), std::back_inserter(book.pages));
 }
 
-void addText(Book& book, const Sheet& sheet) {
+/// The sections of a sheet end with the command, which is repeated here in lines that fit a column.
+void addText(Book& book, const Sheet& sheet, const TextBlocks& repeat) {
     TextBlocks blocks{heading(QStringLiteral("Definitions"))};
     const auto add = [&](const TextBlocks& more) { blocks.insert(blocks.end(), more.begin(), more.end()); };
     add(sheet.definitions);
-    for (const TextBlocks& section : sheet.sections) add(section);
-    add(sheet.repeat);
+    for (std::size_t i = 0; i + 1 < sheet.sections.size(); ++i) add(sheet.sections[i]);
+    add(repeat);
     const QString title = QStringLiteral("Method and sources");
     appendPages(book, makeTextPages(book.setup, {title, {}, title, 0, {}}, blocks));
 }
@@ -185,7 +189,8 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
     addMaps(book, sheet);
     book.pages.push_back(sideBySide(answer, source, settings.setup));
     appendPages(book, contributionPages(answer, settings));
-    addText(book, sheet);
+    addText(book, sheet,
+            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance)));
     return book;
 }
 
@@ -196,7 +201,8 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     addMaps(book, sheet);
     if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings.setup));
     appendPages(book, intervalPages(answer, settings));
-    addText(book, sheet);
+    addText(book, sheet,
+            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance)));
     return book;
 }
 

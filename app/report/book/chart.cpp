@@ -183,10 +183,19 @@ QColor carpetColour(double share, bool isIncremental) {
     return impactColour(0.15 + 0.85 * share);
 }
 
+/// The place's area, unless little of it is ever in shadow.
+static double topOf(const PageTimeline& chart) {
+    constexpr double leastShare = 0.2, headroom = 1.15;
+    double most = 0;
+    for (const TimelinePoint& point : chart.points)
+        most = std::max({most, point.baselineM2 + point.incrementalM2, point.scenarioM2});
+    return std::max(1.0, most < leastShare * chart.areaM2 ? headroom * most : chart.areaM2);
+}
+
 void paintTimeline(const Canvas& canvas, const QRectF& area, const PageTimeline& chart) {
     const QRectF rest = withoutCaption(canvas, area, chart.caption, chart.textScale);
     const Plot plot(canvas, rest, chart.textScale, chart.fromMin, std::max(chart.toMin, chart.fromMin + 1),
-                    std::max(1.0, chart.areaM2));
+                    topOf(chart));
     canvas.painter.save();
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     paintBands(canvas, plot, chart);

@@ -122,14 +122,18 @@ private:
             for (const auto& line : value.lines) {
                 QPolygonF points;
                 for (const glm::dvec2 point : line) points << view_.at(point);
-                canvas_.painter.setPen(linePen(canvas_, shade::incremental, 1));
+                QPen pen = linePen(canvas_, value.isDistance ? ink::text : shade::incremental, 0.9);
+                if (value.isDistance) pen.setDashPattern({4, 2});
+                canvas_.painter.setPen(pen);
                 canvas_.painter.drawPolyline(points);
                 if (line.size() > value.lines[longest].size())
                     longest = std::size_t(&line - value.lines.data());
             }
             if (!value.lines.empty() && !value.lines[longest].empty())
-                paintMark(view_.at(value.lines[longest][value.lines[longest].size() / 2]), value.label,
-                          shade::incremental.darker(130));
+                paintMark(view_.at(*std::ranges::max_element(
+                              value.lines[longest], {},
+                              [&](glm::dvec2 point) { return glm::distance(point, diagram_.centre); })),
+                          value.label, value.isDistance ? ink::text : shade::incremental.darker(130));
         }
     }
 

@@ -37,9 +37,10 @@ struct FanShadow {
     std::vector<Footprint> polygons;
 };
 
-/// A line on which a value is the same.
+/// A line on which a value is the same, or at a distance from a parcel.
 struct ValueLine {
     QString label;
+    bool isDistance = false;                     ///< dashed
     std::vector<std::vector<glm::dvec2>> lines;  ///< local metres
 };
 

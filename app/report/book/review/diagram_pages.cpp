@@ -11,6 +11,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr std::size_t mostIsochroneDays = 4;
 constexpr double mostFanScale = 10000;
 constexpr double pictureDpi = 200;
 constexpr double mostPicturePixels = 2200;  // a picture for large paper need not be finer
@@ -166,10 +167,14 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
                        "North is up.")
             .arg(plainText(scene.source.labels.to)),
         areas);
+    double commonScale = 0;  // the foot of a page states one
+    for (const auto& [day, moments] : byDay(scene.moments))
+        commonScale =
+            std::max(commonScale, fitInto(areas.front(), scale, reachOf(scene, moments), mostFanScale).scale);
     for (const auto& [day, moments] : byDay(scene.moments)) {
         progress.report(0, "drawing shadow fans");
-        const Box2 reach = reachOf(scene, moments);
-        const DiagramLayout layout = fitInto(areas.front(), scale, reach, mostFanScale);
+        DiagramLayout layout = fitInto(areas.front(), scale, reachOf(scene, moments), mostFanScale);
+        layout.scale = commonScale;
         const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
         std::vector<SunStep> steps;
         for (const DiagramMoment& moment : moments) steps.push_back(moment.sun);
@@ -186,6 +191,27 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
             QStringLiteral("1:%1. Existing buildings do not hide these shadows")
                 .arg(std::llround(layout.scale))};
         addDiagram(scene, pages, day, std::move(diagram));
+    }
+    return pages.finish();
+}
+
+Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progress& progress,
+                                                 const std::stop_token& stop) {
+    const auto& diagrams = scene.source.study.rule.deliverables.diagrams;
+    if (!diagrams || std::ranges::find(diagrams->views, "isochrones") == diagrams->views.end())
+        return std::vector<BookPage>{};
+    const PageSetup& setup = scene.settings.setup;
+    const auto areas = diagramAreas(setup, 1, 1);
+    const QString title = QStringLiteral("Lines of equal hours of shadow");
+    MomentPages pages(title,
+                      QStringLiteral("%1. Dashed: distances from the parcel. North is up.")
+                          .arg(plainText(scene.source.labels.to)),
+                      areas);
+    for (std::size_t i = 0; i < std::min(mostIsochroneDays, scene.sun.sun.days.size()); ++i) {
+        progress.report(0, "drawing lines of equal hours");
+        auto diagram = makeIsochrones(scene, i, areas.front(), stop);
+        if (!diagram) return tl::make_unexpected(diagram.error());
+        addDiagram(scene, pages, scene.sun.sun.days[i].date, *std::move(diagram));
     }
     return pages.finish();
 }

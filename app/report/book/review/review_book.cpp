@@ -18,7 +18,8 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
     Book book = beginBook(settings, QStringLiteral("Shadow review: ") + plainText(source.study.rule.name),
                           source.labels.provenance.attribution);
     book.record = {QStringLiteral("review.json"), toJsonText(reviewJson(source.study, source.labels))};
-    for (const MakePages make : {makeSummaryPages, makeDiagramPages, makeFanPages, makeSunViewPages}) {
+    for (const MakePages make :
+         {makeSummaryPages, makeDiagramPages, makeFanPages, makeIsochronePages, makeSunViewPages}) {
         auto pages = make(*scene, progress, stop);
         if (!pages) return tl::make_unexpected(pages.error());
         appendPages(book.pages, *std::move(pages));

@@ -69,6 +69,12 @@ Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progres
                                                const std::stop_token& stop);
 Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
+/// Lines of equal hours of shadow on a day (index in RuleSun::sun.days), around what changes.
+Result<Diagram> makeIsochrones(const ReviewScene& scene, std::size_t day, const QRectF& area,
+                               const std::stop_token& stop);
+/// Of rules whose diagrams have them.
+Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progress& progress,
+                                                 const std::stop_token& stop);
 Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& progress,
                                            const std::stop_token& stop);
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
