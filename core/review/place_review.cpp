@@ -110,13 +110,20 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
         review.verdict = verdict;
         review.reason = std::move(reason);
     };
+    // A criterion about nothing that was measured would hold.
+    const auto leaveUnjudged = [&](Verdict verdict, std::string reason) {
+        for (CriterionResult& result : review.results) result.verdict = verdict;
+        end(verdict, std::move(reason));
+    };
     if (!covers(*rule_, review.kind))
-        return end(Verdict::notApplicable,
-                   fmt::format("The rule does not cover places of the kind '{}'", nameOf(review.kind)));
+        return leaveUnjudged(
+            Verdict::notApplicable,
+            fmt::format("The rule does not cover places of the kind '{}'", nameOf(review.kind)));
     if (rule_->receivers.surface == RuleSurface::windows)
-        return end(Verdict::notChecked, "The rule is about windows, which are not measured");
-    if (review.areaM2 <= 0) return end(Verdict::notChecked, "The place has no cell where shadow is measured");
-    if (!sunWasUp_) return end(Verdict::notChecked, "The sun is not up in the rule's hours");
+        return leaveUnjudged(Verdict::notChecked, "The rule is about windows, which are not measured");
+    if (review.areaM2 <= 0)
+        return leaveUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
+    if (!sunWasUp_) return leaveUnjudged(Verdict::notChecked, "The sun is not up in the rule's hours");
     const Criterion* deciding = nullptr;
     const CriterionResult* result = nullptr;
     for (std::size_t i = 0; i < review.results.size(); ++i) {

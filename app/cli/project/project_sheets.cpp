@@ -11,7 +11,7 @@ namespace noonmark::cli {
 
 namespace {
 
-struct SheetOptions {
+struct TitleBlockOptions {
     ChangeOptions change;
     std::optional<std::string> project, author, client, date, sheetPrefix, units, logo;
 };
@@ -31,7 +31,7 @@ std::string describe(const SheetSettings& sheets) {
     return words.str();
 }
 
-Result<std::string> change(const SheetOptions& options, Project& project) {
+Result<std::string> change(const TitleBlockOptions& options, Project& project) {
     TitleBlock& block = project.sheets.titleBlock;
     if (options.project) block.project = *options.project;
     if (options.author) block.author = *options.author;
@@ -51,7 +51,7 @@ Result<std::string> change(const SheetOptions& options, Project& project) {
 }  // namespace
 
 void addProjectSheets(CLI::App& project, Run& run) {
-    const auto options = std::make_shared<SheetOptions>();
+    const auto options = std::make_shared<TitleBlockOptions>();
     CLI::App* command =
         addChangeCommand(project, "sheets", "Set the title block of the sheets, and the units of results",
                          options, change, run);

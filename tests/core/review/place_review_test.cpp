@@ -180,6 +180,7 @@ TEST(PlaceReview, StatesWhyThereIsNoVerdict) {
     noCells.shadow.baseline = noCells.shadow.scenario = StepMasks(0, 1);
     built.add(noCells.shadow);
     EXPECT_EQ(built.finish().verdict, notChecked);
+    EXPECT_THAT(built.finish().results, testing::Each(testing::Field(&CriterionResult::verdict, notChecked)));
     Rule windows = rule;
     windows.receivers.surface = RuleSurface::windows;
     EXPECT_EQ(verdictOf(windows, {lit(9)}, {lit(9)}), notChecked);

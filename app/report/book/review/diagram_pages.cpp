@@ -167,6 +167,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
                        "North is up.")
             .arg(plainText(scene.source.labels.to)),
         areas);
+    const City proposal = keepOwnBuildings(scene.after, scene.before);
     double commonScale = 0;  // the foot of a page states one
     for (const auto& [day, moments] : byDay(scene.moments))
         commonScale =
@@ -179,8 +180,8 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
         std::vector<SunStep> steps;
         for (const DiagramMoment& moment : moments) steps.push_back(moment.sun);
         NoProgress quiet;
-        auto fan = outlineShadowFan(scene.before, scene.after, steps,
-                                    {ground, scene.source.study.settings.cellM}, quiet, stop);
+        auto fan =
+            outlineShadowFan(proposal, steps, {ground, scene.source.study.settings.cellM}, quiet, stop);
         if (!fan) return tl::make_unexpected(fan.error());
         Diagram diagram{scene.diagrams, {}, {}, {}, layout.centre, layout.scale, {}, scale};
         diagram.shadows.cellM = fan->cellM;
