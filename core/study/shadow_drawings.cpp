@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "core/base/progress_share.h"
 #include "core/measures/outlines/shadow_fan.h"
@@ -47,9 +48,10 @@ Box2 chooseArea(const City& baseline, const Changes& changes, const std::vector<
         const Box2 around = boxAround(places);
         return around.empty() ? bounds(baseline) : around;
     }
-    const Box2 beside = reach;
-    for (const Place& place : choosePlacesIn(places, beside)) reach.add(boxAround({place}));
-    return reach;
+    Box2 around = boundShadows(changes.proposal, {}, 0);
+    around.add(boundShadows(changes.removed, {}, 0));
+    for (const Place& place : choosePlacesIn(places, reach)) around.add(boxAround({place}));
+    return places.empty() ? reach : Box2{glm::max(around.low, reach.low), glm::min(around.high, reach.high)};
 }
 
 Box2 widened(Box2 box) {

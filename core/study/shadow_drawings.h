@@ -13,10 +13,10 @@
 namespace noonmark {
 
 struct DrawingSettings {
-    /// None: a box around what the scenario changes, its shadows up to `longestM`, and the places that these
-    /// can reach; without a change, around the places; without places, around the city.
+    /// None: a box around what the scenario changes and the places that its shadows reach, cut where these
+    /// end; without places, around its shadows; without a change, around the places, or else the city.
     std::optional<Box2> area;
-    double longestM = 1500;  ///< of shadows that widen the area
+    double longestM = 1500;  ///< of the shadows that bound the area
     double cellM = 1;        ///< on terrain, 0.25 to 10
     bool withFans = true;
 };
