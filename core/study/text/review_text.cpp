@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/version.h"
 #include "core/review/review_columns.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_text.h"
@@ -160,6 +161,7 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
               {"to", labels.to},
               {"places", places},
               {"not_checked", study.notChecked},
+              {"program", std::string("Noonmark ") + std::string(version())},
               {"rule_name", study.rule.name},
               {"choices", chosen},
               {"status", ruleNameOf(figureStatusNames(), leastSure(study.rule))},
