@@ -38,13 +38,9 @@ public:
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.3f}mm\" height=\"{1:.3f}mm\" "
             "viewBox=\"0 0 {0:.3f} {1:.3f}\">\n",
             size_.x, size_.y + footMm);
-        print("<defs><clipPath id=\"map\"><rect width=\"{:.3f}\" height=\"{:.3f}\"/></clipPath></defs>\n",
-              size_.x, size_.y);
     }
 
-    void begin(std::string_view id, const char* style) {
-        print("<g id=\"{}\" clip-path=\"url(#map)\" {}>\n", escaped(id), style);
-    }
+    void begin(std::string_view id, const char* style) { print("<g id=\"{}\" {}>\n", escaped(id), style); }
     void end() { text_ += "</g>\n"; }
 
     void addPolygons(const std::vector<Footprint>& polygons, std::string_view title) {
@@ -56,7 +52,11 @@ public:
         print("\"><title>{}</title></path>\n", escaped(title));
     }
 
+    // Buildings reach beyond the map: the foot covers them. A clip path would be simpler, but some programs
+    // draw its outside.
     std::string finish(std::string_view foot) {
+        print("<rect y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\" fill=\"#ffffff\"/>\n", size_.y, size_.x,
+              footMm);
         print(
             "<rect width=\"{:.3f}\" height=\"{:.3f}\" fill=\"none\" stroke=\"#808080\" "
             "stroke-width=\"0.1\"/>\n",

@@ -1,3 +1,4 @@
+#include <cpl_error.h>
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -6,6 +7,7 @@
 #include <chrono>
 
 #include "core/base/gdal_calls.h"
+#include "core/io/footprints/ogr_polygons.h"
 #include "core/io/shadows/drawing_tables.h"
 #include "core/io/shadows/ogr_drawing.h"
 #include "core/io/shadows/write_shadows.h"
@@ -39,11 +41,32 @@ void setValue(OGRFeature& feature, int field, const DrawingValue& value) {
         setInstant(feature, field, std::get<Instant>(value));
 }
 
+// Where a corner lies on another edge, the change of coordinates may move it across that edge by a nanometre.
+std::unique_ptr<OGRGeometry> validPolygons(std::unique_ptr<OGRGeometry> polygons) {
+    CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);  // IsValid reports each defect
+    if (polygons->IsValid()) return polygons;
+    std::unique_ptr<OGRGeometry> valid(polygons->MakeValid());
+    if (!valid) return polygons;
+    auto all = std::make_unique<OGRMultiPolygon>();
+    for (const CrsPolygon& rings : readPolygons(*valid)) {
+        OGRPolygon polygon;
+        for (const auto& ring : rings) {
+            OGRLinearRing line;
+            for (const glm::dvec2 point : ring) line.addPoint(point.x, point.y);
+            line.closeRings();
+            polygon.addRing(&line);
+        }
+        polygon.flattenTo2D();
+        all->addGeometry(&polygon);
+    }
+    return all;
+}
+
 bool writeRow(OGRLayer& layer, const DrawingTable& table, const DrawingRow& row, const OgrDrawing& shapes) {
     OGRFeature feature(layer.GetLayerDefn());
     for (std::size_t i = 0; i < row.values.size(); ++i) setValue(feature, int(i), row.values[i]);
     if (!table.isOfLines) {
-        feature.SetGeometryDirectly(shapes.multiPolygon(row.polygons).release());
+        feature.SetGeometryDirectly(validPolygons(shapes.multiPolygon(row.polygons)).release());
         return layer.CreateFeature(&feature) == OGRERR_NONE;
     }
     return std::ranges::all_of(row.lines, [&](const auto& points) {
