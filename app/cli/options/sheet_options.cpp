@@ -1,12 +1,11 @@
 #include "app/cli/options/sheet_options.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "app/cli/options/number_range.h"
+#include "app/report/book/review/review_book.h"
 #include "core/io/files/plain_file.h"
 
 namespace noonmark::cli {
@@ -85,13 +84,10 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
 }
 
 std::vector<RepeatOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings) {
-    std::vector<RepeatOption> repeat{{"--paper", {options.paper}}};
-    if (options.landscape) repeat.push_back({"--landscape", {}});
-    if (options.scale > 0) repeat.push_back({"--scale", {fmt::to_string(options.scale)}});
+    std::vector<RepeatOption> repeat = noonmark::makeRepeatOptions(settings);
     addText(repeat, "--title-project", options.project);
     addText(repeat, "--author", options.author);
     addText(repeat, "--client", options.client);
-    addText(repeat, "--date", settings.titleBlock.date);
     addText(repeat, "--sheet-prefix", options.prefix);
     return repeat;
 }

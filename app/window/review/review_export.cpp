@@ -19,13 +19,17 @@ Result<std::vector<std::filesystem::path>> exportReview(const ReviewExport& revi
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), review.ofRules.begin(), review.ofRules.end());
     putBefore(study->warnings, review.project.reading->warnings);
+    BookSettings sheets{{}, {}, review.project.sheets.titleBlock, review.project.sheets.units};
+    if (sheets.titleBlock.date.empty()) sheets.titleBlock.date = describeToday().toStdString();
     const ReviewLabels labels{
-        asked.from, asked.to,
-        provenanceOf(review.project, review.file ? &*review.file : nullptr, {asked.to, asked.from, {}, {}})};
-    const SheetSettings& sheets = review.project.sheets;
+        asked.from,
+        asked.to,
+        provenanceOf(review.project, review.file ? &*review.file : nullptr, {asked.to, asked.from, {}, {}}),
+        {},
+        makeRepeatOptions(sheets)};
     return writeReviewFiles(
         {*study, labels, *asked.before, *asked.after, asked.places, review.project.reading->heights},
-        {{{}, {}, sheets.titleBlock, sheets.units}, false, review.outputs}, folder, writing, stop);
+        {sheets, false, review.outputs}, folder, writing, stop);
 }
 
 }  // namespace noonmark

@@ -1,5 +1,7 @@
 #include "app/report/book/review/review_book.h"
 
+#include <fmt/format.h>
+
 #include "app/report/book/review/review_pages.h"
 #include "core/study/text/warnings_json.h"
 
@@ -10,6 +12,14 @@ namespace {
 using MakePages = Result<std::vector<BookPage>> (*)(const ReviewScene&, Progress&, const std::stop_token&);
 
 }  // namespace
+
+std::vector<RepeatOption> makeRepeatOptions(const BookSettings& settings) {
+    std::vector<RepeatOption> options{{"--paper", {std::string(nameOf(settings.setup.paper))}}};
+    if (settings.setup.landscape) options.push_back({"--landscape", {}});
+    if (settings.scale) options.push_back({"--scale", {fmt::to_string(*settings.scale)}});
+    if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});
+    return options;
+}
 
 Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& settings, Progress& progress,
                             const std::stop_token& stop) {
