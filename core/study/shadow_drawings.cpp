@@ -8,7 +8,6 @@
 #include "core/base/progress_share.h"
 #include "core/measures/outlines/shadow_fan.h"
 #include "core/measures/place_run.h"
-#include "core/review/rule_moments.h"
 
 namespace noonmark {
 
@@ -140,13 +139,17 @@ Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
     return drawing;
 }
 
+Result<std::vector<RuleMoment>> computeReviewMoments(const ReviewStudy& study, const City& baseline,
+                                                     int mostHoursADay, const std::stop_token& stop) {
+    return computeRuleMoments(study.rule, {observerOfPlaces(baseline), study.settings.zone, study.year},
+                              {.moreDays = worstDay(study), .mostHoursADay = mostHoursADay}, stop);
+}
+
 Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,
                                         const std::vector<Place>& places, Progress& progress,
                                         const std::stop_token& stop) {
     const Rule& rule = study.rule;
-    const auto moments =
-        computeRuleMoments(rule, {observerOfPlaces(baseline), study.settings.zone, study.year},
-                           {.moreDays = worstDay(study)}, stop);
+    const auto moments = computeReviewMoments(study, baseline, 0, stop);
     if (!moments) return tl::make_unexpected(moments.error());
     const bool alone = rule.occluders.casters == RuleCasters::proposal;
     const City before = alone ? keepOwnBuildings(baseline, scenario) : baseline,

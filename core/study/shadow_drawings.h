@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/io/shadows/shadow_drawing.h"
+#include "core/review/rule_moments.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {
@@ -28,7 +29,12 @@ Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
                                   const DrawingSettings& settings, Progress& progress,
                                   const std::stop_token& stop);
 
-/// The moments that the rule of a review wants drawn (computeRuleMoments), with the casters that it counts.
+/// The moments of a review to draw: computeRuleMoments(), and of a rule about a range of days also the day of
+/// most incremental shadow on any place. Sheets and drawings show the same days.
+Result<std::vector<RuleMoment>> computeReviewMoments(const ReviewStudy& study, const City& baseline,
+                                                     int mostHoursADay, const std::stop_token& stop);
+
+/// The moments of computeReviewMoments() at all full hours, with the casters that it counts.
 /// Shadows are on the ground, also of a rule about a plane above it.
 Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,
                                         const std::vector<Place>& places, Progress& progress,

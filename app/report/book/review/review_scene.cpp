@@ -1,19 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/period_words.h"
 #include "core/measures/place_run.h"
+#include "core/study/shadow_drawings.h"
 
 namespace noonmark {
 
 namespace {
 
-using std::chrono::month_day;
-
 constexpr int mostHoursADay = 6;
+constexpr float lowestSunDeg = 0.5F;  // shadows of a lower sun leave every page
 constexpr double farthestM = 1500;
 constexpr double marginM = 12;
 constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 4000.0, 5000.0};
@@ -22,72 +21,6 @@ SunStep sunAt(const Observer& observer, Instant at) {
     const SolarPosition sun = computeSolarPosition(observer, at);
     const glm::dvec3 direction = observer.frameFromPlace * toDirection(sun.azimuth, sun.altitudeApparent);
     return {glm::vec3(direction), float(sun.azimuth.value), float(sun.altitudeApparent.value), 0, at};
-}
-
-/// Whether one of the days lies within a week, when the sun is nearly the same.
-bool isNear(CivilDate date, const std::set<month_day>& days) {
-    return std::ranges::any_of(days, [&](month_day day) {
-        const std::chrono::sys_days other{CivilDate{date.year(), day.month(), day.day()}};
-        return std::abs((std::chrono::sys_days{date} - other).count()) <= 7;
-    });
-}
-
-/// Of a rule about a range of days: the days on which planners draw, and those of most shadow.
-std::vector<RuleDay> drawnDays(const ReviewBookSource& source, const RuleSun& sun) {
-    const Rule& rule = source.study.rule;
-    if (!rule.days.fixed.empty()) return rule.days.fixed;
-    std::set<month_day> days;
-    const CivilDate first = sun.sun.days.front().date, last = sun.sun.days.back().date;
-    for (const unsigned month : {3U, 6U, 9U, 12U}) {
-        const month_day day{std::chrono::month{month}, std::chrono::day{21}};
-        const CivilDate date{std::chrono::year{sun.year}, day.month(), day.day()};
-        if (rule.days.mirrored || (date >= first && date <= last)) days.insert(day);
-    }
-    const PlaceReview* worst = nullptr;
-    for (const PlaceReview& place : source.study.places)
-        if (place.totals.largestDay && (!worst || place.totals.incrementalM2h > worst->totals.incrementalM2h))
-            worst = &place;
-    if (worst && !isNear(*worst->totals.largestDay, days))
-        days.insert({worst->totals.largestDay->month(), worst->totals.largestDay->day()});
-    if (days.empty()) days.insert({first.month(), first.day()});
-    std::vector<RuleDay> drawn;
-    for (const month_day day : days) drawn.push_back({day, {}, {}, {}});
-    return drawn;
-}
-
-/// Full hours of the clock with the sun measured, at most so many, noon among them.
-std::vector<double> fullHours(const RuleSun& sun, const SunDay& day) {
-    if (day.count == 0) return {};
-    const auto minuteOf = [&](std::uint32_t step) {
-        return sun.clock.minutesOf(day.date, sun.sun.steps[step].at);
-    };
-    const int first = int(std::ceil(minuteOf(day.first) / 60 - 1e-3));
-    const int last = int(std::floor(minuteOf(day.first + day.count - 1) / 60 + 1e-3));
-    const int every = std::max(1, (last - first) / mostHoursADay + 1);
-    std::vector<double> hours;
-    for (int hour = first; hour <= last; ++hour)
-        if ((hour - 12) % every == 0) hours.push_back(hour * 60.0);
-    if (hours.empty()) hours.push_back(minuteOf(day.first + day.count / 2));
-    return hours;
-}
-
-std::vector<double> drawnTimes(const Rule& rule, const RuleSun& sun, const SunDay& day) {
-    const auto& diagrams = rule.deliverables.diagrams;
-    if (!diagrams) return fullHours(sun, day);
-    const auto own = diagrams->byDay.find({day.date.month(), day.date.day()});
-    const auto& times = own == diagrams->byDay.end() ? diagrams->timesMin : own->second;
-    return times.empty() ? fullHours(sun, day) : times;
-}
-
-void addMoments(ReviewScene& scene, const RuleSun& drawn) {
-    for (const SunDay& day : drawn.sun.days)
-        for (const double minute : drawnTimes(scene.source.study.rule, drawn, day)) {
-            const Instant at = drawn.clock.instantAt(day.date, minute);
-            const SunStep sun = sunAt(scene.observer, at);
-            if (sun.altitudeDeg <= 0.5F || sun.direction.z <= 0) continue;
-            scene.moments.push_back(
-                {day.date, minute, QString::fromStdString(drawn.clock.timeText(day.date, at)), sun});
-        }
 }
 
 Box2 grown(Box2 box, float by) {
@@ -191,10 +124,8 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
     const RuleSite site{observerOfPlaces(source.baseline), source.study.settings.zone, source.study.year};
     auto sun = computeRuleSun(rule, site, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    Rule drawnRule = rule;
-    drawnRule.days.fixed = drawnDays(source, *sun);
-    const auto drawn = computeRuleSun(drawnRule, site, stop);
-    if (!drawn) return tl::make_unexpected(drawn.error());
+    const auto moments = computeReviewMoments(source.study, source.baseline, mostHoursADay, stop);
+    if (!moments) return tl::make_unexpected(moments.error());
     auto diagrams = std::make_shared<DiagramScene>();
     diagrams->proposal = keepOwnBuildings(source.scenario, source.baseline);
     diagrams->removed = keepOwnBuildings(source.baseline, source.scenario);
@@ -208,7 +139,10 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
                       alone ? diagrams->proposal : source.scenario,
                       site.observer,
                       *std::move(sun)};
-    addMoments(scene, *drawn);
+    for (const RuleMoment& moment : *moments)
+        if (moment.sun.altitudeDeg > lowestSunDeg)
+            scene.moments.push_back(
+                {moment.day, moment.minutes, QString::fromStdString(moment.clock), moment.sun});
     return scene;
 }
 
