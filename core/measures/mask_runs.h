@@ -4,16 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace noonmark {
 
-/// Rows of bits, one row a step: bit c of each row belongs to the same receiver.
-struct BitRows {
-    std::size_t words = 0;  ///< of a row
-    std::vector<std::uint64_t> bits;
-
-    [[nodiscard]] std::size_t rows() const { return words == 0 ? 0 : bits.size() / words; }
+/// A row of bits, one row a step: bit c of each row belongs to the same receiver. The bits are those of
+/// `set` that are not in `unset`.
+struct BitRow {
+    const std::uint64_t* set = nullptr;    ///< null: no bit is set
+    const std::uint64_t* unset = nullptr;  ///< null: none
 };
 
 /// A run of set bits of one column.
@@ -24,7 +22,8 @@ struct ColumnRun {
 };
 
 /// The longest unbroken run of set bits in any column: the earliest, and of these the first column; none
-/// where no bit is set. O(bits / 64 x log length), all columns at once.
-std::optional<ColumnRun> findLongestColumnRun(BitRows rows);
+/// where no bit is set. Each row has `words` words. O(bits / 64 x log length) at most; columns without a run
+/// as long as one that is known cost less.
+std::optional<ColumnRun> findLongestColumnRun(std::span<const BitRow> rows, std::size_t words);
 
 }  // namespace noonmark

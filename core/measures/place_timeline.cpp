@@ -1,6 +1,7 @@
 #include "core/measures/place_timeline.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/measures/mask_runs.h"
 #include "core/measures/step_counts.h"
@@ -56,21 +57,23 @@ private:
     bool before_ = false;
 };
 
-// Rows of the steps with any such shadow, with an empty row where steps do not follow each other.
-std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const auto& wordAt) {
+// The steps' rows, with an empty row where steps do not follow each other.
+std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const StepMasks& of,
+                                           const StepMasks* without = nullptr) {
     const StepTimes times(shadow);
-    const std::size_t words = shadow.baseline.wordsPerStep();
-    BitRows rows{words, {}};
+    std::vector<BitRow> rows;
     std::vector<std::size_t> stepOfRow;
+    rows.reserve(shadow.steps.size());
+    stepOfRow.reserve(shadow.steps.size());
     for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
         if (step > 0 && times.breaks(step)) {
-            rows.bits.insert(rows.bits.end(), words, 0);
+            rows.emplace_back();
             stepOfRow.push_back(step);
         }
-        for (std::size_t word = 0; word < words; ++word) rows.bits.push_back(wordAt(step, word));
+        rows.push_back({of.at(step).data(), without == nullptr ? nullptr : without->at(step).data()});
         stepOfRow.push_back(step);
     }
-    const auto run = findLongestColumnRun(std::move(rows));
+    const auto run = findLongestColumnRun(rows, of.wordsPerStep());
     if (!run) return std::nullopt;
     const std::size_t first = stepOfRow[run->row], last = first + run->length - 1;
     return LongestStay{
@@ -78,16 +81,15 @@ std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const auto
 }
 
 void addLongestStays(const PlaceShadow& shadow, DayTimeline& day) {
-    const auto baseline = [&](std::size_t step, std::size_t i) { return shadow.baseline.at(step)[i]; };
-    const auto scenario = [&](std::size_t step, std::size_t i) { return shadow.scenario.at(step)[i]; };
-    if (day.baseline.minutes > 0) day.baseline.longest = findLongestStay(shadow, baseline);
-    if (day.scenario.minutes > 0) day.scenario.longest = findLongestStay(shadow, scenario);
-    if (day.incremental.minutes > 0)
-        day.incremental.longest = findLongestStay(
-            shadow, [&](std::size_t step, std::size_t i) { return scenario(step, i) & ~baseline(step, i); });
-    if (day.gained.minutes > 0)
-        day.gained.longest = findLongestStay(
-            shadow, [&](std::size_t step, std::size_t i) { return baseline(step, i) & ~scenario(step, i); });
+    const StepMasks &before = shadow.baseline, &after = shadow.scenario;
+    const bool differ = day.incremental.minutes > 0 || day.gained.minutes > 0;
+    if (day.baseline.minutes > 0) day.baseline.longest = findLongestStay(shadow, before);
+    if (!differ)
+        day.scenario.longest = day.baseline.longest;
+    else if (day.scenario.minutes > 0)
+        day.scenario.longest = findLongestStay(shadow, after);
+    if (day.incremental.minutes > 0) day.incremental.longest = findLongestStay(shadow, after, &before);
+    if (day.gained.minutes > 0) day.gained.longest = findLongestStay(shadow, before, &after);
 }
 
 }  // namespace

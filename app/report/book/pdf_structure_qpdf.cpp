@@ -1,9 +1,9 @@
-// Its headers warn unless the user says which smart pointers it expects: std::shared_ptr.
-#define POINTERHOLDER_TRANSITION 4
-#include <qpdf/Buffer.hh>
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFObjectHandle.hh>
-#include <qpdf/QPDFWriter.hh>
+// By qpdf's C interface: Clang 14 cannot compile its C++ headers as C++20.
+#include <qpdf/qpdf-c.h>
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
 
 #include "app/report/book/pdf_structure.h"
 
@@ -11,78 +11,146 @@ namespace noonmark {
 
 namespace {
 
-using Object = QPDFObjectHandle;
+using Object = qpdf_oh;
 
-Object textOf(const QString& text) { return Object::newUnicodeString(text.toStdString()); }
+/// A PDF in memory. Its objects live as long as it does. Methods throw std::runtime_error with qpdf's words.
+class Pdf {
+public:
+    explicit Pdf(const QByteArray& bytes) {
+        qpdf_silence_errors(data());
+        qpdf_set_suppress_warnings(data(), QPDF_TRUE);
+        qpdf_read_memory(data(), "book", bytes.constData(), static_cast<unsigned long long>(bytes.size()),
+                         nullptr);
+        check();
+    }
+
+    [[nodiscard]] Object root() const { return checked(qpdf_get_root(data())); }
+    [[nodiscard]] Object page(int number) const {
+        return checked(qpdf_get_page_n(data(), static_cast<std::size_t>(number)));
+    }
+    [[nodiscard]] Object text(const QString& text) const {
+        return checked(qpdf_oh_new_unicode_string(data(), text.toUtf8().constData()));
+    }
+    [[nodiscard]] Object name(const char* name) const { return checked(qpdf_oh_new_name(data(), name)); }
+    [[nodiscard]] Object integer(long long value) const {
+        return checked(qpdf_oh_new_integer(data(), value));
+    }
+    [[nodiscard]] Object yes() const { return checked(qpdf_oh_new_bool(data(), QPDF_TRUE)); }
+    [[nodiscard]] Object array() const { return checked(qpdf_oh_new_array(data())); }
+    [[nodiscard]] Object dictionary() const { return checked(qpdf_oh_new_dictionary(data())); }
+    /// A dictionary that others can refer to.
+    [[nodiscard]] Object sharedDictionary() const {
+        return checked(qpdf_make_indirect_object(data(), dictionary()));
+    }
+
+    void set(Object dictionary, const char* key, Object value) const {
+        qpdf_oh_replace_key(data(), dictionary, key, value);
+        check();
+    }
+    void append(Object array, Object item) const {
+        qpdf_oh_append_item(data(), array, item);
+        check();
+    }
+
+    [[nodiscard]] QByteArray write() const {
+        qpdf_init_write_memory(data());
+        qpdf_set_object_stream_mode(data(), qpdf_o_generate);
+        qpdf_write(data());
+        check();
+        return {reinterpret_cast<const char*>(qpdf_get_buffer(data())),
+                qsizetype(qpdf_get_buffer_length(data()))};
+    }
+
+private:
+    struct Cleanup {
+        using pointer = qpdf_data;
+        void operator()(qpdf_data data) const { qpdf_cleanup(&data); }
+    };
+
+    [[nodiscard]] qpdf_data data() const { return data_.get(); }
+    void check() const {
+        if (qpdf_has_error(data()) == QPDF_FALSE) return;
+        throw std::runtime_error(qpdf_get_error_full_text(data(), qpdf_get_error(data())));
+    }
+    [[nodiscard]] Object checked(Object object) const {
+        check();
+        return object;
+    }
+
+    std::unique_ptr<qpdf_data, Cleanup> data_{qpdf_init()};
+};
+
+Object addEntry(const Pdf& pdf, Object parent, const PdfBookmark& bookmark) {
+    const Object target = pdf.array();
+    pdf.append(target, pdf.page(bookmark.page));
+    pdf.append(target, pdf.name("/Fit"));
+    const Object entry = pdf.sharedDictionary();
+    pdf.set(entry, "/Title", pdf.text(bookmark.title));
+    pdf.set(entry, "/Parent", parent);
+    pdf.set(entry, "/Dest", target);
+    return entry;
+}
 
 /// Adds entries below `parent` as long as their level is at least `level`. Returns how many, with all below
 /// them.
-int addEntries(QPDF& pdf, Object parent, const std::vector<PdfBookmark>& bookmarks, std::size_t& next,
-               const std::vector<Object>& pages, int level) {
-    Object before;
+int addEntries(const Pdf& pdf, Object parent, const std::vector<PdfBookmark>& bookmarks, std::size_t& next,
+               int level) {
+    std::optional<Object> before;
     int count = 0;
     while (next < bookmarks.size() && bookmarks[next].level >= level) {
-        const PdfBookmark& bookmark = bookmarks[next++];
-        Object entry = pdf.makeIndirectObject(Object::newDictionary());
-        entry.replaceKey("/Title", textOf(bookmark.title));
-        entry.replaceKey("/Parent", parent);
-        Object target = Object::newArray();
-        target.appendItem(pages.at(std::size_t(bookmark.page)));
-        target.appendItem(Object::newName("/Fit"));
-        entry.replaceKey("/Dest", target);
-        if (before.isInitialized()) {
-            entry.replaceKey("/Prev", before);
-            before.replaceKey("/Next", entry);
+        const Object entry = addEntry(pdf, parent, bookmarks[next++]);
+        if (before) {
+            pdf.set(entry, "/Prev", *before);
+            pdf.set(*before, "/Next", entry);
         } else {
-            parent.replaceKey("/First", entry);
+            pdf.set(parent, "/First", entry);
         }
-        parent.replaceKey("/Last", entry);
-        count += 1 + addEntries(pdf, entry, bookmarks, next, pages, level + 1);
+        pdf.set(parent, "/Last", entry);
+        count += 1 + addEntries(pdf, entry, bookmarks, next, level + 1);
         before = entry;
     }
-    if (count > 0) parent.replaceKey("/Count", Object::newInteger(count));
+    if (count > 0) pdf.set(parent, "/Count", pdf.integer(count));
     return count;
 }
 
-void addLabels(Object root, const std::vector<QString>& labels) {
-    Object numbers = Object::newArray();
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        numbers.appendItem(Object::newInteger(static_cast<long long>(i)));
-        numbers.appendItem(Object::newDictionary({{"/P", textOf(labels[i])}}));
-    }
-    root.replaceKey("/PageLabels", Object::newDictionary({{"/Nums", numbers}}));
+void addOutline(const Pdf& pdf, const std::vector<PdfBookmark>& bookmarks) {
+    const Object outline = pdf.sharedDictionary();
+    pdf.set(outline, "/Type", pdf.name("/Outlines"));
+    std::size_t next = 0;
+    addEntries(pdf, outline, bookmarks, next, 0);
+    pdf.set(pdf.root(), "/Outlines", outline);
+    pdf.set(pdf.root(), "/PageMode", pdf.name("/UseOutlines"));
 }
 
-QByteArray withStructure(const QByteArray& bytes, const PdfStructure& structure) {
-    QPDF pdf;
-    pdf.setSuppressWarnings(true);
-    pdf.processMemoryFile("book", bytes.constData(), std::size_t(bytes.size()));
-    Object root = pdf.getRoot();
-    root.replaceKey("/Lang", textOf(structure.language));
-    root.replaceKey("/ViewerPreferences",
-                    Object::newDictionary({{"/DisplayDocTitle", Object::newBool(true)}}));
-    if (!structure.labels.empty()) addLabels(root, structure.labels);
-    if (!structure.bookmarks.empty()) {
-        Object outline = pdf.makeIndirectObject(Object::newDictionary());
-        outline.replaceKey("/Type", Object::newName("/Outlines"));
-        std::size_t next = 0;
-        addEntries(pdf, outline, structure.bookmarks, next, pdf.getAllPages(), 0);
-        root.replaceKey("/Outlines", outline);
-        root.replaceKey("/PageMode", Object::newName("/UseOutlines"));
+void addLabels(const Pdf& pdf, const std::vector<QString>& labels) {
+    const Object numbers = pdf.array();
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const Object label = pdf.dictionary();
+        pdf.set(label, "/P", pdf.text(labels[i]));
+        pdf.append(numbers, pdf.integer(static_cast<long long>(i)));
+        pdf.append(numbers, label);
     }
-    QPDFWriter writer(pdf);
-    writer.setOutputMemory();
-    writer.setObjectStreamMode(qpdf_o_generate);
-    writer.write();
-    const auto buffer = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(buffer->getBuffer()), qsizetype(buffer->getSize())};
+    const Object tree = pdf.dictionary();
+    pdf.set(tree, "/Nums", numbers);
+    pdf.set(pdf.root(), "/PageLabels", tree);
+}
+
+void showTitle(const Pdf& pdf) {
+    const Object preferences = pdf.dictionary();
+    pdf.set(preferences, "/DisplayDocTitle", pdf.yes());
+    pdf.set(pdf.root(), "/ViewerPreferences", preferences);
 }
 
 }  // namespace
 
-Result<QByteArray> addPdfStructure(const QByteArray& pdf, const PdfStructure& structure) {
+Result<QByteArray> addPdfStructure(const QByteArray& bytes, const PdfStructure& structure) {
     try {
-        return withStructure(pdf, structure);
+        const Pdf pdf(bytes);
+        pdf.set(pdf.root(), "/Lang", pdf.text(structure.language));
+        showTitle(pdf);
+        if (!structure.labels.empty()) addLabels(pdf, structure.labels);
+        if (!structure.bookmarks.empty()) addOutline(pdf, structure.bookmarks);
+        return pdf.write();
     } catch (const std::exception& error) {
         return internalError(std::string("The PDF could not be completed: ") + error.what());
     }

@@ -98,10 +98,12 @@ TEST(PlaceTimeline, APlaceWithoutShadowOrWithoutCellsHasNone) {
 TEST(MaskRuns, TheLongestRunOfAColumnIsThatOfCountingOneByOne) {
     std::mt19937 random(4);
     for (int round = 0; round < 200; ++round) {
-        const std::size_t rows = 1 + random() % 70, words = 1 + random() % 3;
-        BitRows bits{words, std::vector<std::uint64_t>(rows * words)};
+        const std::size_t rows = 1 + random() % 70, words = 1 + random() % 9;
+        std::vector<std::uint64_t> bits(rows * words);
+        std::vector<BitRow> bitRows;
+        for (std::size_t row = 0; row < rows; ++row) bitRows.push_back({&bits[row * words], nullptr});
         const int kind = round % 3;
-        for (std::uint64_t& word : bits.bits) {
+        for (std::uint64_t& word : bits) {
             word = std::uint64_t(random()) << 32U | random();
             if (kind > 0) word |= std::uint64_t(random()) << 32U | random();
             if (kind > 1) word |= ~(std::uint64_t(random()) << 32U & random());
@@ -109,17 +111,37 @@ TEST(MaskRuns, TheLongestRunOfAColumnIsThatOfCountingOneByOne) {
         std::size_t longest = 0;
         for (std::size_t column = 0; column < words * 64; ++column)
             for (std::size_t row = 0, run = 0; row < rows; ++row) {
-                run = (bits.bits[row * words + column / 64] >> (column % 64) & 1) != 0 ? run + 1 : 0;
+                run = (bits[row * words + column / 64] >> (column % 64) & 1) != 0 ? run + 1 : 0;
                 longest = std::max(longest, run);
             }
-        const auto found = findLongestColumnRun(bits);
+        const auto found = findLongestColumnRun(bitRows, words);
         ASSERT_EQ(found ? found->length : 0, longest);
         if (!found) continue;
         for (std::size_t row = found->row; row < found->row + longest; ++row)
-            EXPECT_TRUE(bits.bits[row * words + found->column / 64] >> (found->column % 64) & 1);
+            EXPECT_TRUE(bits[row * words + found->column / 64] >> (found->column % 64) & 1);
     }
-    EXPECT_FALSE(findLongestColumnRun({2, std::vector<std::uint64_t>(6)}));
-    EXPECT_FALSE(findLongestColumnRun({0, {}}));
+    const std::uint64_t none[2]{}, some[2]{5, 1};
+    EXPECT_FALSE(findLongestColumnRun(std::vector<BitRow>{{none}, {}, {some, some}}, 2));
+    EXPECT_FALSE(findLongestColumnRun({}, 2));
+}
+
+TEST(MaskRuns, OfEquallyLongRunsTheEarliestIsTakenAndThenTheFirstColumn) {
+    // Runs of two rows: column 300 in rows 1 and 2, columns 310 and 20 in rows 2 and 3.
+    std::vector<std::uint64_t> bits(4 * 5);
+    const auto set = [&](std::size_t row, std::size_t column) {
+        bits[row * 5 + column / 64] |= std::uint64_t{1} << column % 64;
+    };
+    for (const std::size_t row : {1, 2}) set(row, 300);
+    for (const std::size_t row : {2, 3})
+        for (const std::size_t column : {310, 20}) set(row, column);
+    std::vector<BitRow> rows;
+    for (std::size_t row = 0; row < 4; ++row) rows.push_back({&bits[row * 5], nullptr});
+    const ColumnRun earliest = findLongestColumnRun(rows, 5).value();
+    EXPECT_EQ(earliest.row, 1U);
+    EXPECT_EQ(earliest.column, 300U);
+    EXPECT_EQ(earliest.length, 2U);
+    rows[1] = {};
+    EXPECT_EQ(findLongestColumnRun(rows, 5).value().column, 20U);
 }
 
 TEST(PlaceSums, AddUpByMonthAndQuarterAndNameTheDayOfMost) {

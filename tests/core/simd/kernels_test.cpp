@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <random>
 
 #include "core/engines/accrual/depth_slice.h"
@@ -9,6 +10,7 @@
 #include "core/engines/inverse/sources/facet_lanes.h"
 #include "core/engines/projected/counting/building_counts.h"
 #include "core/engines/projected/counting/word_runs.h"
+#include "core/engines/projected/masks/caster_extents.h"
 #include "core/simd/instruction_set.h"
 
 // Kernels that engines reach rarely, or with few of their cases, against plain loops.
@@ -157,6 +159,49 @@ TEST_P(Kernels, SpansOfAnyLengthRaiseTheirTexelsOnly) {
                 const float depth = slice.depth[std::size_t(row) * slice.stride + std::size_t(column)];
                 EXPECT_FLOAT_EQ(depth, inside ? 1 + 0.25F * (float(column) - 1.5F) : DepthSlice::empty);
             }
+    }
+}
+
+TEST_P(Kernels, CastersThatTouchAreThoseOfThePlainTest) {
+    for (int round = 0; round < 50; ++round) {
+        ReachLimits limits;
+        const double angle = number(0.0, 6.2);
+        limits.acrossUnit = {std::cos(angle), std::sin(angle)};
+        for (ReachLimits::Axis* axis : {&limits.x, &limits.y, &limits.across}) {
+            axis->low = number(-100.0, 100.0);
+            axis->high = axis->low + number(0.0, 50.0);
+            axis->least = number(-3.0, 0.0);
+            axis->most = number(0.0, 3.0);
+        }
+        CasterExtents extents;
+        for (int i = 0; i < 80; ++i) {
+            ShadowCaster caster;
+            caster.low = {number(-200.0, 200.0), number(-200.0, 200.0)};
+            caster.high = caster.low + glm::dvec2(number(0.0, 60.0), number(0.0, 60.0));
+            caster.topM = float(number(1, 90));
+            extents.add(caster);
+        }
+        const auto meets = [&](const ReachLimits::Axis& axis, double low, double high, std::size_t at) {
+            return low + axis.least * extents.topM[at] <= axis.high &&
+                   high + axis.most * extents.topM[at] >= axis.low;
+        };
+        const auto first = std::size_t(number(0, 16)), count = std::size_t(number(0, 64));
+        std::uint64_t expected = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t at = first + i;
+            double least = 1e30, most = -1e30;  // across: of the four corners
+            for (const double x : {extents.lowX[at], extents.highX[at]})
+                for (const double y : {extents.lowY[at], extents.highY[at]}) {
+                    const double across = x * limits.acrossUnit.x + y * limits.acrossUnit.y;
+                    least = std::min(least, across);
+                    most = std::max(most, across);
+                }
+            if (meets(limits.across, least, most, at) &&
+                meets(limits.x, extents.lowX[at], extents.highX[at], at) &&
+                meets(limits.y, extents.lowY[at], extents.highY[at], at))
+                expected |= std::uint64_t{1} << i;
+        }
+        ASSERT_EQ(findTouching(extents, first, count, limits), expected);
     }
 }
 

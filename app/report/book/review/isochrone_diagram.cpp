@@ -40,7 +40,7 @@ std::vector<double> levelsOf(const Rule& rule) {
         for (const Limit& limit : criterion.limits)
             if (criterion.measure == Measure::spotTotal && !limit.ofFormer) levels.push_back(limit.value);
     std::ranges::sort(levels);
-    levels.erase(std::ranges::unique(levels).begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     return levels;
 }
 

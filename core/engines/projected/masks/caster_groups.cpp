@@ -37,7 +37,8 @@ CasterGroups::CasterGroups(const ShadowCasters& casters, double cellM) : casters
         squares[{std::llround(middle.y), std::llround(middle.x)}].push_back(i);
     }
     for (const auto& [square, some] : squares) {
-        enclosing_.push_back(encloseAll(casters, some));
+        enclosing_.add(encloseAll(casters, some));
+        for (const std::uint32_t i : some) extents_.add(casters.casters[i]);
         order_.insert(order_.end(), some.begin(), some.end());
         ends_.push_back(order_.size());
     }
@@ -45,8 +46,12 @@ CasterGroups::CasterGroups(const ShadowCasters& casters, double cellM) : casters
 
 std::vector<std::uint32_t> CasterGroups::nearestFirst(glm::dvec2 low, glm::dvec2 high) const {
     std::vector<double> away;
-    for (const ShadowCaster& group : enclosing_)
-        away.push_back(glm::length(glm::max(glm::dvec2(0), glm::max(group.low - high, low - group.high))));
+    away.reserve(count());
+    for (std::size_t group = 0; group < count(); ++group) {
+        const glm::dvec2 from(enclosing_.lowX[group], enclosing_.lowY[group]),
+            to(enclosing_.highX[group], enclosing_.highY[group]);
+        away.push_back(glm::length(glm::max(glm::dvec2(0), glm::max(from - high, low - to))));
+    }
     std::vector<std::uint32_t> order(count());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t group) { return away[group]; });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/engines/projected/casters/shadow_casters.h"
+#include "core/engines/projected/masks/caster_reach.h"
 
 namespace noonmark {
 
@@ -16,22 +17,26 @@ public:
     /// `casters` must outlive this object.
     CasterGroups(const ShadowCasters& casters, double cellM);
 
-    [[nodiscard]] std::size_t count() const { return enclosing_.size(); }
-    /// A prism from the ground to the group's highest point, with its bounds only.
-    [[nodiscard]] const ShadowCaster& enclosing(std::size_t group) const { return enclosing_[group]; }
-    /// Indices of the group's casters, the largest first.
-    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t group) const {
-        const std::size_t first = group == 0 ? 0 : ends_[group - 1];
-        return std::span(order_).subspan(first, ends_[group] - first);
-    }
+    [[nodiscard]] std::size_t count() const { return ends_.size(); }
+    /// Places in indices() and extents() of the group's casters: [firstOf, endOf).
+    [[nodiscard]] std::size_t firstOf(std::size_t group) const { return group == 0 ? 0 : ends_[group - 1]; }
+    [[nodiscard]] std::size_t endOf(std::size_t group) const { return ends_[group]; }
+    /// Indices of all casters, by group.
+    [[nodiscard]] std::span<const std::uint32_t> indices() const { return order_; }
+    [[nodiscard]] const CasterExtents& extents() const { return extents_; }
     [[nodiscard]] const ShadowCasters& casters() const { return *casters_; }
+
+    [[nodiscard]] bool mayTouch(std::size_t group, const CasterReach& reach) const {
+        return reach.touching(enclosing_, group, 1) != 0;
+    }
 
     /// All groups, those nearest to a rectangle of cells first: they cover it most.
     [[nodiscard]] std::vector<std::uint32_t> nearestFirst(glm::dvec2 low, glm::dvec2 high) const;
 
 private:
     const ShadowCasters* casters_ = nullptr;
-    std::vector<ShadowCaster> enclosing_;
+    CasterExtents enclosing_;  // of each group: a prism from the ground to its highest point
+    CasterExtents extents_;
     std::vector<std::uint32_t> order_;
     std::vector<std::size_t> ends_;
 };

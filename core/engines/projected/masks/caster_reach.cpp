@@ -27,49 +27,48 @@ Range extentAlong(glm::dvec2 low, glm::dvec2 high, glm::dvec2 along) {
     return {centre - reach, centre + reach};
 }
 
+// Offsets per metre, with that of heights between 0 and a little below the ground.
+void include0(ReachLimits::Axis& axis) {
+    axis.least = std::min(axis.least, 0.0);
+    axis.most = std::max(axis.most, 0.0);
+}
+
+// The range, wider by what casts from a little below the ground.
+void setRange(ReachLimits::Axis& axis, double low, double high) {
+    const double below = behindWallM * std::max(-axis.least, axis.most);
+    axis.low = low - below;
+    axis.high = high + below;
+}
+
 }  // namespace
 
 CasterReach::CasterReach(const SunSteps& sun, double cellM, std::size_t first, std::size_t end)
     : throws_(computeOffsets(sun, cellM, first, end)) {
     end = std::min(end, sun.steps.size());
+    limits_.x = {throws_.low.x, throws_.high.x, 0, 0};
+    limits_.y = {throws_.low.y, throws_.high.y, 0, 0};
     glm::dvec2 sum{};
     for (std::size_t step = first; step < end; ++step) {
         const glm::dvec2 thrown = shadowOffsetInCells(glm::dvec3(sun.steps[step].direction), cellM);
         if (const double length = glm::length(thrown); length > 0) sum += thrown / length;
     }
-    if (const double length = glm::length(sum); length > 0) across_ = glm::dvec2(-sum.y, sum.x) / length;
+    glm::dvec2& across = limits_.acrossUnit;
+    if (const double length = glm::length(sum); length > 0) across = glm::dvec2(-sum.y, sum.x) / length;
     for (std::size_t step = first; step < end; ++step) {
         const glm::dvec2 thrown = shadowOffsetInCells(glm::dvec3(sun.steps[step].direction), cellM);
-        leastAcross_ = std::min(leastAcross_, glm::dot(thrown, across_));
-        mostAcross_ = std::max(mostAcross_, glm::dot(thrown, across_));
+        limits_.across.least = std::min(limits_.across.least, glm::dot(thrown, across));
+        limits_.across.most = std::max(limits_.across.most, glm::dot(thrown, across));
     }
+    for (ReachLimits::Axis* axis : {&limits_.x, &limits_.y, &limits_.across}) include0(*axis);
 }
 
 void CasterReach::aimAt(glm::dvec2 low, glm::dvec2 high) {
-    low_ = low - marginCells;
-    high_ = high + marginCells;
-    const Range range = extentAlong(low_, high_, across_);
-    lowAcross_ = range.low;
-    highAcross_ = range.high;
-}
-
-// Inlined into the loop over casters, which runs some thousand times for each window and eight steps.
-bool CasterReach::touches(const ShadowCaster& caster) const {
-    const double top = caster.topM;
-    const glm::dvec2 first(across_.x > 0 ? caster.low.x : caster.high.x,
-                           across_.y > 0 ? caster.low.y : caster.high.y),
-        last(across_.x > 0 ? caster.high.x : caster.low.x, across_.y > 0 ? caster.high.y : caster.low.y);
-    if (glm::dot(first, across_) + std::min(leastAcross_ * top, -mostAcross_ * behindWallM) > highAcross_ ||
-        glm::dot(last, across_) + std::max(mostAcross_ * top, -leastAcross_ * behindWallM) < lowAcross_)
-        return false;
-    // The bounds of computeSweptBox().
-    const double bottom = caster.bottomM > 0 ? double(caster.bottomM) : -behindWallM;
-    const auto meets = [&](double low, double high, double least, double most, double from, double to) {
-        return low + std::min({least * bottom, most * bottom, least * top}) <= to &&
-               high + std::max({least * bottom, most * bottom, most * top}) >= from;
-    };
-    return meets(caster.low.x, caster.high.x, throws_.low.x, throws_.high.x, low_.x, high_.x) &&
-           meets(caster.low.y, caster.high.y, throws_.low.y, throws_.high.y, low_.y, high_.y);
+    low -= marginCells;
+    high += marginCells;
+    setRange(limits_.x, low.x, high.x);
+    setRange(limits_.y, low.y, high.y);
+    const Range across = extentAlong(low, high, limits_.acrossUnit);
+    setRange(limits_.across, across.low, across.high);
 }
 
 }  // namespace noonmark

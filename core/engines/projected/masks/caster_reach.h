@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 
 #include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/masks/caster_extents.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -18,17 +20,18 @@ public:
     /// Sets the rectangle, in cells; both ends are centres of cells.
     void aimAt(glm::dvec2 low, glm::dvec2 high);
 
-    /// Never false for a caster whose shadow covers a centre in the rectangle at one of the steps.
-    [[nodiscard]] bool touches(const ShadowCaster& caster) const;
+    /// Bit i: the shadow of caster first + i may cover a centre in the rectangle at one of the steps. Never 0
+    /// where it does. At most 64 casters.
+    [[nodiscard]] std::uint64_t touching(const CasterExtents& extents, std::size_t first,
+                                         std::size_t count) const {
+        return findTouching(extents, first, count, limits_);
+    }
 
     [[nodiscard]] const StepOffsets& offsets() const { return throws_; }
 
 private:
     StepOffsets throws_;
-    glm::dvec2 across_{1, 0};                  // unit vector
-    double leastAcross_ = 0, mostAcross_ = 0;  // of the offsets, per metre of height; 0 lies between them
-    glm::dvec2 low_{}, high_{};
-    double lowAcross_ = 0, highAcross_ = 0;
+    ReachLimits limits_;
 };
 
 }  // namespace noonmark

@@ -132,12 +132,16 @@ private:
     void fill(const Task& task) {
         const SunSteps& sun = task.day->sun;
         const std::size_t end = std::min(task.first + stepsATask, sun.steps.size());
+        std::vector<CasterReach> eights;
+        for (std::size_t step = task.first; step < end; step += stepsTogether)
+            eights.emplace_back(sun, receivers_.grid.cellM, step, step + stepsTogether);
+        const CasterReach all(sun, receivers_.grid.cellM, task.first, end);
         WindowFiller& filler = fillers_.local();
-        for (std::size_t step = task.first; step < end; step += stepsTogether) {
-            const CasterReach reach(sun, receivers_.grid.cellM, step, step + stepsTogether);
-            for (const WindowPlan& plan : plans_) {
+        for (const WindowPlan& plan : plans_) {
+            filler.aimAt(plan, all);
+            for (std::size_t i = 0; i < eights.size(); ++i) {
                 if (stop_.stop_requested()) return;
-                filler.fill(plan, reach, step, task.day->masks);
+                filler.fill(eights[i], task.first + i * stepsTogether, task.day->masks);
             }
         }
     }

@@ -1,6 +1,8 @@
 #include "core/engines/projected/masks/window_filler.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace noonmark {
 
@@ -8,6 +10,8 @@ namespace {
 
 // Casters that are filled between two looks at what is still lit.
 constexpr std::size_t castersALook = 16;
+// Casters that are tested for reach at once.
+constexpr std::size_t castersATest = 32;
 
 /// A rectangle of receivers, in cells; both ends are centres of cells.
 struct CellBox {
@@ -44,13 +48,16 @@ CellBox findLit(const std::vector<StepWords>& rasters, const ReceiverWindow& win
             false};
 }
 
-// The bits [column, column + 64) of a row, at one step.
-std::uint64_t bitsFrom(const std::vector<StepWords>& rasters, const BitLayout& layout, int column, int row,
-                       std::size_t step) {
+// The bits [column, column + 64) of a row, at eight steps.
+StepWords bitsFrom(const std::vector<StepWords>& rasters, const BitLayout& layout, int column, int row) {
     const auto shift = unsigned(column & 63);
-    const std::uint64_t low = rasters[layout.word(column, row)].words[step] >> shift;
-    if (shift == 0 || (column >> 6) + 1 >= layout.firstWord + layout.wordColumns) return low;
-    return low | rasters[layout.word(column + 64, row)].words[step] << (64 - shift);
+    StepWords bits = rasters[layout.word(column, row)];
+    for (std::uint64_t& step : bits.words) step >>= shift;
+    if (shift == 0 || (column >> 6) + 1 >= layout.firstWord + layout.wordColumns) return bits;
+    const StepWords& east = rasters[layout.word(column + 64, row)];
+    for (std::size_t step = 0; step < stepsTogether; ++step)
+        bits.words[step] |= east.words[step] << (64 - shift);
+    return bits;
 }
 
 void putBits(std::span<std::uint64_t> words, std::uint32_t first, std::uint64_t bits) {
@@ -63,33 +70,29 @@ void write(const std::vector<StepWords>& rasters, const ReceiverWindow& window, 
            StepMasks& masks) {
     const BitLayout layout = window.layout();
     const std::size_t steps = std::min(stepsTogether, masks.steps - first);
-    for (std::size_t step = 0; step < steps; ++step) {
-        const std::span<std::uint64_t> words = masks.at(first + step);
-        for (const ReceiverRun& run : window.runs)
-            for (int done = 0; done < run.count; done += 64) {
-                const std::uint64_t among =
-                    ~std::uint64_t{0} >> unsigned(64 - std::min(64, run.count - done));
-                putBits(
-                    words, run.first + std::uint32_t(done),
-                    bitsFrom(rasters, layout, run.column + done, run.row - window.band.first, step) & among);
-            }
-    }
+    std::array<std::span<std::uint64_t>, stepsTogether> rows;
+    for (std::size_t step = 0; step < steps; ++step) rows[step] = masks.at(first + step);
+    for (const ReceiverRun& run : window.runs)
+        for (int done = 0; done < run.count; done += 64) {
+            const std::uint64_t among = ~std::uint64_t{0} >> unsigned(64 - std::min(64, run.count - done));
+            const StepWords bits = bitsFrom(rasters, layout, run.column + done, run.row - window.band.first);
+            for (std::size_t step = 0; step < steps; ++step)
+                putBits(rows[step], run.first + std::uint32_t(done), bits.words[step] & among);
+        }
 }
 
 WindowPlan::Groups groupsInReach(const CasterGroups& groups, const CellBox& box, const CasterReach& reach) {
     WindowPlan::Groups inReach = groups.nearestFirst(box.low, box.high);
-    std::erase_if(inReach, [&](std::uint32_t group) { return !reach.touches(groups.enclosing(group)); });
+    std::erase_if(inReach, [&](std::uint32_t group) { return !groups.mayTouch(group, reach); });
     return inReach;
 }
 
-bool mayReach(const CasterGroups& groups, const WindowPlan::Groups& some, const ReceiverWindow& window,
-              const CasterReach& steps) {
-    if (some.empty()) return false;
-    const CellBox box = boxOf(window);
-    CasterReach reach = steps;
-    reach.aimAt(box.low, box.high);
-    return std::ranges::any_of(some,
-                               [&](std::uint32_t group) { return reach.touches(groups.enclosing(group)); });
+// Calls `take` with the places of those of [first, end) whose shadow may touch, in their order.
+void takeTouching(const CasterExtents& extents, std::size_t first, std::size_t end, const CasterReach& reach,
+                  const auto& take) {
+    for (std::uint64_t touching = reach.touching(extents, first, end - first); touching != 0;
+         touching &= touching - 1)
+        take(first + std::size_t(std::countr_zero(touching)));
 }
 
 }  // namespace
@@ -106,48 +109,68 @@ WindowPlan::WindowPlan(ReceiverWindow where, const CityCasters& casters, const C
 WindowFiller::WindowFiller(const CityCasters& casters)
     : common_(casters.common), own_(casters.own.begin(), casters.own.end()) {}
 
-bool WindowFiller::fillLayer(Layer& layer, const WindowPlan& plan, const WindowPlan::Groups& groups,
-                             const CasterReach& steps, Rasters& rasters) {
+void WindowFiller::Layer::choose(const WindowPlan& plan, const WindowPlan::Groups& among,
+                                 const CasterReach& steps) {
+    const CellBox box = boxOf(plan.window);
+    CasterReach reach = steps;
+    reach.aimAt(box.low, box.high);
+    near.clear();
+    extents.clear();
+    for (const std::uint32_t group : among) {
+        if (!groups->mayTouch(group, reach)) continue;
+        const std::size_t end = groups->endOf(group);
+        for (std::size_t first = groups->firstOf(group); first < end; first += castersATest)
+            takeTouching(groups->extents(), first, std::min(first + castersATest, end), reach,
+                         [&](std::size_t at) {
+                             near.push_back(groups->indices()[at]);
+                             extents.add(groups->casters().casters[near.back()]);
+                         });
+    }
+}
+
+void WindowFiller::aimAt(const WindowPlan& plan, const CasterReach& reach) {
+    plan_ = &plan;
+    common_.choose(plan, plan.common, reach);
+    for (std::size_t city = 0; city < own_.size(); ++city) own_[city].choose(plan, plan.own[city], reach);
+}
+
+bool WindowFiller::fillLayer(Layer& layer, const CasterReach& steps, Rasters& rasters) {
     const std::span words(rasters.data()->words, rasters.size() * stepsTogether);
+    const ReceiverWindow& window = plan_->window;
     bool any = false;
     CasterReach reach = steps;
-    CellBox lit = boxOf(plan.window);
+    CellBox lit = boxOf(window);
     reach.aimAt(lit.low, lit.high);
     const auto fillChosen = [&] {
         if (chosen_.empty()) return;
-        layer.fill.fill(chosen_, reach.offsets(), plan.window.layout(), plan.window.band, words);
+        layer.fill.fill(chosen_, reach.offsets(), window.layout(), window.band, words);
         chosen_.clear();
         any = true;
-        lit = findLit(rasters, plan.window);
+        lit = findLit(rasters, window);
         if (!lit.empty) reach.aimAt(lit.low, lit.high);
     };
-    for (const std::uint32_t group : groups) {
-        if (!reach.touches(layer.groups->enclosing(group))) continue;
-        for (const std::uint32_t caster : layer.groups->of(group)) {
-            if (!reach.touches(layer.groups->casters().casters[caster])) continue;
-            chosen_.push_back(caster);
-            if (chosen_.size() == castersALook) fillChosen();
-            if (lit.empty) return any;
-        }
+    for (std::size_t first = 0; first < layer.near.size() && !lit.empty; first += castersATest) {
+        takeTouching(layer.extents, first, std::min(first + castersATest, layer.near.size()), reach,
+                     [&](std::size_t at) { chosen_.push_back(layer.near[at]); });
+        if (chosen_.size() >= castersALook) fillChosen();
     }
     fillChosen();
     return any;
 }
 
-void WindowFiller::fill(const WindowPlan& plan, const CasterReach& reach, std::size_t first,
-                        std::span<StepMasks> masks) {
-    shared_.resize(plan.empty.size());
+void WindowFiller::fill(const CasterReach& reach, std::size_t first, std::span<StepMasks> masks) {
+    shared_.resize(plan_->empty.size());
     for (std::size_t word = 0; word < shared_.size(); ++word)
-        std::ranges::fill(shared_[word].words, plan.empty[word]);
-    const bool common = fillLayer(common_, plan, plan.common, reach, shared_);
+        std::ranges::fill(shared_[word].words, plan_->empty[word]);
+    const bool common = fillLayer(common_, reach, shared_);
     for (std::size_t city = 0; city < masks.size(); ++city) {
-        if (!mayReach(*own_[city].groups, plan.own[city], plan.window, reach)) {
-            if (common) write(shared_, plan.window, first, masks[city]);
+        if (own_[city].near.empty()) {
+            if (common) write(shared_, plan_->window, first, masks[city]);
             continue;
         }
         rasters_ = shared_;
-        const bool own = fillLayer(own_[city], plan, plan.own[city], reach, rasters_);
-        if (common || own) write(rasters_, plan.window, first, masks[city]);
+        const bool own = fillLayer(own_[city], reach, rasters_);
+        if (common || own) write(rasters_, plan_->window, first, masks[city]);
     }
 }
 

@@ -38,23 +38,30 @@ public:
     /// `casters` must outlive the filler.
     explicit WindowFiller(const CityCasters& casters);
 
+    /// Sets the window of the following calls of fill(), and finds the casters that matter to it: those
+    /// whose shadow can touch it at the steps of `reach`. `plan` must outlive those calls.
+    void aimAt(const WindowPlan& plan, const CasterReach& reach);
+
     /// Sets the bits of the window's receivers in shadow at steps [first, first + 8) of a day; one entry of
-    /// `masks` a city. `reach`: of these steps.
-    void fill(const WindowPlan& plan, const CasterReach& reach, std::size_t first,
-              std::span<StepMasks> masks);
+    /// `masks` a city. `reach`: of these steps, which are among those of aimAt().
+    void fill(const CasterReach& reach, std::size_t first, std::span<StepMasks> masks);
 
 private:
     using Rasters = std::vector<StepWords>;
     /// Casters, and what is remembered about them from call to call.
     struct Layer {
         explicit Layer(const CasterGroups& all) : groups(&all), fill(all.casters()) {}
+        void choose(const WindowPlan& plan, const WindowPlan::Groups& among, const CasterReach& reach);
+
         const CasterGroups* groups;
         CasterFill fill;
+        std::vector<std::uint32_t> near;  ///< casters that matter, the nearest first
+        CasterExtents extents;            ///< theirs
     };
     /// Returns whether anything may have been set.
-    bool fillLayer(Layer& layer, const WindowPlan& plan, const WindowPlan::Groups& groups,
-                   const CasterReach& steps, Rasters& rasters);
+    bool fillLayer(Layer& layer, const CasterReach& steps, Rasters& rasters);
 
+    const WindowPlan* plan_ = nullptr;
     Layer common_;
     std::vector<Layer> own_;
     Rasters shared_, rasters_;
