@@ -20,9 +20,6 @@ struct CasterExtents {
         highY.push_back(caster.high.y);
         topM.push_back(double(caster.topM));
     }
-    void clear() {
-        for (std::vector<double>* values : {&lowX, &lowY, &highX, &highY, &topM}) values->clear();
-    }
 };
 
 /// A test of the extents of casters against a rectangle of cells. All ranges include 0 or a margin, so that

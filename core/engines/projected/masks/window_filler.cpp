@@ -87,14 +87,6 @@ WindowPlan::Groups groupsInReach(const CasterGroups& groups, const CellBox& box,
     return inReach;
 }
 
-// Calls `take` with the places of those of [first, end) whose shadow may touch, in their order.
-void takeTouching(const CasterExtents& extents, std::size_t first, std::size_t end, const CasterReach& reach,
-                  const auto& take) {
-    for (std::uint64_t touching = reach.touching(extents, first, end - first); touching != 0;
-         touching &= touching - 1)
-        take(first + std::size_t(std::countr_zero(touching)));
-}
-
 }  // namespace
 
 WindowPlan::WindowPlan(ReceiverWindow where, const CityCasters& casters, const CasterReach& period)
@@ -115,16 +107,14 @@ void WindowFiller::Layer::choose(const WindowPlan& plan, const WindowPlan::Group
     CasterReach reach = steps;
     reach.aimAt(box.low, box.high);
     near.clear();
-    extents.clear();
     for (const std::uint32_t group : among) {
         if (!groups->mayTouch(group, reach)) continue;
         const std::size_t end = groups->endOf(group);
-        for (std::size_t first = groups->firstOf(group); first < end; first += castersATest)
-            takeTouching(groups->extents(), first, std::min(first + castersATest, end), reach,
-                         [&](std::size_t at) {
-                             near.push_back(groups->indices()[at]);
-                             extents.add(groups->casters().casters[near.back()]);
-                         });
+        for (std::size_t first = groups->firstOf(group); first < end; first += castersATest) {
+            const std::size_t count = std::min(castersATest, end - first);
+            const std::uint64_t touching = reach.touching(groups->extents(), first, count);
+            if (touching != 0) near.push_back({first, count, touching});
+        }
     }
 }
 
@@ -149,10 +139,13 @@ bool WindowFiller::fillLayer(Layer& layer, const CasterReach& steps, Rasters& ra
         lit = findLit(rasters, window);
         if (!lit.empty) reach.aimAt(lit.low, lit.high);
     };
-    for (std::size_t first = 0; first < layer.near.size() && !lit.empty; first += castersATest) {
-        takeTouching(layer.extents, first, std::min(first + castersATest, layer.near.size()), reach,
-                     [&](std::size_t at) { chosen_.push_back(layer.near[at]); });
+    const CasterGroups& all = *layer.groups;
+    for (const CasterBlock& block : layer.near) {
+        for (std::uint64_t touching = block.casters & reach.touching(all.extents(), block.first, block.count);
+             touching != 0; touching &= touching - 1)
+            chosen_.push_back(all.indices()[block.first + std::size_t(std::countr_zero(touching))]);
         if (chosen_.size() >= castersALook) fillChosen();
+        if (lit.empty) break;
     }
     fillChosen();
     return any;

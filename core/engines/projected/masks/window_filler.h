@@ -48,6 +48,11 @@ public:
 
 private:
     using Rasters = std::vector<StepWords>;
+    /// Casters of CasterGroups::indices() from `first` on, those whose bits are set.
+    struct CasterBlock {
+        std::size_t first = 0, count = 0;
+        std::uint64_t casters = 0;
+    };
     /// Casters, and what is remembered about them from call to call.
     struct Layer {
         explicit Layer(const CasterGroups& all) : groups(&all), fill(all.casters()) {}
@@ -55,8 +60,7 @@ private:
 
         const CasterGroups* groups;
         CasterFill fill;
-        std::vector<std::uint32_t> near;  ///< casters that matter, the nearest first
-        CasterExtents extents;            ///< theirs
+        std::vector<CasterBlock> near;  ///< casters that matter, the nearest first
     };
     /// Returns whether anything may have been set.
     bool fillLayer(Layer& layer, const CasterReach& steps, Rasters& rasters);
