@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string_view>
+
+#include "core/io/files/plain_file.h"
 
 namespace noonmark {
 
@@ -29,6 +34,17 @@ Result<void> validate(const TitleBlock& block) {
         return failure("The logo is not a PNG or JPEG picture of at most 1 MiB", "title block",
                        "Choose another picture, or export this one smaller");
     return {};
+}
+
+Result<std::string> readLogo(const std::string& file) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    if (error) return failure("The logo cannot be read: " + error.message(), file);
+    if (bytes > TitleBlock::mostBytesOfLogo)
+        return failure("The logo has more than 1 MiB", file, "Give a smaller PNG or JPEG picture");
+    std::ifstream stream(file, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace noonmark

@@ -26,4 +26,8 @@ struct TitleBlock {
 /// JPEG by its first bytes.
 Result<void> validate(const TitleBlock& block);
 
+/// The bytes of a picture for the title block; validate() checks what they are. Error: no plain file, or too
+/// large.
+Result<std::string> readLogo(const std::string& file);
+
 }  // namespace noonmark

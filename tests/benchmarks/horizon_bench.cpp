@@ -67,7 +67,7 @@ SunSteps year(const City& city) {
     period.hours = 8;
     period.zone = "America/New_York";
     const LonLat place = city.frame.origin();
-    return taken(computeSunSteps(period, {place.lonDeg, place.latDeg}));
+    return taken(computeSunSteps(period, {.place = {place.lonDeg, place.latDeg}}));
 }
 
 /// The same receivers, reduced to a random sample.

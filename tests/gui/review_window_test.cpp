@@ -4,14 +4,19 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QUndoStack>
 
+#include "app/report/files/review_files.h"
 #include "app/window/review/day_panel.h"
 #include "app/window/review/range_panel.h"
 #include "app/window/review/review_dock.h"
 #include "app/window/review/verdict_table.h"
+#include "app/window/sheets/book_view.h"
+#include "app/window/sheets/sheet_form.h"
+#include "app/window/sheets/sheets_dialog.h"
 #include "core/engines/auto_engine.h"
 #include "tests/gui/project_window.h"
 
@@ -214,18 +219,77 @@ TEST_F(ReviewWindow, TheChoiceIsSavedWithTheProjectAndFollowsRenaming) {
     EXPECT_EQ(parseReviewChoice(formatText(choice)), choice);
 }
 
-TEST_F(ReviewWindow, ExportWritesTheFilesOfTheCommandLine) {
-    showDock();
-    addPlaces();
-    build();
-    choose("ceqr");
-    review().write(folder.filePath(QStringLiteral("out")).toStdString());
-    EXPECT_TRUE(message().contains(QStringLiteral("no review to export")));
-    run();
-    review().write(folder.filePath(QStringLiteral("out")).toStdString());
-    ASSERT_TRUE(waitFor([this] { return QFile::exists(folder.filePath(QStringLiteral("out/review.csv"))); }));
+struct SheetsWindow : ReviewWindow {
+    void SetUp() override {
+        ReviewWindow::SetUp();
+        showDock();
+        addPlaces();
+        build();
+        choose("ceqr");
+    }
+    QPushButton& exportButton() { return *dock().findChild<QPushButton*>(QStringLiteral("exportReview")); }
+    QUndoStack& undo() { return workbench().document().undoStack(); }
+    SheetsDialog& showSheets() {
+        run();
+        exportButton().click();
+        auto& sheets = *window->findChild<SheetsDialog*>();
+        EXPECT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().picture().isNull(); }));
+        return sheets;
+    }
+    void edit(SheetsDialog& sheets, const char* field, const QString& text) {
+        auto* line = sheets.findChild<QLineEdit*>(QString::fromLatin1(field));
+        line->setText(text);
+        Q_EMIT line->editingFinished();
+        EXPECT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().busy(); }));
+    }
+};
+
+TEST_F(SheetsWindow, AReviewThatWasNotRunHasNone) {
+    ASSERT_TRUE(QMetaObject::invokeMethod(&dock(), "exportRequested"));
+    EXPECT_TRUE(message().contains(QStringLiteral("no review to export"))) << message().toStdString();
+    EXPECT_EQ(window->findChild<SheetsDialog*>(), nullptr);
+}
+
+TEST_F(SheetsWindow, PagesAreShownAndTheFilesAreThoseOfTheCommandLine) {
+    SheetsDialog& sheets = showSheets();
+    const QImage first = sheets.pages().picture();
+    sheets.pages().showPage(1);
+    ASSERT_TRUE(waitFor([&] { return !sheets.pages().picture().isNull(); }));
+    EXPECT_NE(sheets.pages().picture(), first);
+    sheets.write(folder.filePath(QStringLiteral("out")));
+    ASSERT_TRUE(waitFor([&] { return !sheets.busy(); }));
+    for (const std::string& name : reviewFileNames())
+        EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("out/") + QString::fromStdString(name))))
+            << name;
     EXPECT_TRUE(
         test::bytesOf(folder.filePath(QStringLiteral("out/review.json"))).contains("\"rule\": \"ceqr\""));
+}
+
+TEST_F(SheetsWindow, TheTitleBlockIsSavedInTheProjectAndCanBeUndone) {
+    SheetsDialog& sheets = showSheets();
+    const QImage before = sheets.pages().picture();
+    edit(sheets, "sheetClient", QStringLiteral("City of Rotterdam"));
+    EXPECT_EQ(session().project().sheets.titleBlock.client, "City of Rotterdam");
+    EXPECT_NE(sheets.pages().picture(), before);
+    undo().undo();
+    ASSERT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().busy(); }));
+    EXPECT_EQ(session().project().sheets.titleBlock.client, "");
+    EXPECT_EQ(sheets.pages().picture(), before);
+    EXPECT_EQ(sheets.findChild<QLineEdit*>(QStringLiteral("sheetClient"))->text(), QString());
+}
+
+TEST_F(SheetsWindow, PaperAndScaleAreThoseChosen) {
+    SheetsDialog& sheets = showSheets();
+    BookSettings settings = sheets.form().settings();
+    settings.setup = {Paper::a3, true};
+    settings.scale = 1250;
+    sheets.form().show(settings);
+    EXPECT_EQ(sheets.form().settings().setup, settings.setup);
+    EXPECT_EQ(sheets.form().settings().scale, 1250);
+    Q_EMIT sheets.form().edited();
+    ASSERT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().picture().isNull(); }));
+    EXPECT_GT(sheets.pages().picture().width(), sheets.pages().picture().height());
+    EXPECT_FALSE(sheets.form().takeLogo(folder.filePath(QStringLiteral("missing.png"))));
 }
 
 }  // namespace

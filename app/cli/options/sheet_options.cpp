@@ -1,12 +1,7 @@
 #include "app/cli/options/sheet_options.h"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "app/cli/options/number_range.h"
 #include "app/report/book/review/review_book.h"
-#include "core/io/files/plain_file.h"
 
 namespace noonmark::cli {
 
@@ -21,17 +16,6 @@ void addText(std::vector<RepeatOption>& options, const char* name, const std::st
 }
 
 }  // namespace
-
-Result<std::string> readLogo(const std::string& file) {
-    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(file, error);
-    if (error) return failure("The logo cannot be read: " + error.message(), file);
-    if (bytes > TitleBlock::mostBytesOfLogo)
-        return failure("The logo has more than 1 MiB", file, "Give a smaller PNG or JPEG picture");
-    std::ifstream stream(file, std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(stream), {}};
-}
 
 void addSheetOptions(CLI::App& command, SheetOptions& options) {
     command.add_option("--paper", options.paper, "Paper of sheets.pdf: A4, A3, A1, Letter or Tabloid")

@@ -25,9 +25,6 @@ void addDiagramScale(CLI::App& command, SheetOptions& options);
 /// Adds --sheets, for commands that write sheets.pdf on request only.
 void addSheetSwitch(CLI::App& command, SheetOptions& options);
 
-/// The bytes of a picture for the title block. Error: no plain file, or too large.
-Result<std::string> readLogo(const std::string& file);
-
 /// `ofProject`: units, and a title block of which the options replace texts. The date is today's if neither
 /// states one. Error: the logo cannot be read,
 /// and those of validate() for title blocks.

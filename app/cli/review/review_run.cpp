@@ -17,6 +17,7 @@
 #include "app/cli/table.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/review_files.h"
+#include "core/base/progress_share.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
 #include "core/study/text/warnings_json.h"
@@ -180,9 +181,13 @@ Result<std::vector<std::filesystem::path>> writeFiles(const ReviewAnswer& answer
                                                       const OutputRules& outputs, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return writeReviewFiles(
-        {answer.study, answer.labels, answer.before, answer.after, answer.places, answer.heights},
-        {answer.sheets, options.byteOrderMark, outputs}, options.out, progress, interrupt.token());
+    ProgressShare forSheets(progress, 0, 2), forFiles(progress, 1, 2);
+    const ReviewBookSource source{answer.study, answer.labels, answer.before,
+                                  answer.after, answer.places, answer.heights};
+    const auto sheets = makeReviewBook(source, answer.sheets, forSheets, interrupt.token());
+    if (!sheets) return tl::make_unexpected(sheets.error());
+    return writeReviewFiles(source, *sheets, {options.byteOrderMark, outputs}, options.out, forFiles,
+                            interrupt.token());
 }
 
 int runReviewRun(const ReviewRunOptions& options, const Console& console) {

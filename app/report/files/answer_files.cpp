@@ -3,7 +3,7 @@
 #include <QGuiApplication>
 
 #include "app/report/book/answer_book.h"
-#include "app/report/book/write_book.h"
+#include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/impact_report.h"
@@ -57,6 +57,8 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty(), book.has_value()), rules);
         !may)
         return tl::make_unexpected(may.error());
+    const auto pdf = book ? printBook(*book) : QByteArray();
+    if (!pdf) return tl::make_unexpected(pdf.error());
     OutputFolder files(folder, rules);
     files.add(texts.name + ".tif",
               [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
@@ -66,7 +68,7 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     files.add(texts.name + ".json", textContent(texts.json));
     files.add(texts.name + ".csv", textContent(texts.csv));
     if (!texts.region.empty()) files.add(regionFileName, textContent(texts.region));
-    if (book) files.add(sheetsName, [&](QIODevice& device) { return writeBook(*book, device).has_value(); });
+    if (book) files.add(sheetsName, textContent(pdf->toStdString()));
     return std::move(files).result();
 }
 

@@ -1,9 +1,8 @@
 #include "app/report/files/review_files.h"
 
-#include "app/report/book/write_book.h"
+#include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/files/shadow_files.h"
-#include "core/base/progress_share.h"
 #include "core/study/shadow_drawings.h"
 #include "core/study/text/warnings_json.h"
 
@@ -29,21 +28,21 @@ std::vector<std::string> reviewFileNames() {
 }
 
 Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewBookSource& source,
+                                                            const Book& sheets,
                                                             const ReviewFileSettings& settings,
                                                             const std::filesystem::path& folder,
                                                             Progress& progress, const std::stop_token& stop) {
     if (auto may = checkOutputs(folder, reviewFileNames(), settings.rules); !may)
         return tl::make_unexpected(may.error());
-    ProgressShare forSheets(progress, 0, 2), forDrawing(progress, 1, 2);
-    const auto sheets = makeReviewBook(source, settings.sheets, forSheets, stop);
-    if (!sheets) return tl::make_unexpected(sheets.error());
-    const auto drawing = drawShadows(source, forDrawing, stop);
+    const auto drawing = drawShadows(source, progress, stop);
     if (!drawing) return tl::make_unexpected(drawing.error());
+    const auto pdf = printBook(sheets);
+    if (!pdf) return tl::make_unexpected(pdf.error());
     OutputFolder files(folder, settings.rules);
     files.add("review.json", textContent(toJsonText(reviewJson(source.study, source.labels)) + "\n"));
     files.add("review.csv",
               textContent((settings.byteOrderMark ? utf8Mark : "") + reviewCsv(source.study, source.labels)));
-    files.add("sheets.pdf", [&](QIODevice& device) { return writeBook(*sheets, device).has_value(); });
+    files.add("sheets.pdf", textContent(pdf->toStdString()));
     addShadowFiles(files, *drawing, {});
     return std::move(files).result();
 }

@@ -15,15 +15,15 @@ namespace noonmark {
 std::vector<std::string> reviewFileNames();
 
 struct ReviewFileSettings {
-    BookSettings sheets;
     bool byteOrderMark = false;  ///< review.csv begins with one, by which Excel recognises UTF-8
     OutputRules rules;           ///< which files may be replaced
 };
 
-/// Computes the shadows of the rule's days and hours, and writes the files of a review into a folder, which
-/// is created if missing; all or none. Returns the paths written. Needs a QGuiApplication; may run on any
-/// thread. Errors of makeReviewBook() and drawReviewShadows(), and of writing; cancelled().
+/// Draws the shadows of the rule's days and hours, and writes the files of a review into a folder, which is
+/// created if missing; all or none. `sheets`: the book of makeReviewBook(). Returns the paths written. Needs
+/// a QGuiApplication; may run on any thread. Errors of drawReviewShadows(), and of writing; cancelled().
 Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewBookSource& source,
+                                                            const Book& sheets,
                                                             const ReviewFileSettings& settings,
                                                             const std::filesystem::path& folder,
                                                             Progress& progress, const std::stop_token& stop);

@@ -1,30 +1,53 @@
 #include "app/window/actions/review_actions.h"
 
-#include "app/report/files/review_files.h"
+#include <QLocale>
+#include <QSettings>
+
 #include "app/window/actions/make_action.h"
 #include "app/window/actions/place_actions.h"
 #include "app/window/editing/edit_preview.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/review/review_dock.h"
+#include "app/window/sheets/sheets_dialog.h"
 #include "app/window/view/view_panel.h"
-#include "app/window/widgets/file_dialogs.h"
 
 namespace noonmark {
 
+namespace {
+
+const QString paperKey = QStringLiteral("sheets/paper"), landscapeKey = QStringLiteral("sheets/landscape");
+
+// The paper last chosen; at first that of the country.
+PageSetup readSetup(const QSettings& settings) {
+    const auto saved = parsePaper(settings.value(paperKey).toString().toStdString());
+    const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
+    return {saved.value_or(isMetric ? Paper::a4 : Paper::letter), settings.value(landscapeKey).toBool()};
+}
+
+void saveSetup(const PageSetup& setup, QSettings& settings) {
+    settings.setValue(paperKey, QString::fromStdString(std::string(nameOf(setup.paper))));
+    settings.setValue(landscapeKey, setup.landscape);
+}
+
+}  // namespace
+
 ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, ReviewDock& dock,
                              const EditPreview& preview, PlaceActions& places, ViewPanel& panel,
-                             QWidget& window)
+                             QSettings& settings, QWidget& window)
     : workbench_(workbench),
       review_(review),
       panel_(panel),
+      settings_(settings),
       window_(window),
       show_(makeAction(this, tr("Re&view by a rule..."), QKeySequence(tr("Ctrl+Shift+R")),
                        tr("Evaluate the rule of a review board on the places of the project"))),
-      export_(makeAction(this, tr("E&xport review..."), {},
-                         tr("The verdicts and the numbers behind them as JSON and CSV"))) {
+      export_(
+          makeAction(this, tr("&Sheets of the review..."), {},
+                     tr("Shows the sheets of the review, and writes them with its tables and drawings"))) {
     connect(show_, &QAction::triggered, this, &ReviewActions::dockWanted);
-    connect(export_, &QAction::triggered, this, &ReviewActions::exportReview);
-    connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::exportReview);
+    connect(export_, &QAction::triggered, this, &ReviewActions::showSheets);
+    connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::showSheets);
+    connect(&workbench_, &Workbench::projectOpened, this, &ReviewActions::closeSheets);
     connect(&dock, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
     connect(&dock, &ReviewDock::zoomRequested, &places, &PlaceActions::zoomTo);
     connect(&review_, &ReviewSession::failed, &panel_.messages(), &MessageBar::showError);
@@ -32,14 +55,23 @@ ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, Review
     connect(&preview, &EditPreview::shapeChanged, &review_, &ReviewSession::shape);
 }
 
-void ReviewActions::exportReview() {
-    if (!review_.shown() || review_.isLive()) return review_.write({});  // refused, with the reason
-    const QString folder = askForFolder(&window_, tr("Export review to folder"));
-    if (folder.isEmpty()) return;
-    QStringList there;
-    for (const std::string& name : findExistingOutputs(folder.toStdString(), reviewFileNames()))
-        there << QString::fromStdString(name);
-    if (mayReplace(&window_, folder, there)) review_.write(folder.toStdString());
+void ReviewActions::closeSheets() { delete sheets_; }
+
+void ReviewActions::showSheets() {
+    auto answer = review_.finished();
+    if (!answer) return panel_.messages().showError(answer.error());
+    closeSheets();
+    ProjectSession& session = workbench_.session();
+    sheets_ = new SheetsDialog({*std::move(answer), session.project(), session.file(),
+                                review_.library().warnings(), workbench_.exportRules()},
+                               session, readSetup(settings_), &window_);
+    connect(sheets_, &SheetsDialog::failed, &panel_.messages(), &MessageBar::showError);
+    connect(sheets_, &SheetsDialog::written, &panel_.messages(), [this](const QString& folder) {
+        panel_.messages().showNote(tr("The review was exported to %1").arg(folder));
+    });
+    connect(sheets_, &SheetsDialog::setupChosen, this,
+            [this](const PageSetup& setup) { saveSetup(setup, settings_); });
+    sheets_->show();
 }
 
 }  // namespace noonmark

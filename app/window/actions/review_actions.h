@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 
 class QAction;
+class QSettings;
 class QWidget;
 
 namespace noonmark {
@@ -11,16 +13,18 @@ class EditPreview;
 class PlaceActions;
 class ReviewDock;
 class ReviewSession;
+class SheetsDialog;
 class ViewPanel;
 class Workbench;
 
-/// Shows the review dock, exports reviews, and lets the verdicts follow the building that is being shaped.
+/// Shows the review dock and the sheets of a review, and lets the verdicts follow the building that is being
+/// shaped.
 class ReviewActions final : public QObject {
     Q_OBJECT
 public:
     /// Dialogs belong to `window`. All must outlive this object.
     ReviewActions(Workbench& workbench, ReviewSession& review, ReviewDock& dock, const EditPreview& preview,
-                  PlaceActions& places, ViewPanel& panel, QWidget& window);
+                  PlaceActions& places, ViewPanel& panel, QSettings& settings, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {show_, export_}; }
 
@@ -28,12 +32,15 @@ Q_SIGNALS:
     void dockWanted();
 
 private:
-    void exportReview();
+    void showSheets();
+    void closeSheets();
 
     Workbench& workbench_;
     ReviewSession& review_;
     ViewPanel& panel_;
+    QSettings& settings_;  // the paper last chosen
     QWidget& window_;
+    QPointer<SheetsDialog> sheets_;
     QAction* show_;
     QAction* export_;
 };

@@ -66,7 +66,7 @@ MainWindow::MainWindow(QSettings& settings)
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
-      reviews_(workbench_, review_, *docks_.review, tools_.context().preview, places_, *panel_, *this),
+      reviews_(workbench_, review_, *docks_.review, tools_.context().preview, places_, *panel_, settings, *this),
       scenarios_(workbench_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),

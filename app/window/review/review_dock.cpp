@@ -122,6 +122,7 @@ QWidget* ReviewDock::makeTable() {
     state_->setObjectName(QStringLiteral("reviewState"));
     state_->setWordWrap(true);
     copy_->setToolTip(tr("Copies the table, with all days, as text for a spreadsheet"));
+    export_->setObjectName(QStringLiteral("exportReview"));
     export_->setToolTip(
         tr("Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, "
            "GeoPackage)"));

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/window/frame/workbench.h"
-#include "app/window/review/review_export.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -189,22 +188,10 @@ void ReviewSession::takeScreening(const ReviewQuestion& question,
     Q_EMIT screeningDone(reached, screened.size());
 }
 
-void ReviewSession::write(const std::filesystem::path& folder) {
-    if (live_) return tell({"The building is still being designed", {}, "Build it, then run the review"});
-    if (!answer_) return tell({"There is no review to export", {}, "Press Run review first"});
-    using Paths = std::vector<std::filesystem::path>;
-    const ProjectSession& session = workbench_.session();
-    writing_.start<Paths>(
-        tr("Exporting"),
-        [review = ReviewExport{answer_, session.project(), session.file(), library_.warnings(),
-                               workbench_.exportRules()},
-         folder](Progress& progress, const std::stop_token& stop) {
-            return exportReview(review, folder, progress, stop);
-        },
-        [this, folder](Result<Paths> paths) {
-            if (!paths) return tell(paths.error());
-            Q_EMIT noted(tr("The review was exported to %1").arg(QString::fromStdString(folder.string())));
-        });
+Result<std::shared_ptr<const ReviewAnswer>> ReviewSession::finished() const {
+    if (live_) return failure("The building is still being designed", {}, "Build it, then run the review");
+    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    return answer_;
 }
 
 void ReviewSession::setFollowing(bool following) {

@@ -39,8 +39,8 @@ public:
     void screen();  ///< chooses the places that can be reached
     /// Computes the expected time of run() and emits estimated().
     void estimate();
-    /// Writes the files of the latest answer, as `noonmark-cli review run` does; existing ones are replaced.
-    void write(const std::filesystem::path& folder);
+    /// The answer that can be exported. Error: why there is none, and what to do.
+    [[nodiscard]] Result<std::shared_ptr<const ReviewAnswer>> finished() const;
 
     /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While
     /// `following`, the verdicts follow if the rule has few days.
@@ -91,7 +91,6 @@ private:
     JobSlot running_;
     JobSlot followed_;
     JobSlot estimating_;
-    JobSlot writing_;
 };
 
 }  // namespace noonmark

@@ -59,6 +59,11 @@ QString askForPicture(QWidget* parent) {
     return file + QStringLiteral(".png");
 }
 
+QString askForLogo(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, tr("Logo for the title block"), {},
+                                        tr("Pictures (*.png *.jpg *.jpeg)"));
+}
+
 QString askForFolder(QWidget* parent, const QString& title) {
     return QFileDialog::getExistingDirectory(parent, title);
 }

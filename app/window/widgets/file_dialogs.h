@@ -14,6 +14,7 @@ QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
 QStringList askForPlaces(QWidget* parent);
 QString askForPicture(QWidget* parent);  ///< always with a file extension
+QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);
 
 /// Asks whether existing files in a folder may be replaced; true if there are none.

@@ -155,9 +155,11 @@ inline std::vector<Box3> randomBoxes(std::uint32_t seed, int perSide) {
         for (int column = 0; column < perSide; ++column) {
             const double west = column * 20, south = row * 20, bottom = between(0, 1) < 0.1 ? 5 : 0;
             const double east = between(0, 1) < 0.3 ? west + 20 : west + between(6, 18);
-            boxes.push_back(
-                {glm::dvec3(glm::vec3(glm::dvec3(west, south, bottom))),
-                 glm::dvec3(glm::vec3(glm::dvec3(east, south + between(6, 18), bottom + between(3, 60))))});
+            // Drawn one by one: compilers differ in the order in which they evaluate arguments.
+            const double top = bottom + between(3, 60);
+            const double north = south + between(6, 18);
+            boxes.push_back({glm::dvec3(glm::vec3(glm::dvec3(west, south, bottom))),
+                             glm::dvec3(glm::vec3(glm::dvec3(east, north, top)))});
         }
     return boxes;
 }

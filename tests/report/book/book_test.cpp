@@ -1,11 +1,10 @@
 #include <gmock/gmock.h>
 
-#include <QBuffer>
 #include <algorithm>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
-#include "app/report/book/write_book.h"
+#include "app/report/book/print_book.h"
 #include "core/engines/auto_engine.h"
 #include "tests/report/book/recorded_page.h"
 #include "tests/report/book/review_scene.h"
@@ -250,11 +249,7 @@ TEST(Book, StopsWhenAsked) {
     EXPECT_TRUE(isCancelled(book.error()));
 }
 
-TEST(WriteBook, RefusesABookWithoutPages) {
-    QBuffer device;
-    device.open(QIODevice::WriteOnly);
-    EXPECT_FALSE(writeBook({}, device));
-}
+TEST(PrintBook, RefusesABookWithoutPages) { EXPECT_FALSE(printBook({})); }
 
 }  // namespace
 }  // namespace noonmark

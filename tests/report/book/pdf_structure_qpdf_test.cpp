@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <QBuffer>
-
 #include <qpdf/qpdf-c.h>
 
 #include <memory>
@@ -9,7 +7,7 @@
 #include <vector>
 
 #include "app/report/book/pdf_structure.h"
-#include "app/report/book/write_book.h"
+#include "app/report/book/print_book.h"
 #include "tests/report/book/review_scene.h"
 
 namespace noonmark {
@@ -17,12 +15,7 @@ namespace {
 
 using namespace tests;
 
-QByteArray pdfOf(const Book& book) {
-    QBuffer device;
-    device.open(QIODevice::WriteOnly);
-    EXPECT_TRUE(writeBook(book, device));
-    return device.data();
-}
+QByteArray pdfOf(const Book& book) { return printBook(book).value(); }
 
 /// A PDF that is read back. Objects are handles that live as long as it does.
 class Pdf {

@@ -1,4 +1,4 @@
-#include "app/report/book/write_book.h"
+#include "app/report/book/print_book.h"
 
 #include <QBuffer>
 #include <QPdfWriter>
@@ -43,16 +43,12 @@ PdfStructure structureOf(const Book& book) {
 
 }  // namespace
 
-Result<void> writeBook(const Book& book, QIODevice& device) {
+Result<QByteArray> printBook(const Book& book) {
     if (book.pages.empty()) return failure("The book has no pages");
     QBuffer pages;
     pages.open(QIODevice::WriteOnly);
     if (!paintPages(book, pages)) return failure("The pages could not be written as PDF");
-    const auto complete = addPdfStructure(pages.data(), structureOf(book));
-    if (!complete) return tl::make_unexpected(complete.error());
-    if (device.write(*complete) != complete->size())
-        return failure("The PDF could not be written: " + device.errorString().toStdString());
-    return {};
+    return addPdfStructure(pages.data(), structureOf(book));
 }
 
 }  // namespace noonmark

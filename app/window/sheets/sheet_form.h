@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/report/book/book.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace noonmark {
+
+/// Paper, scale and units of sheets, and the texts of their title block.
+class SheetForm final : public QWidget {
+    Q_OBJECT
+public:
+    explicit SheetForm(QWidget* parent = nullptr);
+
+    void show(const BookSettings& settings);  ///< without a signal
+    /// The fields' values; an empty date stays empty.
+    [[nodiscard]] BookSettings settings() const;
+
+    /// Takes the logo from a file, as the button does. Error: of readLogo() and validate().
+    Result<void> takeLogo(const QString& file);
+
+Q_SIGNALS:
+    void edited();
+    void failed(noonmark::Error error);
+
+private:
+    void makePaper(QFormLayout& form);
+    void makeTitleBlock(QFormLayout& form);
+    QWidget* makeLogo();
+    QComboBox* addList(QFormLayout& form, const QString& label, const char* name, const QString& tip);
+    QLineEdit* addText(QFormLayout& form, const QString& label, const char* name, const QString& whenEmpty);
+    void askForLogo();
+    void showLogo();
+
+    QComboBox *paper_, *orientation_, *scale_, *units_;
+    QLineEdit *project_, *author_, *client_, *date_, *prefix_;
+    QLabel* logoPicture_;
+    QPushButton* removeLogo_;
+    std::string logo_;  // the bytes of the picture
+};
+
+}  // namespace noonmark
