@@ -75,6 +75,8 @@ void SheetsDialog::arrange() {
     auto* column = new QVBoxLayout(this);
     column->addLayout(body, 1);
     column->addLayout(foot);
+    // Enter in a field ends its editing, and presses no button.
+    for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false);
     resize(1120, 780);
 }
 
