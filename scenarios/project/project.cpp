@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "core/receivers/place_names.h"
@@ -51,6 +52,13 @@ Result<Place> findPlace(const Project& project, const std::string& name) {
         return failure("The project has no places", "place '" + name + "'",
                        "Read them from a map: noonmark-cli project place read PROJECT FILE");
     return findPlace(project.places, name);
+}
+
+std::vector<Place> placesOfKind(const Project& project, PlaceKind kind) {
+    std::vector<Place> places;
+    std::ranges::copy_if(project.places, std::back_inserter(places),
+                         [&](const Place& place) { return place.kind == kind; });
+    return places;
 }
 Result<TimeWeights> findWeights(const Project& project, const std::string& name) {
     return findNamed(project.weights, ownName, name, "weight table");

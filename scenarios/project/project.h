@@ -99,6 +99,7 @@ Result<NamedLot> findLot(const Project& project, const std::string& name);
 Result<Region> findRegion(const Project& project, const std::string& name);
 /// In any case of letters; the Error suggests names that are spelled alike.
 Result<Place> findPlace(const Project& project, const std::string& name);
+std::vector<Place> placesOfKind(const Project& project, PlaceKind kind);
 Result<TimeWeights> findWeights(const Project& project, const std::string& name);
 Result<NamedPeriod> findPeriod(const Project& project, const std::string& name);
 Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name);

@@ -40,6 +40,12 @@ void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
         ->type_name("KIND");
     command.add_flag("--streets", options.settings.streets,
                      "OpenStreetMap: streets too, as wide as tagged or as is usual for their class");
+    command
+        .add_option("--sidewalks", options.settings.sidewalkM,
+                    "With --streets: not the carriageways but strips of this width on both sides of them, m")
+        ->check(within(0.5, PlaceSettings::mostSidewalkM))
+        ->needs("--streets")
+        ->type_name("M");
     command.add_flag_function(
         "--named", [&options](auto) { options.settings.unnamed = false; }, "Only places with a name");
     command.add_option("--least-area", options.settings.leastAreaM2, "Only places of at least this area, m2")

@@ -45,6 +45,7 @@ struct ReviewAnswer {
     std::vector<Place> places;
     HeightFacts heights;
     BookSettings sheets;
+    std::vector<Place> streets;
 };
 
 Place placeOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
@@ -126,8 +127,10 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     const ReviewLabels labels{options.from, options.to,
                               provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
                               options.places, makeRepeatOptions(options.sheets, *sheets)};
-    return ReviewAnswer{*std::move(study),        labels, before->city, after->city, *places,
-                        project.reading->heights, *sheets};
+    return ReviewAnswer{*std::move(study), labels,
+                        before->city,      after->city,
+                        *places,           project.reading->heights,
+                        *sheets,           placesOfKind(project, PlaceKind::street)};
 }
 
 /// The rule's own table as text; of many days those with incremental shadow.
@@ -182,8 +185,8 @@ Result<std::vector<std::filesystem::path>> writeFiles(const ReviewAnswer& answer
     const Interrupt interrupt;
     ProgressLine progress(console);
     ProgressShare forSheets(progress, 0, 2), forFiles(progress, 1, 2);
-    const ReviewBookSource source{answer.study, answer.labels, answer.before,
-                                  answer.after, answer.places, answer.heights};
+    const ReviewBookSource source{answer.study,  answer.labels,  answer.before, answer.after,
+                                  answer.places, answer.heights, answer.streets};
     const auto sheets = makeReviewBook(source, answer.sheets, forSheets, interrupt.token());
     if (!sheets) return tl::make_unexpected(sheets.error());
     return writeReviewFiles(source, *sheets, {options.byteOrderMark, outputs}, options.out, forFiles,

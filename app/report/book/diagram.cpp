@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/report/book/paper.h"
+#include "app/report/book/street_name.h"
 #include "app/report/maps/city_painter.h"
 #include "app/report/maps/map_furniture.h"
 #include "app/report/maps/map_view.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double heightLabelPt = 4.6;
 constexpr double nameLabelPt = 6.6;
+constexpr double streetLabelPt = 5;
 constexpr double mostScaleOfHeights = 2500;  // beyond, numbers would cover the map
 
 QPainterPath pathOf(const std::vector<Footprint>& polygons, const MapView& view) {
@@ -45,6 +47,7 @@ public:
         painter.setClipRect(view_.target());
         painter.fillRect(view_.target(), ink::paper);
         paintGround();
+        paintStreetLines();
         paintBuildings(canvas_, view_, scene_.city, {shade::building, shade::buildingLine, 0.25});
         paintRemoved();
         paintFan();
@@ -53,6 +56,7 @@ public:
         paintValueLines();
         paintFanTimes();
         paintPlaceNames();
+        paintStreetNames();
         paintHeights(scene_.proposal, ink::paper, true);
         if (diagram_.scale <= mostScaleOfHeights) paintHeights(scene_.city, ink::quiet, false);
         painter.restore();
@@ -151,6 +155,36 @@ private:
         canvas_.painter.setBrush(Qt::NoBrush);
         canvas_.painter.setPen(linePen(canvas_, shade::placeLine, 1.1));
         for (const Place& place : scene_.places) canvas_.painter.drawPath(pathOf(place.polygons, view_));
+    }
+
+    void paintStreetLines() {
+        canvas_.painter.setBrush(Qt::NoBrush);
+        canvas_.painter.setPen(linePen(canvas_, ink::paper, 0.5));
+        for (const Place& street : scene_.streets) canvas_.painter.drawPath(pathOf(street.polygons, view_));
+    }
+
+    /// Along each street, where there is room for its name and no other label.
+    void paintStreetNames() {
+        const QFont font = textFont(canvas_, streetLabelPt * diagram_.textScale);
+        const QFontMetricsF metrics(font, canvas_.painter.device());
+        canvas_.painter.setFont(font);
+        canvas_.painter.setPen(ink::text);
+        for (const Place& street : scene_.streets) {
+            const auto spot = findStreetNameSpot(street, view_);
+            const QString name = plainText(street.name);
+            const double width = metrics.horizontalAdvance(name);
+            if (!spot || width > spot->room) continue;
+            const QRectF text(-width / 2, -metrics.capHeight() / 2, width, metrics.capHeight());
+            const QTransform along =
+                QTransform::fromTranslate(spot->middle.x(), spot->middle.y()).rotate(spot->angleDeg);
+            const QRectF box = along.mapRect(text);
+            if (!isFree(box) || !view_.target().contains(box)) continue;
+            labels_.push_back(box);
+            canvas_.painter.save();
+            canvas_.painter.setTransform(along, true);
+            canvas_.painter.drawText(text.bottomLeft(), name);
+            canvas_.painter.restore();
+        }
     }
 
     [[nodiscard]] bool isFree(const QRectF& box) const {

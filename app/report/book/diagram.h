@@ -29,6 +29,7 @@ struct DiagramScene {
     City proposal;  ///< the buildings that only the scenario has
     City removed;   ///< the buildings that only the baseline has
     std::vector<Place> places;
+    std::vector<Place> streets{};  ///< for orientation: lines and names
 };
 
 /// One shadow of a fan.

@@ -35,7 +35,13 @@ ReviewLabels labelsOf(const ReviewExport& review, const BookSettings& settings) 
 
 ReviewBookSource sourceOf(const ReviewExport& review, const ReviewStudy& study, const ReviewLabels& labels) {
     const ReviewQuestion& asked = review.answer->question;
-    return {study, labels, *asked.before, *asked.after, asked.places, review.project.reading->heights};
+    return {study,
+            labels,
+            *asked.before,
+            *asked.after,
+            asked.places,
+            review.project.reading->heights,
+            placesOfKind(review.project, PlaceKind::street)};
 }
 
 }  // namespace

@@ -62,6 +62,55 @@ bool isUsable(const StreetPiece& piece, Warnings& warnings) {
     return false;
 }
 
+/// The lines of one street.
+struct Street {
+    std::string name, id;  ///< the id of the first line
+    std::vector<StreetLine> lines;
+};
+
+std::vector<Street> joinByName(const std::vector<StreetPiece>& pieces, Warnings& warnings) {
+    std::map<std::string, Street> byName;
+    for (const StreetPiece& piece : pieces) {
+        if (!isUsable(piece, warnings)) continue;
+        // A name cannot begin with a line break, so that lines without one stay apart.
+        Street& street = byName[piece.name.empty() ? "\n" + piece.id : piece.name];
+        if (street.lines.empty()) street = {piece.name, piece.id, {}};
+        street.lines.push_back(piece.line);
+    }
+    std::vector<Street> streets;
+    for (auto& [name, street] : byName) streets.push_back(std::move(street));
+    return streets;
+}
+
+// The strips beside `street` that no carriageway covers.
+std::vector<Footprint> cutSidewalks(Street street, double sidewalkM,
+                                    const std::vector<Footprint>& carriageways) {
+    constexpr LeastPiece least{.areaM2 = 1, .widthM = 0.2};
+    for (StreetLine& line : street.lines) line.widthM += 2 * sidewalkM;
+    return cutPiecesOutside(widenStreet(street.lines), carriageways, least);
+}
+
+// `carriageways`: those of `streets`. A street between carriageways has no sidewalk and is left out.
+std::vector<Place> makeSidewalks(const std::vector<Place>& carriageways, const std::vector<Street>& streets,
+                                 double sidewalkM) {
+    std::vector<Box2> boxes, wide;
+    const glm::vec2 margin{float(sidewalkM)};
+    for (const Place& place : carriageways) {
+        boxes.push_back(bounds(place));
+        wide.push_back({boxes.back().low - margin, boxes.back().high + margin});
+    }
+    std::vector<std::vector<Footprint>> near(streets.size());
+    for (const auto& [a, b] : findMeetingBoxes(wide, boxes))
+        near[a].insert(near[a].end(), carriageways[b].polygons.begin(), carriageways[b].polygons.end());
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < streets.size(); ++i) {
+        Place place = carriageways[i];
+        place.polygons = cutSidewalks(streets[i], sidewalkM, near[i]);
+        if (!place.polygons.empty()) places.push_back(std::move(place));
+    }
+    return places;
+}
+
 }  // namespace
 
 std::vector<Place> joinAreas(std::vector<Place> areas, double nearM) {
@@ -79,30 +128,21 @@ std::vector<Place> joinAreas(std::vector<Place> areas, double nearM) {
     return places;
 }
 
-std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, const std::string& sourceStart,
-                               Warnings& warnings) {
-    struct Street {
-        std::string name, id;
-        std::vector<StreetLine> lines;
-    };
-    std::map<std::string, Street> streets;
-    for (const StreetPiece& piece : pieces) {
-        if (!isUsable(piece, warnings)) continue;
-        // A name cannot begin with a line break, so that lines without one stay apart.
-        Street& street = streets[piece.name.empty() ? "\n" + piece.id : piece.name];
-        if (street.lines.empty()) street = {piece.name, piece.id, {}};
-        street.lines.push_back(piece.line);
-    }
+std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, double sidewalkM,
+                               const std::string& sourceStart, Warnings& warnings) {
     std::vector<Place> places;
-    for (auto& [key, street] : streets) {
+    std::vector<Street> streets;
+    for (Street& street : joinByName(pieces, warnings)) {
         auto polygons = widenStreet(street.lines);
-        if (polygons.empty())
+        if (polygons.empty()) {
             warnings.push_back({WarningKind::dropped, "the street could not be widened", street.id});
-        else
-            places.push_back({street.name, PlaceKind::street, std::move(polygons),
-                              sourceStart + sourceOf(street.id, street.lines.size())});
+            continue;
+        }
+        places.push_back({street.name, PlaceKind::street, std::move(polygons),
+                          sourceStart + sourceOf(street.id, street.lines.size())});
+        streets.push_back(std::move(street));
     }
-    return places;
+    return sidewalkM > 0 ? makeSidewalks(places, streets, sidewalkM) : places;
 }
 
 }  // namespace noonmark

@@ -22,9 +22,10 @@ struct StreetPiece {
 /// overlay.
 std::vector<Place> joinAreas(std::vector<Place> areas, double nearM = 50);
 
-/// A place for each street name, and one for each line without a name. Lines that are too tangled, or without
-/// a length, give a warning.
-std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, const std::string& sourceStart,
-                               Warnings& warnings);
+/// A place for each street name, and one for each line without a name: its carriageway or, where `sidewalkM`
+/// is above 0, strips of that width on both sides of it, as far as no street's carriageway lies there. Lines
+/// that are too tangled, or without a length, give a warning.
+std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, double sidewalkM,
+                               const std::string& sourceStart, Warnings& warnings);
 
 }  // namespace noonmark

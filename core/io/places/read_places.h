@@ -22,9 +22,12 @@ struct PlaceSettings {
 
     std::set<PlaceKind> kinds;  ///< only these; empty: all
     bool streets = false;       ///< OpenStreetMap: also streets, as wide as tagged, else as is usual
-    bool unnamed = true;        ///< also places without a name
-    double leastAreaM2 = 0;     ///< smaller places are left out
-    double farAwayM = 60000;    ///< features farther from the frame's origin are left out, with a warning
+    /// Of streets, not the carriageway but strips of this width on both sides of it; 0: the carriageway.
+    double sidewalkM = 0;
+    static constexpr double mostSidewalkM = 20;
+    bool unnamed = true;      ///< also places without a name
+    double leastAreaM2 = 0;   ///< smaller places are left out
+    double farAwayM = 60000;  ///< features farther from the frame's origin are left out, with a warning
 
     // Files other than OpenStreetMap's:
     std::string nameField;             ///< any case; empty: name, or another usual field

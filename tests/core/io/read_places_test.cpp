@@ -137,6 +137,21 @@ TEST_F(ReadPlaces, StreetsAreAsWideAsTaggedAndJoinedByName) {
     EXPECT_EQ(placeNamed(read, "Side Street")->kind, PlaceKind::street);
 }
 
+// Main Street, 12 m wide and 100 m long, is crossed in its middle by Cross Street, 8 m wide: its two
+// sidewalks of 3 m lose 8 m each. Cross Street's lose the 12 m of Main Street; the corners belong to both.
+TEST_F(ReadPlaces, SidewalksLieBesideTheCarriagewaysOfAllStreets) {
+    const std::string text = osmLine(1, {{0, 0}, {100, 0}},
+                                     {{"highway", "primary"}, {"name", "Main Street"}, {"width", "12"}}, 1) +
+                             osmLine(10, {{50, -50}, {50, 50}},
+                                     {{"highway", "tertiary"}, {"name", "Cross Street"}, {"width", "8"}}, 2);
+    const auto file = folder_.file("a.osm", osmOf(text));
+    const auto read = readFrom(file, {.streets = true, .sidewalkM = 3}).value();
+    ASSERT_EQ(read.places.size(), 2U);
+    EXPECT_NEAR(area(*placeNamed(read, "Main Street")), 2 * 3 * (100 - 8), 1);
+    EXPECT_NEAR(area(*placeNamed(read, "Cross Street")), 2 * 3 * (100 - 12), 1);
+    EXPECT_EQ(placeNamed(read, "Main Street")->polygons.size(), 4U);
+}
+
 constexpr const char* parksGeoJson = R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"signname":"Bryant Park"},"geometry":{"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.979,40.75],[-73.979,40.751],[-73.98,40.751],[-73.98,40.75]]]}},
 {"type":"Feature","properties":{"signname":"Yard","kind":"schoolyard"},"geometry":{"type":"Polygon","coordinates":[[[-73.97,40.75],[-73.969,40.751],[-73.969,40.75],[-73.97,40.751],[-73.97,40.75]]]}},

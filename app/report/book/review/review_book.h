@@ -19,6 +19,7 @@ struct ReviewBookSource {
     const City& scenario;
     const std::vector<Place>& places;  ///< those that were reviewed; of rules with lines the parcels
     HeightFacts heights{};
+    std::vector<Place> streets{};  ///< drawn for orientation
 };
 
 /// The options of `noonmark-cli review run` that lay out the same sheets: paper, scale and printed date. The

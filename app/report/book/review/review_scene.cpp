@@ -131,6 +131,7 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
     diagrams->removed = keepOwnBuildings(source.baseline, source.scenario);
     diagrams->city = keepOwnBuildings(source.scenario, diagrams->proposal);
     diagrams->places = source.places;
+    diagrams->streets = source.streets;
     const bool alone = rule.occluders.casters == RuleCasters::proposal;
     ReviewScene scene{source,
                       settings,
