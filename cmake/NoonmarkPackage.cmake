@@ -7,12 +7,12 @@ set(CPACK_PACKAGE_HOMEPAGE_URL https://noonmark.github.io)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "measure the shadows of buildings on a city")
 set(CPACK_PACKAGE_DESCRIPTION
 "Noonmark measures the shadows that buildings cast on a city over hours, days
- and years, and what a proposed building would change. It reads footprints,
- 3D city models and terrain, compares scenarios, shapes towers on their lots,
- evaluates the rules of review boards, and writes maps, tables and reports
- that state how each figure was made and how exact it is.
- .
- The package holds the window (noonmark) and the command line (noonmark-cli).")
+and years, and what a proposed building would change. It reads footprints,
+3D city models and terrain, compares scenarios, shapes towers on their lots,
+evaluates the rules of review boards, and writes maps, tables and reports
+that state how each figure was made and how exact it is.
+
+The package holds the window (noonmark) and the command line (noonmark-cli).")
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/../package)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -43,6 +43,6 @@ file(CONFIGURE OUTPUT ${generated}/changelog.Debian @ONLY CONTENT
  -- @maintainer@  @date@
 ")
 execute_process(COMMAND ${GZIP} -9 --no-name --force --keep ${generated}/changelog.Debian)
-install(FILES ${generated}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(FILES ${generated}/changelog.Debian.gz DESTINATION ${NOONMARK_DOC_DIR} COMPONENT documentation)
 
 include(CPack)

@@ -1,5 +1,6 @@
 # Writes manual pages and completions into OUT/man, OUT/bash, OUT/zsh and OUT/fish by asking PROGRAM, and compresses the pages with
 # GZIP, without times, so that they are the same at each build; and the changelog, likewise.
+cmake_minimum_required(VERSION 3.25)
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

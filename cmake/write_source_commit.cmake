@@ -1,4 +1,5 @@
 # Writes OUT, the definition of sourceCommit(): COMMIT if it is given, else what git says about SOURCE.
+cmake_minimum_required(VERSION 3.25)
 set(commit "${COMMIT}")
 if(commit STREQUAL "")
   find_program(GIT git)
