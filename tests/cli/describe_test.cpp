@@ -64,8 +64,9 @@ struct SmallProgram {
         work->add_option("--days", "Number of days")->check(CLI::Range(1, 3660))->type_name("N");
         work->add_option("--at", "The time")->type_name("HH:MM");
         work->add_option("--place", "A place")->type_name("W,S,E,N|FILE|city");
-        work->add_flag("--hidden")->group("");
-        work->add_option_group("more")->add_flag("--json", "Print JSON");
+        work->add_flag_callback("--hidden", [] {})->group("");
+        work->add_option_group("more")->add_flag_callback(
+            "--json", [] {}, "Print JSON");
         app.add_subcommand("group", "A group")->add_subcommand("new", "Something new: it's [here]");
         app.add_subcommand("secret", "Not shown")->group("");
     }
