@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 namespace noonmark::cli {
 
@@ -98,8 +99,11 @@ OptionDescription describeOption(const CLI::Option& option, const KnownWords& kn
 void addOptions(const CLI::App& app, const KnownWords& known, CommandDescription& command) {
     for (const CLI::Option* option : app.get_options()) {
         if (option->get_group().empty()) continue;
+        OptionDescription described = describeOption(*option, known);
         auto& list = option->get_positional() ? command.positionals : command.options;
-        list.push_back(describeOption(*option, known));
+        // Each group has a --help of its own.
+        if (std::ranges::find(list, described.names, &OptionDescription::names) == list.end())
+            list.push_back(std::move(described));
     }
     for (const CLI::App* group :
          app.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); }))
