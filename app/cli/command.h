@@ -30,6 +30,7 @@ void addPlacesCommand(CLI::App& app, Run& run);
 void addScreenCommand(CLI::App& app, Run& run);
 void addTimelineCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
+void addDescribeCommand(CLI::App& app, Run& run);
 
 /// Prints one line to `err`: "noonmark-cli: what". Returns the code, or exitCancelled if the error is a
 /// cancellation.

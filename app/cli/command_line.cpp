@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/cli/command.h"
-#include "core/base/version.h"
+#include "app/input/build_facts.h"
 #include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {
@@ -80,7 +80,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         if (const auto chosen = useInstructionSetOfEnvironment(); !chosen)
             return fail(console, chosen.error(), exitUsage);
         CLI::App app("Measures the shadows that buildings cast on a city.", "noonmark-cli");
-        app.set_version_flag("--version", "Noonmark " + std::string(version()));
+        app.set_version_flag("--version", buildFactsText);
         app.require_subcommand(1);
         Run run;
         addSampleCommand(app, run);
@@ -100,6 +100,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addVerifyCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);
+        addDescribeCommand(app, run);
         return checkWritten(console, parseAndRun(app, run, argc, argv, console));
     } catch (const std::exception& error) {
         say(console, error.what());

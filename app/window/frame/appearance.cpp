@@ -1,6 +1,7 @@
 #include "app/window/frame/appearance.h"
 
 #include <QApplication>
+#include <QIcon>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -33,6 +34,9 @@ void applyAppearance(QApplication& application) {
     QApplication::setOrganizationName(QStringLiteral("Noonmark"));
     QApplication::setApplicationName(QStringLiteral("Noonmark"));
     QApplication::setApplicationVersion(QString::fromUtf8(version().data(), qsizetype(version().size())));
+    // The desktop finds the window's name and icon by it (resources/desktop).
+    QGuiApplication::setDesktopFileName(QStringLiteral("io.github.noonmark.Noonmark"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("io.github.noonmark.Noonmark")));
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setPalette(lightPalette());
 }

@@ -29,7 +29,7 @@ constexpr const char* exportAgain = "Export it again, or in smaller files";
 std::optional<std::filesystem::path> readerProgram() {
     std::error_code error;
     const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    for (const auto& place : {folder / readerName, folder / "../libexec/noonmark" / readerName})
+    for (const auto& place : {folder / readerName, folder / NOONMARK_HELPER_FOLDER / readerName})
         if (::access(place.c_str(), X_OK) == 0) return place;
     return std::nullopt;
 }
