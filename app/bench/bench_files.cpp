@@ -1,5 +1,7 @@
 #include "app/bench/bench_files.h"
 
+#include <QBuffer>
+
 #include "app/bench/bench_pages.h"
 #include "app/report/files/output_folder.h"
 
@@ -11,7 +13,11 @@ Result<std::vector<std::filesystem::path>> writeBenchFiles(const bench::BenchRep
     OutputFolder files(folder, rules);
     for (const bench::Finding& finding : report.findings)
         if (!finding.key.empty()) files.add(finding.key + ".csv", textContent(toCsv(finding.table)));
-    files.add("report.pdf", [&](QIODevice& device) { return writeBenchPages(report, device); });
+    QBuffer pages;  // charts are painted on this thread only
+    pages.open(QIODevice::WriteOnly);
+    const bool painted = writeBenchPages(report, pages);
+    files.add("report.pdf",
+              [&](QIODevice& device) { return painted && device.write(pages.data()) == pages.size(); });
     files.add("summary.json", textContent(summaryJson(report)));
     return std::move(files).result();
 }

@@ -1,6 +1,9 @@
 #include "app/report/files/output_folder.h"
 
+#include <tbb/parallel_for.h>
+
 #include <QFile>
+#include <deque>
 
 namespace noonmark {
 
@@ -48,27 +51,36 @@ Result<void> prepareFolder(const std::filesystem::path& folder) {
 OutputFolder::OutputFolder(const std::filesystem::path& folder, OutputRules rules)
     : folder_(folder), rules_(std::move(rules)), state_(prepareFolder(folder)) {}
 
-void OutputFolder::add(const std::string& name, const WriteContent& write) {
-    add(name, [&](const std::filesystem::path& file) { return writeContent(file, write); });
+void OutputFolder::add(const std::string& name, WriteContent write) {
+    add(name,
+        [write = std::move(write)](const std::filesystem::path& file) { return writeContent(file, write); });
 }
 
-void OutputFolder::add(const std::string& name,
-                       const std::function<Result<void>(const std::filesystem::path&)>& write) {
-    if (!state_) return;
-    const PendingFile& pending = *pending_.emplace_back(std::make_unique<PendingFile>(folder_ / name));
-    state_ = checkOutputs(folder_, {name}, rules_).and_then([&] { return write(pending.path()); });
-    if (state_)
-        files_.push_back(folder_ / name);
-    else if (state_.error().where == pending.path())
-        state_.error().where = folder_ / name;
+void OutputFolder::add(const std::string& name, WriteFile write) {
+    files_.push_back({name, std::move(write)});
+}
+
+Result<void> OutputFolder::writeFile(const File& file, const PendingFile& to) const {
+    auto written = checkOutputs(folder_, {file.name}, rules_).and_then([&] { return file.write(to.path()); });
+    if (!written && written.error().where == to.path()) written.error().where = folder_ / file.name;
+    return written;
 }
 
 Result<std::vector<std::filesystem::path>> OutputFolder::result() && {
-    const auto finished = std::move(pending_);  // files that get no name are removed here
-    for (const auto& file : finished)
-        if (state_) state_ = file->commit();
     if (!state_) return tl::make_unexpected(std::move(state_).error());
-    return std::move(files_);
+    std::deque<PendingFile> pending;  // files that get no name are removed
+    for (const File& file : files_) pending.emplace_back(folder_ / file.name);
+    std::vector<Result<void>> written(files_.size());
+    tbb::parallel_for(std::size_t{0}, files_.size(),
+                      [&](std::size_t i) { written[i] = writeFile(files_[i], pending[i]); });
+    for (Result<void>& one : written)
+        if (!one) return tl::make_unexpected(std::move(one).error());
+    std::vector<std::filesystem::path> paths;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (auto named = pending[i].commit(); !named) return tl::make_unexpected(std::move(named).error());
+        paths.push_back(folder_ / files_[i].name);
+    }
+    return paths;
 }
 
 }  // namespace noonmark

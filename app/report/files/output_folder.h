@@ -3,7 +3,6 @@
 #include <QIODevice>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,25 +22,35 @@ WriteContent textContent(std::string content);
 /// their files are written at the end.
 Result<void> prepareFolder(const std::filesystem::path& folder);
 
-/// Writes a set of files into a folder, which is created if missing: either all files or none. Files are
-/// written under temporary names, and result() renames them; existing files are replaced only where
-/// checkOutput() permits. After the first error nothing more is written.
+/// Writes a set of files into a folder, which is created if missing: either all files or none. Existing files
+/// are replaced only where checkOutput() permits.
 class OutputFolder {
 public:
+    /// Creates a file at this path.
+    using WriteFile = std::function<Result<void>(const std::filesystem::path&)>;
+
     explicit OutputFolder(const std::filesystem::path& folder, OutputRules rules = {});
 
-    void add(const std::string& name, const WriteContent& write);
+    /// Adds a file. result() calls the writer, on any thread: what it refers to must live until then.
+    void add(const std::string& name, WriteContent write);
     /// For writers that create the file themselves.
-    void add(const std::string& name, const std::function<Result<void>(const std::filesystem::path&)>& write);
+    void add(const std::string& name, WriteFile write);
 
-    /// Renames the files. Returns the paths written, or the first error.
+    /// Writes the files side by side on all cores, under temporary names, and then gives them their own.
+    /// Returns the paths in the order in which they were added, or the error of the first file that failed;
+    /// then no file is left.
     Result<std::vector<std::filesystem::path>> result() &&;
 
 private:
+    struct File {
+        std::string name;
+        WriteFile write;
+    };
+    [[nodiscard]] Result<void> writeFile(const File& file, const PendingFile& to) const;
+
     std::filesystem::path folder_;
     OutputRules rules_;
-    std::vector<std::filesystem::path> files_;
-    std::vector<std::unique_ptr<PendingFile>> pending_;
+    std::vector<File> files_;
     Result<void> state_;
 };
 

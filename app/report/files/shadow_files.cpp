@@ -10,8 +10,8 @@ std::string svgName(const DrawnTime& time) { return "shadows_" + time.name + ".s
 
 void addGeoJson(OutputFolder& files, const ShadowDrawing& drawing) {
     for (const DrawingTable& table : makeDrawingTables(drawing))
-        files.add(table.name + ".geojson", [&](const std::filesystem::path& file) {
-            return writeShadowsGeoJson(file, drawing, table.name);
+        files.add(table.name + ".geojson", [&drawing, name = table.name](const std::filesystem::path& file) {
+            return writeShadowsGeoJson(file, drawing, name);
         });
 }
 
@@ -33,12 +33,12 @@ std::vector<std::string> shadowFileNames(const std::vector<DrawnTime>& times,
 void addShadowFiles(OutputFolder& files, const ShadowDrawing& drawing, const ShadowFileSettings& settings) {
     const auto wants = [&](ShadowFormat format) { return settings.formats.contains(format); };
     if (wants(ShadowFormat::dxf))
-        files.add("shadows.dxf", [&](const std::filesystem::path& file) {
-            return writeShadowsDxf(file, drawing, settings.plane);
+        files.add("shadows.dxf", [&drawing, plane = settings.plane](const std::filesystem::path& file) {
+            return writeShadowsDxf(file, drawing, plane);
         });
     if (wants(ShadowFormat::geoPackage))
-        files.add("shadows.gpkg", [&](const std::filesystem::path& file) {
-            return writeShadowsGeoPackage(file, drawing, settings.plane);
+        files.add("shadows.gpkg", [&drawing, plane = settings.plane](const std::filesystem::path& file) {
+            return writeShadowsGeoPackage(file, drawing, plane);
         });
     if (wants(ShadowFormat::geoJson)) addGeoJson(files, drawing);
     if (wants(ShadowFormat::svg))

@@ -24,7 +24,7 @@ struct ShadowFileSettings {
 std::vector<std::string> shadowFileNames(const std::vector<DrawnTime>& times,
                                          const ShadowFileSettings& settings);
 
-/// Adds the files to a folder's set.
+/// Adds the files to a folder's set. `drawing` must live until the set is written.
 void addShadowFiles(OutputFolder& files, const ShadowDrawing& drawing, const ShadowFileSettings& settings);
 
 }  // namespace noonmark

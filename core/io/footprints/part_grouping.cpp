@@ -1,5 +1,7 @@
 #include "core/io/footprints/part_grouping.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <map>
@@ -49,17 +51,33 @@ struct Owner {
     }
 };
 
-std::vector<Owner> ownersOf(const Features& features, const Indices& parts, const Indices& outlines) {
-    std::vector<Owner> owners(parts.size());
+// A part and an outline, as places in the lists of them, and the share of the part that the outline covers.
+struct Cover {
+    std::size_t part, outline;
+    double share = 0;
+};
+
+// Of pairs whose boxes meet: those that may share more than half of the part.
+std::vector<Cover> coversOf(const Features& features, const Indices& parts, const Indices& outlines) {
     const auto partBoxes = boxesOf(features, parts);
     const auto outlineBoxes = boxesOf(features, outlines);
-    for (const auto& [p, o] : findMeetingBoxes(partBoxes, outlineBoxes)) {
-        const auto& part = features[parts[p]].pieces;
-        const auto& outline = features[outlines[o]].pieces;
-        const double partArea = computeArea(part);
-        if (2 * computeSharedArea(partBoxes[p], outlineBoxes[o]) < partArea)
-            continue;  // cheap test that excludes most pairs
-        owners[p].offer(outlines[o], computeSharedArea(part, outline) / partArea, computeArea(outline));
+    std::vector<Cover> covers;
+    for (const auto& [p, o] : findMeetingBoxes(partBoxes, outlineBoxes))
+        if (2 * computeSharedArea(partBoxes[p], outlineBoxes[o]) >= computeArea(features[parts[p]].pieces))
+            covers.push_back({p, o});
+    tbb::parallel_for(std::size_t{0}, covers.size(), [&](std::size_t i) {
+        const auto& part = features[parts[covers[i].part]].pieces;
+        const auto& outline = features[outlines[covers[i].outline]].pieces;
+        covers[i].share = computeSharedArea(part, outline) / computeArea(part);
+    });
+    return covers;
+}
+
+std::vector<Owner> ownersOf(const Features& features, const Indices& parts, const Indices& outlines) {
+    std::vector<Owner> owners(parts.size());
+    for (const Cover& cover : coversOf(features, parts, outlines)) {
+        const std::size_t outline = outlines[cover.outline];
+        owners[cover.part].offer(outline, cover.share, computeArea(features[outline].pieces));
     }
     return owners;
 }

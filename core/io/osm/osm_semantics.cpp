@@ -1,8 +1,10 @@
 #include "core/io/osm/osm_semantics.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/city/settle_parts.h"
 #include "core/io/footprints/outline_remainder.h"
@@ -98,11 +100,20 @@ AssembledBuilding assemble(const BuildingGroup& group, const Features& features,
 
 std::vector<AssembledBuilding> assembleBuildings(const Features& features, double metresPerLevel,
                                                  Warnings& warnings, const std::stop_token& stop) {
+    struct Made {
+        AssembledBuilding building;
+        Warnings warnings;
+    };
+    const std::vector<BuildingGroup> groups = groupIntoBuildings(features);
+    std::vector<Made> all(groups.size());
+    tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
+        if (!stop.stop_requested())
+            all[i].building = assemble(groups[i], features, metresPerLevel, all[i].warnings);
+    });
     std::vector<AssembledBuilding> buildings;
-    for (const BuildingGroup& group : groupIntoBuildings(features)) {
-        if (stop.stop_requested()) break;
-        AssembledBuilding made = assemble(group, features, metresPerLevel, warnings);
-        if (!made.building.parts.empty()) buildings.push_back(std::move(made));
+    for (Made& made : all) {
+        std::ranges::move(made.warnings, std::back_inserter(warnings));
+        if (!made.building.building.parts.empty()) buildings.push_back(std::move(made.building));
     }
     return buildings;
 }
