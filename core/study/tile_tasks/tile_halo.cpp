@@ -1,6 +1,7 @@
 #include "core/study/tile_tasks/tile_halo.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace noonmark {
 
@@ -43,6 +44,9 @@ TileHalo findHalo(const OccluderSurvey& survey, const ShadowReach& reach, const 
     // Twice: parts that overlap a part of a building decide, with their own outlines, whose part it is.
     const float around = 2 * longestSide(survey, halo.occluders) + 1;
     halo.reads = {halo.occluders.low - around, halo.occluders.high + around};
+    halo.reads.low = glm::max(halo.reads.low, survey.boxOf(0).low);
+    halo.reads.high = glm::min(halo.reads.high, survey.boxOf(survey.cells().size() - 1).high);
+    halo.reads.add(halo.occluders);
     forEachCell(survey, halo.reads, [&](std::size_t i) {
         const OccluderSurvey::Cell& cell = survey.cells()[i];
         halo.buildings += cell.buildings;

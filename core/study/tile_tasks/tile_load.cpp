@@ -9,12 +9,12 @@ namespace noonmark {
 namespace {
 
 // Measured on tiles of New York, loaded machine: docs/scale.md.
-constexpr double secondsToReadABuilding = 40e-6;
+constexpr double secondsToReadABuilding = 100e-6;
 constexpr double secondsToWriteACell = 0.25e-6;
-constexpr double programBytes = 120e6;
-constexpr double bytesOfABuilding = 3000;
+constexpr double programBytes = 150e6;
+constexpr double bytesOfABuilding = 10000;
 constexpr double bytesOfAPoint = 600;
-constexpr double bytesOfACell = 60;
+constexpr double bytesOfACell = 400;
 constexpr double bytesOfAPost = 250;
 
 double secondsOf(const std::string& engine, const EstimatedSeconds& seconds, bool level) {
