@@ -10,9 +10,9 @@
 
 namespace noonmark {
 
-/// The buildings of a district in coarse cells: enough to tell how far a tile's occluders are, and small for a
-/// whole country. A cell counts every building that touches it in `highestM` and `longestM`, and those whose
-/// box has its south-west corner in it in the rest.
+/// The buildings of a district in coarse cells: enough to tell how far a tile's occluders are, and small for
+/// a whole country. A cell counts every building that touches it in `highestM` and `longestM`, and those
+/// whose box has its south-west corner in it in the rest.
 class OccluderSurvey {
 public:
     static constexpr double usualCellM = 200;
