@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/cli/command.h"
+#include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
 #include "core/simd/instruction_set.h"
 
@@ -89,6 +90,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addSunCommand(app, run);
         addStudyCommand(app, run);
         addCityStudyCommand(app, run);
+        addTilesCommand(app, run);
         addBenchCommand(app, run);
         addProjectCommand(app, run);
         addImpactCommand(app, run);

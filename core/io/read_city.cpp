@@ -45,10 +45,11 @@ int turnOf(const InputFile& file, const ReadSettings& settings) {
 }
 
 Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings, Progress& progress,
-                            const std::stop_token& stop) {
+                            const std::stop_token& stop, const ReadWindow* window) {
     switch (file.kind) {
         case FileKind::footprints:
-            return readFootprints(file.path, settings, progress, stop);
+            return readFootprints(file.path, settings, progress, stop,
+                                  window == nullptr ? nullptr : &window->box);
         case FileKind::cityJson:
             return readCityJson(file.path, settings, progress, stop);
         case FileKind::mesh:
@@ -61,14 +62,14 @@ Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings,
 
 // Reads every file into its piece; the first reader that chooses a frame fixes it for the others.
 Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, Progress& progress,
-                         const std::stop_token& stop) {
+                         const std::stop_token& stop, const ReadWindow* window) {
     std::vector<InputFile*> turns;
     for (InputFile& file : files) turns.push_back(&file);
     std::ranges::stable_sort(turns, {}, [&](const InputFile* file) { return turnOf(*file, settings); });
     for (std::size_t i = 0; i < turns.size(); ++i) {
         if (stop.stop_requested()) return cancelled();
         ProgressShare share(progress, i, turns.size());
-        auto piece = readPiece(*turns[i], settings, share, stop);
+        auto piece = readPiece(*turns[i], settings, share, stop, window);
         if (!piece) return tl::make_unexpected(piece.error());
         if (auto some = leaveOutImplausible(turns[i]->path.filename().string(), *piece); !some)
             return tl::make_unexpected(some.error());
@@ -178,16 +179,15 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-}  // namespace
-
-Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
-                          std::stop_token stop) {
+Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
+                         const ReadWindow* window, Progress& progress, const std::stop_token& stop) {
     auto files = recogniseFiles(paths);
     if (!files) return tl::make_unexpected(files.error());
-    const auto frame = readPieces(*files, settings, progress, stop);
+    const auto frame = readPieces(*files, settings, progress, stop, window);
     if (!frame) return tl::make_unexpected(frame.error());
     CityRead all;
     all.city.frame = *frame;
+    if (window != nullptr) all.city.terrain = window->terrain;
     for (const InputFile& file : *files) joinTerrain(all, file);
     makeTerrainFromBases(all, *files, settings.terrainFromBases);
     for (const InputFile& file : *files) {
@@ -200,6 +200,18 @@ Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& se
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);
     return all;
+}
+
+}  // namespace
+
+Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
+                          std::stop_token stop) {
+    return readAll(paths, settings, nullptr, progress, stop);
+}
+
+Result<CityRead> readCityWindow(const std::vector<Path>& paths, const ReadSettings& settings,
+                                const ReadWindow& window, Progress& progress, std::stop_token stop) {
+    return readAll(paths, settings, &window, progress, stop);
 }
 
 }  // namespace noonmark

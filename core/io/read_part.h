@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/read_city.h"
+#include "core/io/read_window.h"
 
 namespace noonmark {
 
@@ -21,10 +21,10 @@ struct FilePiece {
 };
 
 /// One reader per family of formats. `settings.frame` is set if an earlier file fixed it; otherwise the
-/// reader chooses the middle of its data.
+/// reader chooses the middle of its data. `window`: null for the whole file.
 Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings,
-                                 Progress& progress,
-                                 std::stop_token stop);  ///< defined in read_footprints_gdal.cpp
+                                 Progress& progress, std::stop_token stop,
+                                 const LonLatBox* window = nullptr);  ///< defined in read_footprints_gdal.cpp
 Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                Progress& progress,
                                std::stop_token stop);  ///< defined in read_cityjson.cpp

@@ -18,8 +18,8 @@ namespace noonmark {
 namespace {
 
 tl::unexpected<Error> notWritten(const std::filesystem::path& file, const std::string& why) {
-    return failure("The map could not be written: " + why, file.string(),
-                   "Check that the folder exists, is writable and has space");
+    return limitReached("The map could not be written: " + why, file.string(),
+                        "Check that the folder exists, is writable and has space");
 }
 
 GDALDatasetUniquePtr createDataset(const std::filesystem::path& file, const Grid& grid, std::size_t bands) {

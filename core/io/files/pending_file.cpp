@@ -30,8 +30,9 @@ Result<void> PendingFile::commit() {
     std::error_code error;
     std::filesystem::rename(path_, target_, error);
     if (!error) return {};
-    return failure("The file could not be renamed to its final name: " + error.message(), target_.string(),
-                   "Check that the folder can be written to and that no folder has this name");
+    return limitReached("The file could not be renamed to its final name: " + error.message(),
+                        target_.string(),
+                        "Check that the folder can be written to and that no folder has this name");
 }
 
 }  // namespace noonmark

@@ -12,8 +12,8 @@ Result<void> writeText(const std::filesystem::path& file, std::string_view text)
     stream.write(text.data(), std::streamsize(text.size()));
     stream.close();
     if (!stream)
-        return failure("The file could not be written", file.string(),
-                       "Choose a folder that you may write to, and check that the disk has space");
+        return limitReached("The file could not be written", file.string(),
+                            "Choose a folder that you may write to, and check that the disk has space");
     return pending.commit();
 }
 

@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-double medianOf(std::vector<double>& values) {
+double medianOf(std::vector<double> values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
@@ -79,17 +79,23 @@ std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame
 
 }  // namespace
 
+void FeatureCentres::add(const UnplacedFeature& feature) {
+    if (lons_.empty()) nearLonDeg_ = feature.polygons.front().front().front().lonDeg;
+    const LonLat centre = centreOf(feature, nearLonDeg_);
+    lons_.push_back(centre.lonDeg);
+    lats_.push_back(centre.latDeg);
+    if (const auto ground = feature.facts.heights.groundElevationM) elevations_.push_back(*ground);
+}
+
+Frame FeatureCentres::frame() const {
+    const LonLat middle{std::remainder(medianOf(lons_), 360.0), medianOf(lats_)};
+    return Frame(middle, elevations_.empty() ? 0 : medianOf(elevations_));
+}
+
 Frame frameOf(const std::vector<UnplacedFeature>& features) {
-    const double nearLonDeg = features.front().polygons.front().front().front().lonDeg;
-    std::vector<double> lons, lats, elevations;
-    for (const UnplacedFeature& feature : features) {
-        const LonLat centre = centreOf(feature, nearLonDeg);
-        lons.push_back(centre.lonDeg);
-        lats.push_back(centre.latDeg);
-        if (const auto ground = feature.facts.heights.groundElevationM) elevations.push_back(*ground);
-    }
-    const LonLat middle{std::remainder(medianOf(lons), 360.0), medianOf(lats)};
-    return Frame(middle, elevations.empty() ? 0 : medianOf(elevations));
+    FeatureCentres centres;
+    for (const UnplacedFeature& feature : features) centres.add(feature);
+    return centres.frame();
 }
 
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,

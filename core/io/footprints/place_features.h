@@ -18,8 +18,21 @@ struct UnplacedFeature {
     std::vector<LonLatPolygon> polygons;  ///< none of them empty
 };
 
-/// The frame at the middle of the features: the median of their centres, which a few distant features do not
-/// move; its elevation is the median of the stated ground elevations, or 0. `features` is not empty.
+/// The middle of features that are not all in memory at once: 16 to 24 bytes a feature.
+class FeatureCentres {
+public:
+    void add(const UnplacedFeature& feature);
+    /// The frame at the middle of the features: the median of their centres, which a few distant features do
+    /// not move; its elevation is the median of the stated ground elevations, or 0. At least one feature was
+    /// added.
+    [[nodiscard]] Frame frame() const;
+
+private:
+    double nearLonDeg_ = 0;
+    std::vector<double> lons_, lats_, elevations_;
+};
+
+/// The frame at the middle of the features (FeatureCentres); `features` is not empty.
 Frame frameOf(const std::vector<UnplacedFeature>& features);
 
 /// Transforms features to local metres and repairs their outlines. Left out with a warning: features with a

@@ -9,6 +9,8 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/footprints/footprint_layer.h"
+#include "core/io/footprints/footprint_scan.h"
+#include "core/io/footprints/layer_window.h"
 #include "core/io/footprints/map_remarks.h"
 #include "core/io/osm/osm_configuration.h"
 #include "core/io/osm/osm_semantics.h"
@@ -129,6 +131,7 @@ public:
         for (OGRLayer* layer : *layers)
             if (auto done = readLayer(*layer, layers->size() > 1, calls); !done)
                 return tl::make_unexpected(done.error());
+        if ((window_ != nullptr || scan_ != nullptr) && found_.empty()) return std::move(found_);
         if (polygons_ == 0)
             return failure("It holds no polygons", file_.string(),
                            "Export the building footprints as polygons");
@@ -138,20 +141,46 @@ public:
         return std::move(found_);
     }
 
+    void limitTo(const LonLatBox* window) { window_ = window; }
+
+    /// Hands features over in batches instead of returning them all; read() then returns none.
+    void scanInto(FootprintScan& scan, FeatureCentres& centres) {
+        scan_ = &scan;
+        centres_ = &centres;
+    }
+
     Warnings warnings;
     std::size_t features = 0;
     HeightFacts heights;
 
 private:
+    Result<void> scanBatch(FootprintLayer& reader) {
+        constexpr std::size_t batch = 65536;
+        if (scan_ == nullptr || features % batch != 0) return {};
+        warnings.clear();
+        return reader.finish(found_, warnings).map([&] { takeScanned(); });
+    }
+    void takeScanned() {
+        for (const UnplacedFeature& feature : found_) {
+            centres_->add(feature);
+            scan_->add(feature);
+        }
+        found_.clear();
+    }
+
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
         const LayerSource source{file_.filename().string(), open_.isOsm(), open_.driver == "ESRI Shapefile",
                                  oneOfSeveral};
         auto reader = FootprintLayer::of(layer, settings_, source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
+        if (window_ != nullptr && isIndexed(layer)) return readWindow(layer, *reader, calls);
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
         polygons_ += reader->polygonFeatures();
         reader->addHeightFacts(heights, warnings);
-        return reader->finish(found_, warnings);
+        if (scan_ != nullptr) scan_->indexed = scan_->indexed && isIndexed(layer);
+        return reader->finish(found_, warnings).map([&] {
+            if (scan_ != nullptr) takeScanned();
+        });
     }
 
     Result<void> readFeatures(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
@@ -168,8 +197,32 @@ private:
             reader.read(*feature, warnings);
             if (++features % 256 != 0) continue;
             if (stop_.stop_requested()) return cancelled();
+            if (auto scanned = scanBatch(reader); !scanned) return scanned;
             progress_.report(shareOfReading * share_, "reading " + file_.filename().string());
         }
+    }
+
+    // An index delivers features in its own order; the file's order makes the city independent of the window.
+    Result<void> readWindow(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
+        if (!limitToWindow(layer, *window_, settings_))
+            return failure("The window cannot be expressed in its coordinate system", file_.string(),
+                           "Convert it to EPSG:4326");
+        layer.ResetReading();
+        const std::size_t failures = calls.failures();
+        std::vector<OGRFeatureUniquePtr> inside;
+        while (OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+            inside.push_back(std::move(feature));
+            if (inside.size() % 256 == 0 && stop_.stop_requested()) return cancelled();
+        }
+        if (calls.failures() > failures)
+            return failure("It is incomplete or damaged (" + calls.complaints().back() + ")", file_.string(),
+                           adviceFor(file_));
+        std::ranges::sort(inside, {}, [](const OGRFeatureUniquePtr& feature) { return feature->GetFID(); });
+        for (const OGRFeatureUniquePtr& feature : inside) reader.read(*feature, warnings);
+        features += inside.size();
+        polygons_ += reader.polygonFeatures();
+        reader.addHeightFacts(heights, warnings);
+        return reader.finish(found_, warnings);
     }
 
     // OpenStreetMap's layers are filled side by side, in the order of the file.
@@ -185,6 +238,9 @@ private:
         }
     }
 
+    const LonLatBox* window_ = nullptr;
+    FootprintScan* scan_ = nullptr;
+    FeatureCentres* centres_ = nullptr;
     const OpenFile& open_;
     const Path& file_;
     const ReadSettings& settings_;
@@ -243,13 +299,14 @@ Result<void> build(FilePiece& piece, std::vector<UnplacedFeature> features, cons
 }  // namespace
 
 Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
-                                 std::stop_token stop) try {
+                                 std::stop_token stop, const LonLatBox* window) try {
     const GdalCalls calls;
     const OsmConfiguration configuration(settings.heightField, settings.levelsField);
     auto open = openFile(file, configuration);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
     FileReader reader(*open, file, settings, progress, stop);
+    reader.limitTo(window);
     auto features = reader.read(calls);
     if (!features) return tl::make_unexpected(features.error());
     FilePiece piece{.warnings = std::move(reader.warnings),
@@ -260,9 +317,30 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
     keepRemarks(calls, atOpening, file.filename().string(), piece.warnings);
     if (auto built = build(piece, *std::move(features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());
-    if (!piece.buildings.empty()) return piece;
+    if (!piece.buildings.empty() || window != nullptr) return piece;
     return failure("None of its polygons can be used as a building", file.string(),
                    commonest(piece.warnings));
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
+                   "Check that it is complete, or export it again");
+}
+
+Result<FootprintScan> scanFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
+                                     std::stop_token stop) try {
+    const GdalCalls calls;
+    const OsmConfiguration configuration(settings.heightField, settings.levelsField);
+    auto open = openFile(file, configuration);
+    if (!open) return tl::make_unexpected(open.error());
+    FileReader reader(*open, file, settings, progress, std::move(stop));
+    FootprintScan scan;
+    FeatureCentres centres;
+    reader.scanInto(scan, centres);
+    if (auto read = reader.read(calls); !read) return tl::make_unexpected(read.error());
+    if (scan.features == 0)
+        return failure("None of its polygons can be used as a building", file.string(),
+                       "Export the building footprints as polygons");
+    scan.frame = centres.frame();
+    return scan;
 } catch (const std::exception& exception) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
                    "Check that it is complete, or export it again");

@@ -82,6 +82,20 @@ void addSettings(Sha256& sum, const StudySettings& settings) {
 
 }  // namespace
 
+std::string hashSettings(const StudySettings& settings) {
+    Sha256 sum;
+    sum.add(version());
+    sum.add(methodNumber);
+    addSettings(sum, settings);
+    return sum.hex();
+}
+
+std::string hashBuilding(const Building& building) {
+    Sha256 sum;
+    for (const Part& part : building.parts) addPart(sum, part);
+    return sum.hex();
+}
+
 std::string hashCity(const City& city) {
     Sha256 sum;
     addCity(sum, city);

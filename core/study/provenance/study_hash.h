@@ -15,4 +15,10 @@ std::string hashCity(const City& city);
 /// O(points).
 std::string hashStudy(const City& city, const StudySettings& settings);
 
+/// SHA-256 of the version of the program and the settings, region included, without any city.
+std::string hashSettings(const StudySettings& settings);
+
+/// SHA-256 of what shades and stands: a building's geometry, without names and sources.
+std::string hashBuilding(const Building& building);
+
 }  // namespace noonmark

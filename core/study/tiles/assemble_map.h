@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <stop_token>
 
 #include "core/base/progress.h"
@@ -15,12 +17,17 @@ namespace noonmark {
 struct MapFile {
     std::filesystem::path path;
     FileTags tags;
+    bool overviews = true;
 };
 
-/// Writes one GeoTIFF with overviews from the finished tiles of a journal, NaN in empty ones; includes
-/// continuous shadow if `runs`. Holds one tile in memory. Error: a tile that cannot be read, a map that
-/// cannot be written; cancelled().
-Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
+/// The raster files of finished tiles by tile number; no path for a tile without a receiver.
+using TileFiles = std::map<std::size_t, std::optional<std::filesystem::path>>;
+TileFiles listFiles(const TileJournal& journal);
+
+/// Writes one GeoTIFF from the files of finished tiles, NaN in empty and missing ones; includes continuous
+/// shadow if `runs`, and overviews if the file asks for them. Holds one tile in memory. Error: a tile that
+/// cannot be read, a map that cannot be written; cancelled().
+Result<void> assembleMap(const TilePlan& plan, const TileFiles& tiles, const Frame& frame,
                          const MapFile& file, bool runs, Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -14,13 +14,20 @@ using Json = nlohmann::json;
 namespace {
 
 tl::unexpected<Error> notSaved(const std::filesystem::path& folder) {
-    return failure("Finished tiles cannot be stored: " + lastSystemProblem(), folder.string(),
-                   "Choose a folder that you may write to, and check that the disk has space");
+    return limitReached("Finished tiles cannot be stored: " + lastSystemProblem(), folder.string(),
+                        "Choose a folder that you may write to, and check that the disk has space");
 }
 
 std::string firstLine(const std::string& studyHash, const TilePlan& plan) {
     return Json{{"noonmark_tiles", 1}, {"study", studyHash}, {"side", plan.side}, {"tiles", plan.count()}}
         .dump();
+}
+
+// A file whose size the journal does not state counts if it is there.
+bool isWhole(const std::filesystem::path& file, const TileResult& result) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    return !error && (result.fileBytes == 0 || result.fileBytes == bytes);
 }
 
 /// All complete lines; a line that a kill truncated is dropped.
@@ -33,7 +40,7 @@ std::string wholeLines(const std::filesystem::path& file) {
 
 }  // namespace
 
-TileJournal::TileJournal(std::filesystem::path folder, LockedFile file)
+TileJournal::TileJournal(std::filesystem::path folder, std::optional<LockedFile> file)
     : folder_(std::move(folder)), file_(std::move(file)) {}
 
 Result<TileJournal> TileJournal::open(const std::filesystem::path& folder, const std::string& studyHash,
@@ -42,16 +49,30 @@ Result<TileJournal> TileJournal::open(const std::filesystem::path& folder, const
     std::filesystem::create_directories(folder, ignored);
     const std::filesystem::path file = folder / "journal.jsonl";
     TileJournal journal(folder, LockedFile(file));
-    if (journal.file_.state() == LockedFile::State::failed) return notSaved(folder);
-    if (journal.file_.state() == LockedFile::State::usedByOther)
-        return failure("Another Noonmark process is working on these tiles", folder.string(),
-                       "Wait until it has finished, or choose another folder");
+    if (journal.file_->state() == LockedFile::State::failed) return notSaved(folder);
+    if (journal.file_->state() == LockedFile::State::usedByOther)
+        return limitReached("Another Noonmark process is working on these tiles", folder.string(),
+                            "Wait until it has finished, or choose another folder");
     const std::string kept = wholeLines(file), first = firstLine(studyHash, plan);
     if (auto read = journal.read(kept, first, plan); !read) return tl::make_unexpected(read.error());
-    if (!journal.file_.shorten(kept.size())) return notSaved(folder);
+    if (!journal.file_->shorten(kept.size())) return notSaved(folder);
     if (kept.empty())
         if (auto begun = journal.append(first); !begun) return tl::make_unexpected(begun.error());
     return journal;
+}
+
+Result<std::map<std::size_t, TileResult>> TileJournal::peek(const std::filesystem::path& folder,
+                                                            const std::string& studyHash,
+                                                            const TilePlan& plan) {
+    TileJournal journal(folder, std::nullopt);
+    const std::string text = wholeLines(folder / "journal.jsonl");
+    return journal.read(text, firstLine(studyHash, plan), plan).map([&] {
+        return std::move(journal.finished_);
+    });
+}
+
+std::filesystem::path TileJournal::fileIn(const std::filesystem::path& folder, std::size_t tile) {
+    return folder / fmt::format("tile-{:05}.tif", tile);
 }
 
 Result<void> TileJournal::read(const std::string& text, const std::string& first, const TilePlan& plan) {
@@ -68,13 +89,11 @@ Result<void> TileJournal::read(const std::string& text, const std::string& first
 void TileJournal::take(const std::string& line, const TilePlan& plan) {
     auto result = tileResultFrom(Json::parse(line, nullptr, false));
     if (!result || result->number >= plan.count()) return;
-    if (result->empty() || std::filesystem::exists(fileOf(result->number)))
+    if (result->empty() || isWhole(fileOf(result->number), *result))
         finished_[result->number] = *std::move(result);
 }
 
-std::filesystem::path TileJournal::fileOf(std::size_t tile) const {
-    return folder_ / fmt::format("tile-{:05}.tif", tile);
-}
+std::filesystem::path TileJournal::fileOf(std::size_t tile) const { return fileIn(folder_, tile); }
 
 Result<void> TileJournal::add(TileResult result) {
     if (auto kept = append(toJson(result).dump()); !kept) return kept;
@@ -84,7 +103,7 @@ Result<void> TileJournal::add(TileResult result) {
 
 // A line is complete, or a kill truncated it and it is not read again.
 Result<void> TileJournal::append(const std::string& line) {
-    if (!file_.append(line + '\n')) return notSaved(folder_);
+    if (!file_->append(line + '\n')) return notSaved(folder_);
     return {};
 }
 

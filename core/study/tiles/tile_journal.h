@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,18 @@ public:
     static Result<TileJournal> open(const std::filesystem::path& folder, const std::string& studyHash,
                                     const TilePlan& plan);
 
+    /// The finished tiles of a folder that another process may be writing to; none if it does not exist. Does
+    /// not lock or change anything. Error: it belongs to another study.
+    static Result<std::map<std::size_t, TileResult>> peek(const std::filesystem::path& folder,
+                                                          const std::string& studyHash, const TilePlan& plan);
+
     /// By tile number.
     [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
 
     /// The file with the cells of a tile: two bands, gross and continuous minutes. Empty tiles have none.
     [[nodiscard]] std::filesystem::path fileOf(std::size_t tile) const;
+    /// The same for a journal in this folder.
+    static std::filesystem::path fileIn(const std::filesystem::path& folder, std::size_t tile);
 
     /// Marks a tile as finished; its file must exist.
     Result<void> add(TileResult result);
@@ -34,13 +42,13 @@ public:
     void remove();
 
 private:
-    TileJournal(std::filesystem::path folder, LockedFile file);
+    TileJournal(std::filesystem::path folder, std::optional<LockedFile> file);
     Result<void> read(const std::string& text, const std::string& first, const TilePlan& plan);
     Result<void> append(const std::string& line);
     void take(const std::string& line, const TilePlan& plan);
 
     std::filesystem::path folder_;
-    LockedFile file_;
+    std::optional<LockedFile> file_;  ///< none while only reading
     std::map<std::size_t, TileResult> finished_;
 };
 

@@ -38,6 +38,10 @@ TileResult resultFrom(const Json& json) {
     for (const Json& cell : json.at("compared")) result.compared.push_back(comparedCellFrom(cell));
     result.seconds = json.at("seconds");
     result.errorSeconds = json.at("error_seconds");
+    if (!json.contains("content")) return result;
+    result.contentHash = json.at("content");
+    result.fileBytes = wholeNumberFrom<std::uintmax_t>(json.at("file_bytes"));
+    result.fileSha256 = json.at("file_sha256");
     return result;
 }
 
@@ -47,17 +51,22 @@ Json toJson(const TileResult& result) {
     const ShadowSums& sums = result.sums;
     Json compared = Json::array();
     for (const ComparedCell& cell : result.compared) compared.push_back(toJson(cell));
-    return {{"tile", result.number},
-            {"sums",
-             {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
-            {"rays", result.cost.rays},
-            {"skipped", result.cost.skipped},
-            {"stages", result.cost.seconds},
-            {"engine", result.engineKey},
-            {"engine_settings", result.engine},
-            {"compared", compared},
-            {"seconds", result.seconds},
-            {"error_seconds", result.errorSeconds}};
+    Json json{{"tile", result.number},
+              {"sums",
+               {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
+              {"rays", result.cost.rays},
+              {"skipped", result.cost.skipped},
+              {"stages", result.cost.seconds},
+              {"engine", result.engineKey},
+              {"engine_settings", result.engine},
+              {"compared", compared},
+              {"seconds", result.seconds},
+              {"error_seconds", result.errorSeconds}};
+    if (result.contentHash.empty()) return json;
+    json["content"] = result.contentHash;
+    json["file_bytes"] = result.fileBytes;
+    json["file_sha256"] = result.fileSha256;
+    return json;
 }
 
 std::optional<TileResult> tileResultFrom(const Json& json) try {

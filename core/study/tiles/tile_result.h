@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -20,6 +21,11 @@ struct TileResult {
     std::vector<ComparedCell> compared;  ///< cells compared with the ray reference
     double seconds = 0;
     double errorSeconds = 0;  ///< the part of `seconds` spent on `compared`
+
+    /// Hash of everything that the tile was computed from; empty if the journal's own study says it all
+    std::string contentHash{};
+    std::uintmax_t fileBytes = 0;  ///< size of the raster file; 0: not known
+    std::string fileSha256{};      ///< of the raster file; empty: not known
 
     [[nodiscard]] bool empty() const { return sums.receivers == 0; }
 };

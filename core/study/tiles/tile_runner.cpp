@@ -5,6 +5,7 @@
 #include "core/io/write_raster.h"
 #include "core/measures/compared_cells.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/provenance.h"
 #include "core/study/tiles/map_bands.h"
 
 namespace noonmark {
@@ -23,13 +24,25 @@ Result<void> writeTile(const std::filesystem::path& file, const Frame& frame, co
     });
 }
 
+Result<TileResult> withFile(TileResult result, const std::filesystem::path& file,
+                            const std::string& contentHash) {
+    result.contentHash = contentHash;
+    if (contentHash.empty() || result.empty()) return result;
+    return describeInputFile(file).map([&](const InputFile& written) {
+        result.fileBytes = written.bytes;
+        result.fileSha256 = written.sha256;
+        return std::move(result);
+    });
+}
+
 }  // namespace
 
 TileRunner::TileRunner(const City& city, const StudySettings& settings, const SunSteps& sun,
                        const Engine& engine, const TilePlan& plan, TileJournal& journal)
     : city_(city), settings_(settings), sun_(sun), engine_(engine), plan_(plan), journal_(journal) {}
 
-Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::stop_token& stop) {
+Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::stop_token& stop,
+                             const std::string& contentHash) {
     const Stopwatch watch;
     return placeReceiversInPart(city_, settings_.region, plan_.tile(tile), stop)
         .and_then([&](Receivers receivers) {
@@ -38,8 +51,9 @@ Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::st
         })
         .and_then([&](TileResult result) {
             result.seconds = watch.seconds();
-            return journal_.add(std::move(result));
-        });
+            return withFile(std::move(result), journal_.fileOf(tile), contentHash);
+        })
+        .and_then([&](TileResult result) { return journal_.add(std::move(result)); });
 }
 
 Result<TileResult> TileRunner::computed(std::size_t tile, const Receivers& receivers, Progress& progress,

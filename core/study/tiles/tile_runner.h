@@ -17,8 +17,10 @@ public:
     TileRunner(const City& city, const StudySettings& settings, const SunSteps& sun, const Engine& engine,
                const TilePlan& plan, TileJournal& journal);
 
-    /// Writes the tile's cells to its file and its numbers to the journal.
-    Result<void> run(std::size_t tile, Progress& progress, const std::stop_token& stop);
+    /// Writes the tile's cells to its file and its numbers to the journal. `contentHash`: stored with the
+    /// tile, and if it is not empty, so are the size and the hash of its file.
+    Result<void> run(std::size_t tile, Progress& progress, const std::stop_token& stop,
+                     const std::string& contentHash = {});
 
 private:
     Result<TileResult> computed(std::size_t tile, const Receivers& receivers, Progress& progress,

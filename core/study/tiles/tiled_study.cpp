@@ -160,8 +160,8 @@ Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const Ma
     addTiles(tiled, *journal);
     if (auto some = checkOpenGround(study); !some) return tl::make_unexpected(some.error());
     const Stopwatch writing;
-    if (auto made = assembleMap(tiled.plan, *journal, study.city.frame, file, hasRuns(study.statistics),
-                                progress, stop);
+    if (auto made = assembleMap(tiled.plan, listFiles(*journal), study.city.frame, file,
+                                hasRuns(study.statistics), progress, stop);
         !made)
         return tl::make_unexpected(made.error());
     journal->remove();

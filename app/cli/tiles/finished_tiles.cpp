@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/options/place_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tiles_command.h"
+#include "core/study/provenance/provenance_tags.h"
+#include "core/study/remaining_time.h"
+#include "core/study/tile_tasks/merge_tiles.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct StatusOptions {
+    std::string folder;
+    bool json = false;
+};
+
+int printStatus(const StatusOptions& options, const Console& console) {
+    const auto plan = readTaskPlan(options.folder);
+    if (!plan) return fail(console, plan.error(), exitUsage);
+    const auto status = findStatus(options.folder, *plan);
+    if (!status) return fail(console, status.error(), exitFailed);
+    if (options.json) {
+        console.out << statusJson(*plan, *status) << '\n';
+        return exitOk;
+    }
+    console.out << fmt::format("{} of {} tiles done, {} of {} tasks complete\n", status->doneTiles,
+                               status->allTiles, plan->taskCount - status->unfinishedTasks.size(),
+                               plan->taskCount);
+    if (!status->complete())
+        console.out << fmt::format("Unfinished tasks: {}\n{:.2f} h of computing left\n",
+                                   formatRanges(status->unfinishedTasks), status->leftSeconds / 3600);
+    return exitOk;
+}
+
+struct MergeOptions {
+    std::string folder;
+    std::string places;
+    PlaceOptions place;
+    bool partial = false;
+};
+
+Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
+    const auto plan = readTaskPlan(options.folder);
+    if (!plan) return tl::make_unexpected(plan.error());
+    const auto study = parseArguments(plan->arguments);
+    if (!study) return tl::make_unexpected(study.error());
+    Provenance provenance;
+    provenance.inputs = plan->inputs;
+    MergeSettings settings{.placeSettings = options.place.settings,
+                           .partial = options.partial,
+                           .tags = makeProvenanceTags(provenance)};
+    if (!options.places.empty()) settings.places = options.places;
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return mergeTiles(options.folder, *plan, study->settings, settings, progress, interrupt.token());
+}
+
+int runMerge(const MergeOptions& options, const Console& console) {
+    const auto report = merge(options, console);
+    if (!report) return fail(console, report.error(), exitFailed);
+    const ShadowStatistics& figures = report->statistics;
+    console.out << fmt::format("{} receivers, {:.0f} m2 shadow area, {:.1f} min/day gross\n",
+                               figures.receivers, figures.shadowAreaM2, figures.meanGrossMin);
+    if (report->missingTiles > 0)
+        console.out << fmt::format("{} tiles are missing: their cells have no value\n", report->missingTiles);
+    for (const auto& file : report->files) console.out << "Wrote " << file.string() << '\n';
+    return exitOk;
+}
+
+}  // namespace
+
+void addTilesStatus(CLI::App& tiles, Run& run) {
+    const auto options = std::make_shared<StatusOptions>();
+    CLI::App* command = tiles.add_subcommand("status", "Report which tiles and tasks are done");
+    command->add_option("folder", options->folder, "Folder of the plan")->required()->type_name("DIR");
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return printStatus(*options, console); };
+    });
+}
+
+void addMergeTiles(CLI::App& tiles, Run& run) {
+    const auto options = std::make_shared<MergeOptions>();
+    CLI::App* command = tiles.add_subcommand(
+        "merge", "Join the tiles: Cloud Optimized GeoTIFF, VRT, statistics by place, STAC item");
+    command->add_option("folder", options->folder, "Folder of the plan; files go into its folder merged")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--places", options->places, "Polygon layer whose places get statistics (places.csv)")
+        ->type_name("FILE");
+    addPlaceOptions(*command, options->place);
+    command->add_flag("--partial", options->partial, "Merge what is done, even if tiles are missing");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runMerge(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

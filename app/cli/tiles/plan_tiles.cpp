@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/load_city.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tiles_command.h"
+#include "app/input/all_engines.h"
+#include "app/input/load_city.h"
+#include "app/input/output_rules.h"
+#include "app/report/files/output_folder.h"
+#include "core/study/tile_tasks/make_task_plan.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlanOptions {
+    StudyOptions study;
+    int tileCells = TiledStudySettings::usualTileCells;
+    double taskSeconds = TaskSize{}.seconds;
+    double taskMemoryGB = TaskSize{}.memoryBytes / 1e9;
+    double districtKm = 40;
+    bool builtUpOnly = false;
+};
+
+Result<std::vector<std::string>> findFiles(const ReadOptions& read) {
+    std::vector<std::string> files;
+    for (const std::string& file : read.files) {
+        if (isSample(file) || namesProject(read))
+            return failure("Tasks read city files, not samples and projects", file,
+                           "Write it to a file: noonmark-cli import, or noonmark-cli sample");
+        files.push_back(fs::absolute(file).lexically_normal().string());
+    }
+    return files;
+}
+
+Result<std::vector<InputFile>> describeInputs(const std::vector<std::string>& files) {
+    std::vector<InputFile> inputs;
+    for (const std::string& file : files) {
+        auto some = describeInputFiles(file);
+        if (!some) return tl::make_unexpected(some.error());
+        inputs.insert(inputs.end(), some->begin(), some->end());
+    }
+    return inputs;
+}
+
+// Tiles of an earlier plan stay where they belong to the same study: unchanged ones are not computed again.
+void removeOtherTiles(const fs::path& folder, const TaskPlan& plan) {
+    const auto before = readTaskPlan(folder);
+    bool same = before && before->districts.size() == plan.districts.size();
+    for (std::size_t i = 0; same && i < plan.districts.size(); ++i)
+        same = before->studyHash(i) == plan.studyHash(i) &&
+               before->districts[i].tiles.side == plan.districts[i].tiles.side;
+    std::error_code ignored;
+    if (!same) fs::remove_all(folder / "tasks", ignored);
+}
+
+Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> arguments,
+                          const Console& console) {
+    const StudyOptions& study = options.study;
+    const auto files = findFiles(study.read);
+    if (!files) return tl::make_unexpected(files.error());
+    OutputRules rules = outputRules(study.read.files, {}, study.overwrite);
+    addPlace(rules, study.region);
+    if (auto may = checkOutputs(study.out, {planFileName, indexFileName}, rules); !may)
+        return tl::make_unexpected(may.error());
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    TaskPlanRequest request{.files = *files,
+                            .reading = study.read.settings,
+                            .settings = study.settings,
+                            .region = study.region,
+                            .tileCells = options.tileCells,
+                            .task = {options.taskSeconds, options.taskMemoryGB * 1e9},
+                            .districtM = options.districtKm * 1000,
+                            .builtUpOnly = options.builtUpOnly};
+    const auto period = periodFrom(study.period);
+    if (!period) return tl::make_unexpected(period.error());
+    request.settings.period = *period;
+    auto plan = makeTaskPlan(request, progress, interrupt.token(), enginesWith(request.settings.engine));
+    if (!plan) return plan;
+    plan->arguments = std::move(arguments);
+    auto inputs = describeInputs(*files);
+    if (!inputs) return tl::make_unexpected(inputs.error());
+    plan->inputs = *std::move(inputs);
+    const fs::path folder = study.out;
+    return prepareFolder(folder)
+        .and_then([&] {
+            removeOtherTiles(folder, *plan);
+            return writeTileIndex(folder / indexFileName, *plan);
+        })
+        .and_then([&] { return writeTaskPlan(folder, *plan); })
+        .map([&] { return *std::move(plan); });
+}
+
+void print(const TaskPlan& plan, bool json, std::ostream& out) {
+    double seconds = 0, memory = 0, haloM2 = 0, tileM2 = 0;
+    for (const PlannedTile& tile : plan.tiles) {
+        seconds += tile.seconds;
+        memory = std::max(memory, tile.memoryBytes);
+        const glm::dvec2 reads = glm::dvec2(tile.reads.high) - glm::dvec2(tile.reads.low);
+        const Grid grid = plan.districts[tile.district].tiles.tile(tile.number);
+        haloM2 += reads.x * reads.y;
+        tileM2 += double(grid.size()) * grid.cellAreaM2();
+    }
+    if (json) {
+        out << nlohmann::ordered_json{{"districts", plan.districts.size()},
+                                      {"tiles", plan.tiles.size()},
+                                      {"tasks", plan.taskCount},
+                                      {"by_window", plan.byWindow},
+                                      {"estimated_seconds", seconds},
+                                      {"largest_tile_bytes", memory},
+                                      {"tiles_m2", tileM2},
+                                      {"halos_m2", haloM2}}
+                   .dump(2)
+            << '\n';
+        return;
+    }
+    out << fmt::format("{} tiles in {} tasks, {} district{}\n", plan.tiles.size(), plan.taskCount,
+                       plan.districts.size(), plan.districts.size() == 1 ? "" : "s");
+    out << fmt::format("Estimated: {:.1f} h on two cores, {:.2f} GB for the largest tile\n", seconds / 3600,
+                       memory / 1e9);
+    out << fmt::format("A tile reads {:.1f} times its own area; {}\n", haloM2 / tileM2,
+                       plan.byWindow ? "tasks read by window" : "every task reads all files whole");
+    out << fmt::format("Run the tasks 0 to {}\n", plan.taskCount - 1);
+}
+
+}  // namespace
+
+void addPlanTiles(CLI::App& tiles, Run& run) {
+    const auto options = std::make_shared<PlanOptions>();
+    CLI::App* command = tiles.add_subcommand("plan", "Plan the tiles and tasks of a study");
+    addStudyOptions(*command, options->study);
+    command->get_option("--out")->description("Folder for plan.json, tiles.gpkg and the tiles");
+    command->add_option("--tile", options->tileCells, "Cells per side of a tile")
+        ->capture_default_str()
+        ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))
+        ->type_name("CELLS");
+    command->add_option("--task-seconds", options->taskSeconds, "Pack tiles into tasks of about this length")
+        ->capture_default_str()
+        ->check(within(1.0, 86400.0))
+        ->type_name("S");
+    command->add_option("--task-memory", options->taskMemoryGB, "Estimated memory of a task, at most")
+        ->capture_default_str()
+        ->check(within(0.1, 1000.0))
+        ->type_name("GB");
+    command
+        ->add_option("--district", options->districtKm,
+                     "Divide a wider region into districts of this side, each with its own origin and sun")
+        ->capture_default_str()
+        ->check(within(5.0, 120.0))
+        ->type_name("KM");
+    command->add_flag("--built-up", options->builtUpOnly, "Leave out tiles without a building");
+    command->callback([options, command, &run] {
+        auto words = listArguments(*command, {"--out", "--overwrite", "--json", "--tile", "--task-seconds",
+                                              "--task-memory", "--district", "--built-up"});
+        run = [options, words = std::move(words)](const Console& console) {
+            const auto plan = makePlan(*options, words, console);
+            if (!plan) return fail(console, plan.error(), exitUsage);
+            print(*plan, options->study.json, console.out);
+            return int(exitOk);
+        };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/tiles/array_task.h"
+#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tiles_command.h"
+#include "app/input/all_engines.h"
+#include "core/base/cgroup_limits.h"
+#include "core/study/tile_tasks/run_task.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct RunOptions {
+    std::string folder;
+    std::optional<std::size_t> task;
+    std::optional<std::size_t> threads;
+};
+
+Result<TaskReport> runOne(const RunOptions& options, const CgroupLimits& limits, const Console& console) {
+    const auto task = options.task ? Result<std::size_t>(*options.task) : findArrayTask(readEnvironment);
+    if (!task) return tl::make_unexpected(task.error());
+    const auto plan = readTaskPlan(options.folder);
+    if (!plan) return tl::make_unexpected(plan.error());
+    auto study = parseArguments(plan->arguments);
+    if (!study) return tl::make_unexpected(study.error());
+    constexpr std::uint64_t share = 9;  // tenths: the rest is for what is not estimated
+    if (limits.memoryBytes) study->settings.memoryLimit = *limits.memoryBytes / 10 * share;
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return runTask(options.folder, *plan, *task, study->reading, study->settings, progress, interrupt.token(),
+                   enginesWith(study->settings.engine));
+}
+
+int runTiles(const RunOptions& options, const Console& console) {
+    const CgroupLimits limits = readCgroupLimits();
+    std::optional<ThreadLimit> threads;
+    if (const auto count = options.threads ? options.threads : countThreads(limits)) threads.emplace(*count);
+    const auto report = runOne(options, limits, console);
+    if (!report) return fail(console, report.error(), isRetryable(report.error()) ? exitRetry : exitFailed);
+    console.out << fmt::format("{} tiles, {} computed; {} buildings read in {:.1f} s, {:.1f} s in all\n",
+                               report->tiles, report->computed, report->buildings, report->readSeconds,
+                               report->seconds);
+    return exitOk;
+}
+
+}  // namespace
+
+void addRunTiles(CLI::App& tiles, Run& run) {
+    const auto options = std::make_shared<RunOptions>();
+    CLI::App* command = tiles.add_subcommand("run", "Compute the tiles of one task that are missing");
+    command->add_option("folder", options->folder, "Folder of the plan")->required()->type_name("DIR");
+    command
+        ->add_option("--task", options->task,
+                     "Number of the task (default: SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX or "
+                     "AWS_BATCH_JOB_ARRAY_INDEX)")
+        ->type_name("N");
+    command
+        ->add_option("--threads", options->threads,
+                     "Threads to compute with (default: the processors that the control group allows)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command->footer(
+        "Exit codes: 0 done; 75 failed, may succeed when tried again (disk full, out of memory, another\n"
+        "process works on the task); 130 stopped by a signal, try again; 1 and 2 failed for good.");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runTiles(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "core/geo/lon_lat_box.h"
+#include "core/io/footprints/place_features.h"
+
+namespace noonmark {
+
+/// What a file of footprints holds, found in one pass that stores none of them: for plans of studies that are
+/// larger than memory.
+struct FootprintScan {
+    /// Side of a cell of `tallestM`, degrees.
+    static constexpr double cellDeg = 0.02;
+    using Cell = std::pair<int, int>;  ///< floor(longitude / cellDeg), floor(latitude / cellDeg)
+
+    Frame frame;                        ///< as readFootprints() chooses it
+    LonLatBox box = emptyLonLatBox;     ///< around all features
+    std::size_t features = 0;           ///< usable as buildings
+    bool indexed = true;                ///< ReadSettings::window reads only what it needs
+    std::map<Cell, double> tallestM{};  ///< highest top above the ground among the features that touch a cell
+
+    void add(const UnplacedFeature& feature);
+};
+
+/// Errors as readFootprints(). Some 10 us a feature; memory 24 bytes a feature. Backend:
+/// read_footprints_gdal.cpp.
+Result<FootprintScan> scanFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                     Progress& progress, std::stop_token stop);
+
+}  // namespace noonmark

@@ -1,0 +1,43 @@
+#include <ogrsf_frmts.h>
+
+#include <memory>
+
+#include "core/io/footprints/layer_window.h"
+
+namespace noonmark {
+
+namespace {
+
+OGRSpatialReference windowSystemOf(OGRLayer& layer, const ReadSettings& settings) {
+    OGRSpatialReference system;
+    if (settings.crs)
+        system.SetFromUserInput(settings.crs->c_str(),
+                                OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
+    else if (layer.GetSpatialRef() != nullptr)
+        system = *layer.GetSpatialRef();
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
+}
+
+}  // namespace
+
+bool isIndexed(OGRLayer& layer) { return layer.TestCapability(OLCFastSpatialFilter) != FALSE; }
+
+bool limitToWindow(OGRLayer& layer, const LonLatBox& box, const ReadSettings& settings) {
+    constexpr int pointsOnASide = 21;
+    OGRSpatialReference degrees;
+    degrees.SetWellKnownGeogCS("WGS84");
+    degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const OGRSpatialReference system = windowSystemOf(layer, settings);
+    const std::unique_ptr<OGRCoordinateTransformation> there(
+        OGRCreateCoordinateTransformation(&degrees, &system));
+    if (!there) return false;
+    double west = 0, south = 0, east = 0, north = 0;
+    if (there->TransformBounds(box.westDeg, box.southDeg, box.eastDeg, box.northDeg, &west, &south, &east,
+                               &north, pointsOnASide) == FALSE)
+        return false;
+    layer.SetSpatialFilterRect(west, south, east, north);
+    return true;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/io/footprints/footprint_scan.h"
+#include "core/study/tile_tasks/make_task_plan.h"
+
+namespace noonmark {
+
+/// What is known about all inputs together before any district is read.
+struct InputsScan {
+    FootprintScan footprints;  ///< frame of the first file, the rest of all files together
+    std::vector<std::filesystem::path> buildings, terrain;  ///< the files by kind
+    bool byWindow = false;
+};
+
+/// Error: as the readers', or files that are too large to be read whole.
+Result<InputsScan> scanInputs(const TaskPlanRequest& request, Progress& progress,
+                              const std::stop_token& stop);
+
+/// Districts without tiles yet: one with the frame that readCity() would choose, if the region fits into one.
+Result<std::vector<District>> findDistricts(const TaskPlanRequest& request, const InputsScan& scan);
+
+/// The files of a plan as paths.
+std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& files);
+
+}  // namespace noonmark

@@ -1,0 +1,159 @@
+#include "core/study/tile_tasks/make_task_plan.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/memory_guard.h"
+#include "core/base/progress_share.h"
+#include "core/study/provenance/sha256.h"
+#include "core/study/provenance/study_hash.h"
+#include "core/study/tile_tasks/find_districts.h"
+#include "core/study/tile_tasks/survey_district.h"
+#include "core/study/tile_tasks/tile_load.h"
+
+namespace noonmark {
+
+namespace {
+
+Result<void> checkRequest(const TaskPlanRequest& request, const EngineList& engines) {
+    const StudySettings& settings = request.settings;
+    if (settings.byMonth || settings.contributions)
+        return failure("Months and contributions are not available for tiled studies", "study",
+                       "Leave them out");
+    if (request.reading.terrainFromBases == TerrainFromBases::always)
+        return failure("A terrain from the bases of buildings needs the whole city", "--terrain-from-bases",
+                       "Give a terrain file, or --terrain-from-bases never");
+    if (request.tileCells < TiledStudySettings::minTileCells ||
+        request.tileCells > TiledStudySettings::maxTileCells)
+        return failure("The size of a tile is out of range", "tile size", "Choose 64 to 4096 cells");
+    if (const auto period = validate(settings.period); !period) return tl::make_unexpected(period.error());
+    return makeEngine(settings.engine, settings.engineSettings, engines).map([](const auto&) {});
+}
+
+std::string hashTerrain(const Terrain& terrain) {
+    City ground;
+    ground.terrain = std::make_shared<const Terrain>(terrain);
+    return hashCity(ground);
+}
+
+std::string hashContent(const std::string& study, const std::string& terrain, const PlannedTile& tile,
+                        const OccluderSurvey& survey) {
+    Sha256 sum;
+    sum.add(study);
+    sum.add(terrain);
+    sum.add(tile.number);
+    const OccluderSurvey::Range range = survey.cellsIn(tile.reads);
+    for (int row = range.firstRow; row < range.endRow; ++row)
+        for (int column = range.firstColumn; column < range.endColumn; ++column) {
+            const OccluderSurvey::Cell& cell = survey.cells()[survey.grid().index(column, row)];
+            if (cell.buildings == 0) continue;
+            sum.add(column);
+            sum.add(row);
+            for (const std::uint64_t part : cell.hashSum) sum.add(part);
+        }
+    return sum.hex().substr(0, 32);
+}
+
+class TilePlanner {
+public:
+    TilePlanner(const TaskPlan& plan, const TaskPlanRequest& request, const SurveyedDistrict& surveyed,
+                std::size_t district, const EngineList& engines)
+        : plan_(plan),
+          request_(request),
+          surveyed_(surveyed),
+          district_(district),
+          engines_(engines),
+          study_(plan.studyHash(district)),
+          reach_(surveyed.sun),
+          posts_(surveyed.ground.terrain ? surveyed.ground.terrain->grid.size() : 0) {}
+
+    /// Nothing for a tile to leave out.
+    [[nodiscard]] std::optional<PlannedTile> planned(std::size_t number) const {
+        const Grid grid = plan_.districts[district_].tiles.tile(number);
+        const TileHalo halo = findHalo(surveyed_.survey, reach_, grid);
+        if (request_.builtUpOnly && halo.buildingsInTile == 0) return std::nullopt;
+        const TileCost cost = estimateTile(halo, grid, request_.settings, surveyed_.sun, posts_, engines_);
+        PlannedTile tile{.district = district_,
+                         .number = number,
+                         .halo = halo.occluders,
+                         .reads = halo.reads,
+                         .buildings = halo.buildings,
+                         .seconds = cost.seconds,
+                         .memoryBytes = cost.memoryBytes};
+        tile.contentHash =
+            hashContent(study_, plan_.districts[district_].terrainHash, tile, surveyed_.survey);
+        return tile;
+    }
+
+private:
+    const TaskPlan& plan_;
+    const TaskPlanRequest& request_;
+    const SurveyedDistrict& surveyed_;
+    std::size_t district_;
+    const EngineList& engines_;
+    std::string study_;
+    ShadowReach reach_;
+    std::size_t posts_;
+};
+
+Result<void> addDistrict(TaskPlan& plan, std::size_t number, const TaskPlanRequest& request,
+                         const InputsScan& scan, Progress& progress, const std::stop_token& stop,
+                         const EngineList& engines) {
+    District& district = plan.districts[number];
+    const auto surveyed = surveyDistrict(district, request, scan, progress, stop);
+    if (!surveyed) return tl::make_unexpected(surveyed.error());
+    const auto grid = gridOver(district.region, request.settings.receivers);
+    if (!grid) return tl::make_unexpected(grid.error());
+    district.tiles = {*grid, request.tileCells};
+    if (surveyed->ground.terrain) district.terrainHash = hashTerrain(*surveyed->ground.terrain);
+    const TilePlanner planner(plan, request, *surveyed, number, engines);
+    std::vector<std::optional<PlannedTile>> tiles(district.tiles.count());
+    tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t tile) {
+        if (!stop.stop_requested()) tiles[tile] = planner.planned(tile);
+    });
+    if (stop.stop_requested()) return cancelled();
+    for (std::optional<PlannedTile>& tile : tiles)
+        if (tile) plan.tiles.push_back(*std::move(tile));
+    return {};
+}
+
+Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, const std::stop_token& stop,
+                          const EngineList& engines) {
+    if (auto sound = checkRequest(request, engines); !sound) return tl::make_unexpected(sound.error());
+    const auto scan = scanInputs(request, progress, stop);
+    if (!scan) return tl::make_unexpected(scan.error());
+    TaskPlan plan{.files = request.files, .byWindow = scan->byWindow};
+    StudySettings settings = request.settings;
+    settings.region = {};
+    plan.settingsHash = hashSettings(settings);
+    auto districts = scan->byWindow ? findDistricts(request, *scan) : std::vector<District>(1);
+    if (!districts) return tl::make_unexpected(districts.error());
+    plan.districts = *std::move(districts);
+    for (std::size_t i = 0; i < plan.districts.size(); ++i) {
+        ProgressShare share(progress, i, plan.districts.size());
+        if (auto added = addDistrict(plan, i, request, *scan, share, stop, engines); !added)
+            return tl::make_unexpected(added.error());
+    }
+    if (plan.tiles.empty())
+        return failure("No tile of the region holds a building", request.region, "Choose another region");
+    packTasks(plan, request.task);
+    return plan;
+}
+
+}  // namespace
+
+ReadSettings readSettingsIn(const District& district, ReadSettings reading) {
+    reading.frame = district.frame;
+    reading.terrainFromBases = TerrainFromBases::never;
+    return reading;
+}
+
+Result<TaskPlan> makeTaskPlan(const TaskPlanRequest& request, Progress& progress, const std::stop_token& stop,
+                              const EngineList& engines) {
+    return guardMemory({.advice = "Choose a smaller region"},
+                       [&] { return makePlan(request, progress, stop, engines); });
+}
+
+}  // namespace noonmark

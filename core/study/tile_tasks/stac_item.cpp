@@ -1,0 +1,90 @@
+#include "core/study/tile_tasks/stac_item.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/version.h"
+#include "core/geo/lon_lat_box.h"
+#include "core/sun/civil_time.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string formatUtc(Instant instant) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(instant);
+    const auto day = std::chrono::floor<std::chrono::days>(seconds);
+    const std::chrono::year_month_day date(day);
+    const std::chrono::hh_mm_ss time(seconds - day);
+    return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", int(date.year()), unsigned(date.month()),
+                       unsigned(date.day()), time.hours().count(), time.minutes().count(),
+                       time.seconds().count());
+}
+
+Json outlineOf(const Grid& grid, const Frame& frame) {
+    Json ring = Json::array();
+    for (const glm::dvec2 corner :
+         {glm::dvec2(grid.westM, grid.southM), glm::dvec2(grid.eastM(), grid.southM),
+          glm::dvec2(grid.eastM(), grid.northM()), glm::dvec2(grid.westM, grid.northM()),
+          glm::dvec2(grid.westM, grid.southM)}) {
+        const LonLat place = frame.lonLatFromLocal(corner);
+        ring.push_back({place.lonDeg, place.latDeg});
+    }
+    return {{"type", "Polygon"}, {"coordinates", Json::array({ring})}};
+}
+
+Json asset(const std::string& file, const char* type, const char* title) {
+    return {{"href", "./" + file}, {"type", type}, {"title", title}, {"roles", {"data"}}};
+}
+
+Json numberOrNull(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+
+Json propertiesOf(const District& district, const SunSteps& sun, const Period& period,
+                  const ShadowStatistics& statistics) {
+    const Grid& grid = district.tiles.whole;
+    return {{"datetime", nullptr},
+            {"start_datetime", formatUtc(sun.steps.front().at)},
+            {"end_datetime", formatUtc(sun.steps.back().at)},
+            {"title", "Shadow: " + formatText(period)},
+            {"processing:software", {{"Noonmark", std::string(version())}}},
+            {"gsd", grid.cellM},
+            {"proj:epsg", nullptr},
+            {"proj:shape", {grid.rows, grid.columns}},
+            {"proj:transform", {grid.cellM, 0.0, grid.westM, 0.0, -grid.cellM, grid.northM()}},
+            {"noonmark:proj_string", district.frame.projString()},
+            {"noonmark:receivers", statistics.receivers},
+            {"noonmark:mean_gross_min", statistics.meanGrossMin},
+            {"noonmark:shadow_area_m2", statistics.shadowAreaM2},
+            {"noonmark:mean_continuous_min", numberOrNull(statistics.meanContinuousMin)}};
+}
+
+}  // namespace
+
+std::string makeStacItem(const TaskPlan& plan, const District& district, const SunSteps& sun,
+                         const Period& period, const ShadowStatistics& statistics) {
+    const Grid& grid = district.tiles.whole;
+    const LonLatBox box =
+        makeLonLatBox(district.frame, {grid.westM, grid.southM}, {grid.eastM(), grid.northM()});
+    const std::size_t number = std::size_t(&district - plan.districts.data());
+    Json item{{"type", "Feature"},
+              {"stac_version", "1.0.0"},
+              {"stac_extensions",
+               {"https://stac-extensions.github.io/projection/v1.1.0/schema.json",
+                "https://stac-extensions.github.io/processing/v1.1.0/schema.json"}},
+              {"id", fmt::format("noonmark-{}", plan.studyHash(number).substr(0, 16))},
+              {"bbox", {box.westDeg, box.southDeg, box.eastDeg, box.northDeg}},
+              {"geometry", outlineOf(grid, district.frame)},
+              {"properties", propertiesOf(district, sun, period, statistics)},
+              {"links", Json::array()}};
+    item["assets"] = {
+        {"shadow", asset(district.name + "shadow.tif",
+                         "image/tiff; application=geotiff; profile=cloud-optimized", "Shadow")},
+        {"tiles", asset(district.name + "shadow.vrt", "application/xml", "Virtual raster of the tiles")}};
+    return item.dump(2) + "\n";
+}
+
+}  // namespace noonmark

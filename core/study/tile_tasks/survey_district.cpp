@@ -1,0 +1,171 @@
+#include "core/study/tile_tasks/survey_district.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/io/read_region.h"
+#include "core/io/read_window.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float blockM = 4000;
+constexpr float borderM = 500;  // buildings at the edge of a block are read whole
+
+Box2 grown(const Box2& box, float byM) { return {box.low - byM, box.high + byM}; }
+
+Box2 localBox(const LonLatBox& box, const Frame& frame) {
+    constexpr int pieces = 16;
+    Box2 local;
+    for (int i = 0; i <= pieces; ++i)
+        for (int j = 0; j <= pieces; ++j)
+            local.add(glm::vec2(
+                frame.localFromLonLat({box.westDeg + (box.eastDeg - box.westDeg) * i / pieces,
+                                       box.southDeg + (box.northDeg - box.southDeg) * j / pieces})));
+    return grown(local, borderM);
+}
+
+LonLatBox boxOfCell(const FootprintScan::Cell& cell) {
+    constexpr double side = FootprintScan::cellDeg;
+    return {cell.first * side, cell.second * side, (cell.first + 1) * side, (cell.second + 1) * side};
+}
+
+double distanceBetween(const Box2& a, const Box2& b) {
+    const glm::dvec2 apart = glm::max(glm::dvec2(0), glm::max(glm::dvec2(a.low) - glm::dvec2(b.high),
+                                                              glm::dvec2(b.low) - glm::dvec2(a.high)));
+    return glm::length(apart);
+}
+
+double reliefM(const City& ground) {
+    if (!ground.terrain) return 0;
+    const auto [low, high] = std::ranges::minmax(ground.terrain->elevationM);
+    return double(high) - double(low);
+}
+
+// Length of the longest shadow of a metre.
+double longestPerMetre(const SunSteps& sun) {
+    double longest = 0;
+    for (const SunStep& step : sun.steps)
+        longest = std::max(longest, std::hypot(double(step.direction.x), double(step.direction.y)) /
+                                        std::max(double(step.direction.z), 1e-9));
+    return longest;
+}
+
+// The region, and every coarse cell of the scan that holds something tall enough to reach it.
+Box2 reachingBox(const Box2& region, const InputsScan& scan, const City& ground, const SunSteps& sun,
+                 double farAwayM) {
+    const double longest = longestPerMetre(sun), relief = reliefM(ground);
+    Box2 box = region;
+    for (const auto& [cell, tallest] : scan.footprints.tallestM) {
+        const Box2 own = localBox(boxOfCell(cell), ground.frame);
+        const glm::dvec2 middle = glm::dvec2(own.low + own.high) / 2.0;
+        if (glm::length(middle) > farAwayM * 1.5) continue;
+        if (distanceBetween(own, region) <= (tallest + relief) * longest) box.add(own);
+    }
+    return grown(box, borderM);
+}
+
+Result<SunSteps> sunOver(const City& ground, const TaskPlanRequest& request, const Region& region,
+                         const std::stop_token& stop) {
+    StudySettings settings = request.settings;
+    settings.region = region;
+    return computeDaylightSteps(settings.period, makeObserver(ground, settings), stop);
+}
+
+bool anyBuilding(const FootprintScan& scan, const Frame& frame, const Box2& block) {
+    const LonLatBox box = makeLonLatBox(frame, glm::dvec2(block.low), glm::dvec2(block.high));
+    return std::ranges::any_of(scan.tallestM,
+                               [&](const auto& cell) { return boxOfCell(cell.first).touches(box); });
+}
+
+Result<void> surveyByWindow(SurveyedDistrict& made, const Box2& box, const ReadSettings& reading,
+                            const InputsScan& scan, Progress& progress, const std::stop_token& stop) {
+    NoProgress quiet;
+    for (float y = box.low.y; y < box.high.y; y += blockM) {
+        progress.report(double((y - box.low.y) / (box.high.y - box.low.y)), "surveying the buildings");
+        for (float x = box.low.x; x < box.high.x; x += blockM) {
+            const Box2 block{{x, y}, {x + blockM, y + blockM}};
+            if (!anyBuilding(scan.footprints, made.ground.frame, block)) continue;
+            const Box2 around = grown(block, borderM);
+            const ReadWindow window{
+                makeLonLatBox(made.ground.frame, glm::dvec2(around.low), glm::dvec2(around.high)),
+                made.ground.terrain};
+            const auto read = readCityWindow(scan.buildings, reading, window, quiet, stop);
+            if (!read) return tl::make_unexpected(read.error());
+            made.survey.add(read->city, block);
+        }
+    }
+    return {};
+}
+
+Result<City> readGround(const District& district, const TaskPlanRequest& request, const InputsScan& scan,
+                        Progress& progress, const std::stop_token& stop) {
+    if (scan.terrain.empty()) return City{.frame = district.frame};
+    return readCity(scan.terrain, readSettingsIn(district, request.reading), progress, stop)
+        .map([](const CityRead& read) { return read.city; });
+}
+
+Result<SurveyedDistrict> surveyWindows(District& district, const TaskPlanRequest& request,
+                                       const InputsScan& scan, Progress& progress,
+                                       const std::stop_token& stop) {
+    auto ground = readGround(district, request, scan, progress, stop);
+    if (!ground) return tl::make_unexpected(ground.error());
+    const ReadSettings reading = readSettingsIn(district, request.reading);
+    const Box2 all = localBox(scan.footprints.box, district.frame);
+    const bool whole = district.region.polygons.empty();
+    Region region = whole ? makeRegionFromLocalBox(all) : district.region;
+    auto sun = sunOver(*ground, request, region, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    Box2 box = whole ? all : reachingBox(bounds(region), scan, *ground, *sun, reading.farAwayM);
+    SurveyedDistrict made{OccluderSurvey(box), *ground, *std::move(sun)};
+    if (ground->terrain) made.survey.addTerrain(*ground->terrain);
+    if (auto done = surveyByWindow(made, box, reading, scan, progress, stop); !done)
+        return tl::make_unexpected(done.error());
+    if (!whole) return made;
+    district.region = makeRegionFromLocalBox(made.survey.buildingsBox());
+    district.region.name = "the whole city";
+    return sunOver(*ground, request, district.region, stop).map([&](SunSteps own) {
+        made.sun = std::move(own);
+        return std::move(made);
+    });
+}
+
+Result<SurveyedDistrict> surveyWhole(District& district, const TaskPlanRequest& request, Progress& progress,
+                                     const std::stop_token& stop) {
+    auto read = readCity(pathsOf(request.files), request.reading, progress, stop);
+    if (!read) return tl::make_unexpected(read.error());
+    district.frame = read->city.frame;
+    if (request.region == "city") {
+        district.region = makeRegionFromLocalBox(bounds(read->city));
+        district.region.name = "the whole city";
+    } else {
+        auto region = readRegion(request.region, district.frame);
+        if (!region) return tl::make_unexpected(region.error());
+        district.region = *std::move(region);
+    }
+    Box2 box = bounds(read->city);
+    box.add(bounds(district.region));
+    City ground{.frame = district.frame, .terrain = read->city.terrain};
+    auto sun = sunOver(ground, request, district.region, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    SurveyedDistrict made{OccluderSurvey(grown(box, borderM)), std::move(ground), *std::move(sun)};
+    if (read->city.terrain) made.survey.addTerrain(*read->city.terrain);
+    made.survey.add(read->city, grown(box, borderM));
+    return made;
+}
+
+}  // namespace
+
+Result<SurveyedDistrict> surveyDistrict(District& district, const TaskPlanRequest& request,
+                                        const InputsScan& scan, Progress& progress,
+                                        const std::stop_token& stop) {
+    return scan.byWindow ? surveyWindows(district, request, scan, progress, stop)
+                         : surveyWhole(district, request, progress, stop);
+}
+
+}  // namespace noonmark

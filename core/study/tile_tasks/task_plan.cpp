@@ -1,0 +1,192 @@
+#include "core/study/tile_tasks/task_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_number.h"
+#include "core/base/version.h"
+#include "core/io/files/write_text.h"
+#include "core/study/provenance/sha256.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int planVersion = 1;
+
+Json ringJson(const Ring& ring) {
+    Json points = Json::array();
+    for (const glm::vec2 point : ring) {
+        points.push_back(point.x);
+        points.push_back(point.y);
+    }
+    return points;
+}
+
+glm::vec2 pointFrom(const Json& json, std::size_t first) {
+    return {json.at(first).get<float>(), json.at(first + 1).get<float>()};
+}
+
+Ring ringFrom(const Json& json) {
+    Ring ring;
+    for (std::size_t i = 0; i < json.size(); i += 2) ring.push_back(pointFrom(json, i));
+    return ring;
+}
+
+Json regionJson(const Region& region) {
+    Json polygons = Json::array();
+    for (const Footprint& polygon : region.polygons) {
+        Json rings = Json::array({ringJson(polygon.outer)});
+        for (const Ring& hole : polygon.holes) rings.push_back(ringJson(hole));
+        polygons.push_back(std::move(rings));
+    }
+    return {{"name", region.name}, {"polygons", std::move(polygons)}};
+}
+
+Region regionFrom(const Json& json) {
+    Region region{json.at("name"), {}};
+    for (const Json& rings : json.at("polygons")) {
+        Footprint& polygon = region.polygons.emplace_back();
+        polygon.outer = ringFrom(rings.at(0));
+        for (std::size_t i = 1; i < rings.size(); ++i) polygon.holes.push_back(ringFrom(rings.at(i)));
+    }
+    return region;
+}
+
+Json districtJson(const District& district) {
+    const Grid& grid = district.tiles.whole;
+    const LonLat origin = district.frame.origin();
+    return {{"name", district.name},
+            {"origin", {origin.lonDeg, origin.latDeg, district.frame.originElevationM()}},
+            {"grid", {grid.westM, grid.southM, grid.cellM, grid.columns, grid.rows}},
+            {"tile_cells", district.tiles.side},
+            {"region", regionJson(district.region)},
+            {"terrain_hash", district.terrainHash}};
+}
+
+District districtFrom(const Json& json) {
+    const Json& origin = json.at("origin");
+    const Json& grid = json.at("grid");
+    District district{json.at("name"), Frame({origin.at(0), origin.at(1)}, origin.at(2)),
+                      regionFrom(json.at("region")),
+                      TilePlan{{grid.at(0), grid.at(1), grid.at(2), wholeNumberFrom<int>(grid.at(3)),
+                                wholeNumberFrom<int>(grid.at(4))},
+                               wholeNumberFrom<int>(json.at("tile_cells"))},
+                      json.at("terrain_hash")};
+    const Grid& whole = district.tiles.whole;
+    if (district.tiles.side < 1 || whole.columns < 1 || whole.rows < 1 || !(whole.cellM > 0))
+        throw std::out_of_range("a grid without cells");
+    return district;
+}
+
+Json boxJson(const Box2& box) { return {box.low.x, box.low.y, box.high.x, box.high.y}; }
+Box2 boxFrom(const Json& json) { return {pointFrom(json, 0), pointFrom(json, 2)}; }
+
+Json tileJson(const PlannedTile& tile) {
+    return {tile.task,        tile.district,  tile.number,  boxJson(tile.halo), boxJson(tile.reads),
+            tile.contentHash, tile.buildings, tile.seconds, tile.memoryBytes};
+}
+
+PlannedTile tileFrom(const Json& json, const std::vector<District>& districts) {
+    PlannedTile tile{.district = wholeNumberFrom<std::size_t>(json.at(1)),
+                     .number = wholeNumberFrom<std::size_t>(json.at(2)),
+                     .halo = boxFrom(json.at(3)),
+                     .reads = boxFrom(json.at(4)),
+                     .contentHash = json.at(5),
+                     .buildings = wholeNumberFrom<std::size_t>(json.at(6)),
+                     .seconds = json.at(7),
+                     .memoryBytes = json.at(8),
+                     .task = wholeNumberFrom<std::size_t>(json.at(0))};
+    if (tile.number >= districts.at(tile.district).tiles.count()) throw std::out_of_range("a tile");
+    return tile;
+}
+
+Json inputJson(const InputFile& input) {
+    return {{"path", input.path.string()}, {"bytes", input.bytes}, {"sha256", input.sha256}};
+}
+
+std::string planText(const TaskPlan& plan) {
+    Json json{{"noonmark_task_plan", planVersion},
+              {"program", "Noonmark " + std::string(version())},
+              {"files", plan.files},
+              {"arguments", plan.arguments},
+              {"inputs", Json::array()},
+              {"settings_hash", plan.settingsHash},
+              {"by_window", plan.byWindow},
+              {"task_count", plan.taskCount},
+              {"districts", Json::array()}};
+    for (const InputFile& input : plan.inputs) json["inputs"].push_back(inputJson(input));
+    for (const District& district : plan.districts) json["districts"].push_back(districtJson(district));
+    json["tile_columns"] = {"task",         "district",  "number",  "halo",        "reads",
+                            "content_hash", "buildings", "seconds", "memory_bytes"};
+    std::string text = json.dump(1);
+    text.resize(text.size() - 2);  // the closing brace and its line
+    text += ",\n \"tiles\": [";
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i)
+        text += (i == 0 ? "\n" : ",\n") + tileJson(plan.tiles[i]).dump();
+    return text + "\n]}\n";
+}
+
+TaskPlan planFrom(const Json& json) {
+    TaskPlan plan{.files = json.at("files"),
+                  .arguments = json.at("arguments"),
+                  .settingsHash = json.at("settings_hash"),
+                  .byWindow = json.at("by_window"),
+                  .taskCount = wholeNumberFrom<std::size_t>(json.at("task_count"))};
+    for (const Json& input : json.at("inputs"))
+        plan.inputs.push_back({std::string(input.at("path")),
+                               wholeNumberFrom<std::uintmax_t>(input.at("bytes")), input.at("sha256")});
+    for (const Json& district : json.at("districts")) plan.districts.push_back(districtFrom(district));
+    for (const Json& tile : json.at("tiles")) plan.tiles.push_back(tileFrom(tile, plan.districts));
+    if (!std::ranges::is_sorted(plan.tiles, {}, &PlannedTile::task)) throw std::out_of_range("tasks");
+    return plan;
+}
+
+}  // namespace
+
+std::string TaskPlan::studyHash(std::size_t district) const {
+    Sha256 sum;
+    const District& own = districts.at(district);
+    sum.add(settingsHash);
+    for (const double number :
+         {own.frame.origin().lonDeg, own.frame.origin().latDeg, own.frame.originElevationM()})
+        sum.add(number);
+    sum.add(regionJson(own.region).dump());
+    return sum.hex();
+}
+
+std::vector<PlannedTile> TaskPlan::tilesOf(std::size_t task) const {
+    const auto own = std::ranges::equal_range(tiles, task, {}, &PlannedTile::task);
+    return {own.begin(), own.end()};
+}
+
+std::filesystem::path taskFolder(const std::filesystem::path& plan, std::size_t task) {
+    return plan / "tasks" / fmt::format("{:05}", task);
+}
+
+Result<void> writeTaskPlan(const std::filesystem::path& folder, const TaskPlan& plan) {
+    return writeText(folder / planFileName, planText(plan));
+}
+
+Result<TaskPlan> readTaskPlan(const std::filesystem::path& folder) try {
+    const std::filesystem::path file = folder / planFileName;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        return failure("There is no plan of tiles in this folder", file.string(),
+                       "Make one with `noonmark-cli tiles plan`");
+    const Json json = Json::parse(stream);
+    if (json.at("noonmark_task_plan") != planVersion)
+        return failure("The plan is of another version of Noonmark", file.string(),
+                       "Plan again, or use that version");
+    return planFrom(json);
+} catch (const std::exception&) {
+    return failure("The plan is damaged", (folder / planFileName).string(), "Plan again");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,78 @@
+#pragma once
+
+// The folder core/study/tile_tasks divides a study of any size among the tasks of a scheduler. A TaskPlan
+// (this file) lists districts, tiles and tasks; make_task_plan.h makes it from an occluder_survey.h,
+// tile_halo.h says what a tile has to read, tile_load.h how long it takes, and pack_tasks.h which task runs
+// it. run_task.h computes one task with the runner and the journal of core/study/tiles, task_status.h sums up
+// what is done, and merge_tiles.h joins the tiles: with cloud_map.h, tile_mosaic.h, tile_places.h and
+// stac_item.h.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/city/footprints/footprint.h"
+#include "core/geo/frame.h"
+#include "core/receivers/region.h"
+#include "core/receivers/tile_plan.h"
+#include "core/study/provenance/provenance.h"
+
+namespace noonmark {
+
+/// A part of a study with one frame, one grid and one sun, small enough for all three to hold everywhere in
+/// it. A city is one district.
+struct District {
+    std::string name;  ///< of files: "" if it is the only one, else "d-003-"
+    Frame frame;
+    Region region;
+    TilePlan tiles;
+    std::string terrainHash;  ///< empty without terrain
+};
+
+/// A tile of a district, and what it takes to compute it.
+struct PlannedTile {
+    std::size_t district = 0;
+    std::size_t number = 0;  ///< in the district's TilePlan
+    Box2 halo;               ///< contains every occluder whose shadow can reach the tile
+    Box2 reads;              ///< the halo, and all of each building that touches it
+    std::string contentHash;
+    std::size_t buildings = 0;  ///< within `reads`
+    double seconds = 0;         ///< estimated, on two cores
+    double memoryBytes = 0;     ///< estimated peak of a task that runs this tile
+    std::size_t task = 0;
+};
+
+/// Everything that a task needs to know: it is stored in plan.json.
+struct TaskPlan {
+    std::vector<std::string> files;      ///< absolute paths, as the study names them
+    std::vector<std::string> arguments;  ///< options of the study, for the parser that made the plan
+    std::vector<InputFile> inputs;       ///< with their hashes
+    std::string settingsHash;            ///< hashSettings() without a region
+    bool byWindow = false;               ///< tasks read only the window that they need
+    std::vector<District> districts;
+    std::vector<PlannedTile> tiles;  ///< in the order of their tasks
+    std::size_t taskCount = 0;
+
+    /// Identifies the journal of a district's tiles.
+    [[nodiscard]] std::string studyHash(std::size_t district) const;
+    /// The tiles of a task, all of one district, as a range of `tiles`.
+    [[nodiscard]] std::vector<PlannedTile> tilesOf(std::size_t task) const;
+};
+
+inline constexpr const char* planFileName = "plan.json";
+inline constexpr const char* indexFileName = "tiles.gpkg";
+
+/// The folder of a task's journal and tiles.
+std::filesystem::path taskFolder(const std::filesystem::path& plan, std::size_t task);
+
+/// Writes plan.json. The same plan is read back, to the last bit.
+Result<void> writeTaskPlan(const std::filesystem::path& folder, const TaskPlan& plan);
+/// Error: there is none, it is damaged, or of a later version.
+Result<TaskPlan> readTaskPlan(const std::filesystem::path& folder);
+
+/// Writes the index as a GeoPackage for maps: layers `tiles` and `halos`, in longitude and latitude. Backend:
+/// tile_index_gdal.cpp.
+Result<void> writeTileIndex(const std::filesystem::path& file, const TaskPlan& plan);
+
+}  // namespace noonmark

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/engines/auto_engine.h"
+#include "core/study/study.h"
+#include "core/study/tile_tasks/tile_halo.h"
+
+namespace noonmark {
+
+/// Estimated cost of a tile.
+struct TileCost {
+    double seconds = 0;      ///< on two cores like those of docs/scale.md, reading and writing included
+    double memoryBytes = 0;  ///< peak of a process that runs only this tile
+};
+
+/// `terrainPosts`: 0 without terrain. Within a factor of two as a rule: scheduling needs no more.
+TileCost estimateTile(const TileHalo& halo, const Grid& tile, const StudySettings& settings,
+                      const SunSteps& sun, std::size_t terrainPosts, const EngineList& engines);
+
+}  // namespace noonmark

@@ -1,0 +1,92 @@
+#include "core/study/tile_tasks/tile_places.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/io/write_raster.h"
+#include "core/receivers/grid_box.h"
+#include "core/receivers/rasterize.h"
+#include "core/study/provenance/source_columns.h"
+
+namespace noonmark {
+
+namespace {
+
+using Bands = std::vector<std::vector<float>>;
+
+ShadowSums sumOver(const Footprint& polygon, const Grid& tile, const Bands& bands) {
+    ShadowSums sums;
+    forEachRun(polygon, tile, [&](int row, int first, int end) {
+        for (int column = first; column < end; ++column) {
+            const std::size_t cell = tile.index(column, row);
+            const double gross = bands.at(0)[cell], run = bands.at(1)[cell];
+            if (std::isnan(gross)) continue;
+            sums.add({1, gross, run, gross, run});
+        }
+    });
+    return sums;
+}
+
+std::vector<Box2> boxesOfPlaces(const std::vector<Place>& places) {
+    std::vector<Box2> boxes;
+    for (const Place& place : places) {
+        Box2& box = boxes.emplace_back();
+        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
+    }
+    return boxes;
+}
+
+std::string fieldOf(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
+
+}  // namespace
+
+Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const TilePlan& plan,
+                       const TileFiles& tiles, double sunlitMinutesPerDay, Progress& progress,
+                       const std::stop_token& stop) {
+    const std::vector<Box2> boxes = boxesOfPlaces(places);
+    for (const Place& place : places) shadows[place.name].kind = place.kind;
+    for (const auto& [number, file] : tiles) {
+        if (stop.stop_requested()) return cancelled();
+        progress.report(double(number) / double(plan.count()), "summing up places");
+        if (!file) continue;
+        const Grid tile = plan.tile(number);
+        Bands bands;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!overlaps(boxes[i], tile)) continue;
+            if (bands.empty()) {
+                auto read = readGeoTiff(*file, tile);
+                if (!read) return tl::make_unexpected(read.error());
+                bands = *std::move(read);
+            }
+            PlaceShadow& shadow = shadows[places[i].name];
+            shadow.cellAreaM2 = tile.cellAreaM2();
+            for (const Footprint& polygon : places[i].polygons) {
+                const ShadowSums sums = sumOver(polygon, tile, bands);
+                shadow.sums.add(sums);
+                shadow.sunlitMinutes += double(sums.receivers) * sunlitMinutesPerDay;
+            }
+        }
+    }
+    return {};
+}
+
+std::string formatPlaces(const PlaceShadows& shadows) {
+    std::string text =
+        "name,kind,receivers,receiver_area_m2,shadow_area_m2,mean_gross_min,max_gross_min,"
+        "mean_continuous_min,max_continuous_min\n";
+    for (const auto& [name, shadow] : shadows) {
+        const double sunlit =
+            shadow.sums.receivers > 0 ? shadow.sunlitMinutes / double(shadow.sums.receivers) : 0;
+        const ShadowStatistics figures = computeStatistics(shadow.sums, sunlit, shadow.cellAreaM2);
+        text += fmt::format("{},{},{},{}", csvField(name), nameOf(shadow.kind), figures.receivers,
+                            fieldOf(figures.receiverAreaM2));
+        for (const double value : {figures.shadowAreaM2, figures.meanGrossMin, figures.maxGrossMin,
+                                   figures.meanContinuousMin, figures.maxContinuousMin})
+            text += fmt::format(",{}", figures.receivers > 0 ? fieldOf(value) : "");
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace noonmark

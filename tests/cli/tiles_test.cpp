@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "app/cli/tiles/array_task.h"
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::HasSubstr;
+
+Environment environmentOf(const std::map<std::string, std::string>& variables) {
+    return [variables](const char* name) -> std::optional<std::string> {
+        const auto found = variables.find(name);
+        return found == variables.end() ? std::nullopt : std::optional(found->second);
+    };
+}
+
+TEST(FindArrayTask, OfSlurmKubernetesAndAwsBatch) {
+    EXPECT_EQ(findArrayTask(environmentOf({{"SLURM_ARRAY_TASK_ID", "12"}})).value(), 12U);
+    EXPECT_EQ(findArrayTask(environmentOf({{"JOB_COMPLETION_INDEX", "0"}})).value(), 0U);
+    EXPECT_EQ(findArrayTask(environmentOf({{"AWS_BATCH_JOB_ARRAY_INDEX", "7"}})).value(), 7U);
+    EXPECT_FALSE(findArrayTask(environmentOf({})));
+    for (const char* wrong : {"", "-1", "x", "3 ", "1.5", "99999999999999999999999"})
+        EXPECT_FALSE(findArrayTask(environmentOf({{"SLURM_ARRAY_TASK_ID", wrong}}))) << wrong;
+}
+
+class TilesCommand : public testing::Test {
+protected:
+    TilesCommand() { EXPECT_EQ(noonmarkCli({"sample", "grid", "--out", town}).code, 0); }
+    [[nodiscard]] Spoken plan(std::vector<std::string> more = {}) const {
+        std::vector<std::string> words{"tiles",      "plan",
+                                       town,         "--start",
+                                       "2026-03-21", "--from",
+                                       "10:00",      "--hours",
+                                       "4",          "--step",
+                                       "30",         "--zone",
+                                       "UTC",        "--region",
+                                       "city",       "--cell",
+                                       "4",          "--engine",
+                                       "ray",        "--tile",
+                                       "64",         "--no-error-sample",
+                                       "--out",      dir,
+                                       "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        return noonmarkCli(words);
+    }
+
+    noonmark::tests::TemporaryFolder folder;
+    std::string town = folder.path("town.gpkg").string();
+    std::string dir = folder.path("plan").string();
+};
+
+TEST_F(TilesCommand, PlansRunsAndMerges) {
+    const Spoken planned = plan();
+    ASSERT_EQ(planned.code, 0) << planned.err;
+    EXPECT_TRUE(planned.json()["by_window"]);
+    const std::size_t tasks = planned.json()["tasks"];
+    EXPECT_EQ(noonmarkCli({"tiles", "merge", dir}).code, 1);
+    for (std::size_t task = 0; task < tasks; ++task) {
+        const Spoken ran =
+            noonmarkCli({"tiles", "run", dir, "--task", std::to_string(task), "--threads", "1"});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+    EXPECT_TRUE(noonmarkCli({"tiles", "status", dir, "--json"}).json()["complete"]);
+    const Spoken merged = noonmarkCli({"tiles", "merge", dir});
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_THAT(merged.out, HasSubstr("shadow.vrt"));
+    EXPECT_THAT(plan().err, HasSubstr("exist"));
+    EXPECT_EQ(plan({"--overwrite"}).code, 0);
+    EXPECT_THAT(noonmarkCli({"tiles", "run", dir, "--task", "0"}).out, HasSubstr(" 0 computed"));
+}
+
+TEST_F(TilesCommand, ExitCodesTellErrorsThatStay) {
+    EXPECT_EQ(noonmarkCli({"tiles", "run", dir, "--task", "0"}).code, 1);
+    ASSERT_EQ(plan().code, 0);
+    EXPECT_EQ(noonmarkCli({"tiles", "run", dir, "--task", "4000"}).code, 1);
+    EXPECT_EQ(noonmarkCli({"tiles", "run", dir, "--task", "x"}).code, 2);
+    std::filesystem::remove(town);
+    EXPECT_EQ(noonmarkCli({"tiles", "run", dir, "--task", "0"}).code, 1);
+    EXPECT_EQ(noonmarkCli({"tiles", "plan", "sample:grid", "--region", "city", "--start", "2026-03-21",
+                           "--zone", "UTC", "--out", dir})
+                  .code,
+              2);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests

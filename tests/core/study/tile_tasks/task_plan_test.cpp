@@ -1,0 +1,241 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/io/write_city.h"
+#include "core/io/write_raster.h"
+#include "core/study/tile_tasks/make_task_plan.h"
+#include "core/study/tile_tasks/merge_tiles.h"
+#include "core/study/tile_tasks/run_task.h"
+#include "core/study/tile_tasks/task_status.h"
+#include "tests/core/engines/scenes.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using testing::HasSubstr;
+
+TaskPlan planOf(std::size_t side, double seconds, double bytes) {
+    TaskPlan plan;
+    plan.districts.push_back({.name = "d", .tiles = {{0, 0, 1, int(side) * 64, int(side) * 64}, 64}});
+    for (std::size_t i = 0; i < side * side; ++i)
+        plan.tiles.push_back(
+            {.number = i, .reads = {{0, 0}, {1, 1}}, .seconds = seconds, .memoryBytes = bytes});
+    return plan;
+}
+
+TEST(PackTasks, FillsTasksUpToTheirLength) {
+    TaskPlan plan = planOf(4, 10, 1e6);
+    EXPECT_EQ(packTasks(plan, {40, 1e9}), 4U);
+    for (std::size_t task = 0; task < 4; ++task) {
+        const auto tiles = plan.tilesOf(task);
+        ASSERT_EQ(tiles.size(), 4U);
+        // Four neighbours: 2 x 2 tiles
+        EXPECT_EQ(tiles.front().number + 5, tiles.back().number);
+    }
+}
+
+TEST(PackTasks, ATileThatIsTooLongAloneGetsItsOwnTask) {
+    TaskPlan plan = planOf(2, 100, 1e6);
+    EXPECT_EQ(packTasks(plan, {40, 1e9}), 4U);
+}
+
+TEST(PackTasks, NeverMixesDistricts) {
+    TaskPlan plan = planOf(2, 1, 1e6);
+    plan.districts.push_back(plan.districts.front());
+    plan.tiles[1].district = plan.tiles[3].district = 1;
+    EXPECT_EQ(packTasks(plan, {1000, 1e9}), 2U);
+    EXPECT_EQ(plan.tilesOf(0).size(), 2U);
+}
+
+TEST(PackTasks, AUnionOfHalosThatNeedsTooMuchMemoryIsSplit) {
+    TaskPlan plan = planOf(2, 1, 1e9);
+    plan.tiles[3].reads = {{2, 2}, {3, 3}};
+    EXPECT_GT(packTasks(plan, {1000, 2e9}), 1U);
+}
+
+TEST(FormatRanges, AsSchedulersTakeThem) {
+    EXPECT_EQ(formatRanges({}), "");
+    EXPECT_EQ(formatRanges({0, 1, 2, 3, 7, 9, 10}), "0-3,7,9-10");
+}
+
+/// A town in an indexed GeoPackage, and plans of it.
+class TaskPlanTest : public testing::Test {
+protected:
+    TaskPlanTest() {
+        City city = cityOf(randomBoxes(11, 10));
+        city.frame = Frame({-73.98, 40.75});
+        EXPECT_TRUE(writeCityGeoPackage(folder.path("town.gpkg"), city));
+        request.files = {folder.path("town.gpkg").string()};
+        request.settings.period.zone = "America/New_York";
+        request.settings.period.stepMinutes = 20;
+        request.settings.engine = "projected";
+        request.settings.errorSample.receivers = 0;
+        request.region = "city";
+        request.tileCells = 64;
+        request.task = {0.001, 1e9};
+    }
+    [[nodiscard]] TaskPlan plan() const {
+        NoProgress progress;
+        auto made = makeTaskPlan(request, progress, {});
+        EXPECT_TRUE(made) << made.error().text();
+        return *std::move(made);
+    }
+    [[nodiscard]] Result<TaskReport> run(const TaskPlan& plan, std::size_t task,
+                                         std::stop_token stop = {}) const {
+        NoProgress progress;
+        return runTask(folder.path("plan"), plan, task, request.reading, request.settings, progress,
+                       std::move(stop));
+    }
+    [[nodiscard]] Result<MergeReport> merge(const TaskPlan& plan) const {
+        NoProgress progress;
+        return mergeTiles(folder.path("plan"), plan, request.settings, {}, progress, {});
+    }
+
+    TemporaryFolder folder;
+    TaskPlanRequest request;
+};
+
+TEST_F(TaskPlanTest, ComesBackFromItsFileToTheLastBit) {
+    TaskPlan made = plan();
+    EXPECT_TRUE(made.byWindow);
+    made.arguments = {"--start=2026-03-21"};
+    made.inputs = {{"town.gpkg", 7, "abc"}};
+    std::filesystem::create_directories(folder.path("plan"));
+    ASSERT_TRUE(writeTaskPlan(folder.path("plan"), made));
+    const auto read = readTaskPlan(folder.path("plan"));
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->files, made.files);
+    EXPECT_EQ(read->arguments, made.arguments);
+    EXPECT_EQ(read->taskCount, made.taskCount);
+    EXPECT_EQ(read->studyHash(0), made.studyHash(0));
+    EXPECT_EQ(read->districts[0].region, made.districts[0].region);
+    EXPECT_EQ(read->districts[0].frame, made.districts[0].frame);
+    EXPECT_EQ(read->districts[0].tiles.whole, made.districts[0].tiles.whole);
+    ASSERT_EQ(read->tiles.size(), made.tiles.size());
+    for (std::size_t i = 0; i < made.tiles.size(); ++i) {
+        EXPECT_EQ(read->tiles[i].reads, made.tiles[i].reads);
+        EXPECT_EQ(read->tiles[i].contentHash, made.tiles[i].contentHash);
+        EXPECT_EQ(read->tiles[i].seconds, made.tiles[i].seconds);
+    }
+}
+
+TEST_F(TaskPlanTest, DamagedPlansAreRefused) {
+    std::filesystem::create_directories(folder.path("plan"));
+    EXPECT_THAT(readTaskPlan(folder.path("plan")).error().text(), HasSubstr("no plan"));
+    for (const char* text : {"", "{", "[]", R"({"noonmark_task_plan":1})", R"({"noonmark_task_plan":2})"}) {
+        std::ofstream(folder.path("plan") / planFileName) << text;
+        EXPECT_FALSE(readTaskPlan(folder.path("plan"))) << text;
+    }
+}
+
+TEST_F(TaskPlanTest, TasksTogetherEqualOneStudyToTheLastBit) {
+    const TaskPlan made = plan();
+    ASSERT_GT(made.taskCount, 4U);
+    for (std::size_t task = 0; task < made.taskCount; ++task) {
+        const auto report = run(made, task);
+        ASSERT_TRUE(report) << report.error().text();
+    }
+    const auto merged = merge(made);
+    ASSERT_TRUE(merged) << merged.error().text();
+    NoProgress progress;
+    const City city = readCity({request.files[0]}, request.reading, progress, {}).value().city;
+    StudySettings settings = request.settings;
+    settings.region = makeRegionFromLocalBox(bounds(city));
+    const auto whole = runTiledStudy(city, {settings, 64}, folder.path("whole.tif"), progress, {});
+    ASSERT_TRUE(whole) << whole.error().text();
+    EXPECT_EQ(made.districts[0].region.polygons, settings.region.polygons);
+    EXPECT_EQ(made.districts[0].frame, city.frame);
+    const Grid grid = made.districts[0].tiles.whole;
+    const auto a = readGeoTiff(folder.path("plan/merged/shadow.tif"), grid).value();
+    const auto b = readGeoTiff(folder.path("whole.tif"), grid).value();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t band = 0; band < a.size(); ++band)
+        EXPECT_EQ(std::memcmp(a[band].data(), b[band].data(), a[band].size() * sizeof(float)), 0) << band;
+    EXPECT_EQ(merged->statistics.receivers, whole->study.statistics.receivers);
+}
+
+TEST_F(TaskPlanTest, WhatIsDoneAndWholeIsNotComputedAgain) {
+    const TaskPlan made = plan();
+    ASSERT_EQ(run(made, 0).value().computed, made.tilesOf(0).size());
+    EXPECT_EQ(run(made, 0).value().computed, 0U);
+    for (const auto& entry : std::filesystem::directory_iterator(taskFolder(folder.path("plan"), 0)))
+        if (entry.path().extension() == ".tif") {
+            std::fstream file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
+            file.seekp(-1, std::ios::end);
+            file.put('?');  // same size, another content
+        }
+    EXPECT_GT(run(made, 0).value().computed, 0U);
+    EXPECT_EQ(run(made, 0).value().computed, 0U);
+}
+
+TEST_F(TaskPlanTest, AKillInTheMiddleOfAWriteLosesOneTile) {
+    request.task = {1e6, 1e12};
+    const TaskPlan made = plan();
+    ASSERT_EQ(made.taskCount, 1U);
+    ASSERT_TRUE(run(made, 0));
+    const auto tasks = taskFolder(folder.path("plan"), 0);
+    std::filesystem::resize_file(tasks / "journal.jsonl",
+                                 std::filesystem::file_size(tasks / "journal.jsonl") - 5);
+    std::ofstream(tasks / ".tile-00003.1234-0.tif") << "half a tile";
+    const auto status = findStatus(folder.path("plan"), made);
+    ASSERT_TRUE(status);
+    EXPECT_EQ(status->doneTiles + 1, status->allTiles);
+    EXPECT_FALSE(merge(made));
+    EXPECT_EQ(run(made, 0).value().computed, 1U);
+    EXPECT_TRUE(merge(made));
+}
+
+TEST_F(TaskPlanTest, ErrorsThatMayPassAreToldFromThoseThatStay) {
+    const TaskPlan made = plan();
+    const auto unknown = run(made, 100000);
+    ASSERT_FALSE(unknown);
+    EXPECT_FALSE(isRetryable(unknown.error()));
+    std::stop_source stopped;
+    stopped.request_stop();
+    const auto cancelledRun = run(made, 0, stopped.get_token());
+    ASSERT_FALSE(cancelledRun);
+    EXPECT_TRUE(isRetryable(cancelledRun.error()));
+    const auto other =
+        TileJournal::open(taskFolder(folder.path("plan"), 1), made.studyHash(0), made.districts[0].tiles);
+    const auto busy = run(made, 1);
+    ASSERT_FALSE(busy);
+    EXPECT_TRUE(isRetryable(busy.error())) << busy.error().text();
+    request.settings.period.hours = 3;
+    const auto changed = run(made, 0);
+    ASSERT_FALSE(changed);
+    EXPECT_FALSE(isRetryable(changed.error()));
+}
+
+TEST_F(TaskPlanTest, AChangeInOnePlaceChangesOnlyTheTilesThatReadIt) {
+    const TaskPlan before = plan();
+    City city = cityOf(randomBoxes(11, 10));
+    city.frame = Frame({-73.98, 40.75});
+    Building building = *city.buildings.front();
+    building.parts.front().topM += 1;
+    city.buildings.front() = std::make_shared<const Building>(building);
+    std::filesystem::remove(request.files[0]);
+    ASSERT_TRUE(writeCityGeoPackage(request.files[0], city));
+    const TaskPlan after = plan();
+    ASSERT_EQ(before.tiles.size(), after.tiles.size());
+    std::map<std::size_t, std::string> hashes;
+    for (const PlannedTile& tile : before.tiles) hashes[tile.number] = tile.contentHash;
+    std::size_t changed = 0;
+    for (const PlannedTile& tile : after.tiles) changed += hashes[tile.number] == tile.contentHash ? 0 : 1;
+    EXPECT_GT(changed, 0U);
+}
+
+TEST_F(TaskPlanTest, RefusesWhatNeedsTheWholeCity) {
+    NoProgress progress;
+    request.reading.terrainFromBases = TerrainFromBases::always;
+    EXPECT_THAT(makeTaskPlan(request, progress, {}).error().text(), HasSubstr("whole city"));
+    request.reading = {};
+    request.settings.byMonth = true;
+    EXPECT_FALSE(makeTaskPlan(request, progress, {}));
+}
+
+}  // namespace
+}  // namespace noonmark
