@@ -10,7 +10,7 @@
 #include "app/cli/tiles/tiles_command.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/remaining_time.h"
-#include "core/study/tile_tasks/merge_tiles.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 
 namespace noonmark::cli {
 

@@ -16,7 +16,7 @@
 #include "app/input/load_city.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/output_folder.h"
-#include "core/study/tile_tasks/make_task_plan.h"
+#include "core/study/tile_tasks/plan/make_task_plan.h"
 
 namespace noonmark::cli {
 

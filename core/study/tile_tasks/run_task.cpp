@@ -10,7 +10,7 @@
 #include "core/study/memory_need.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/remaining_time.h"
-#include "core/study/tile_tasks/find_districts.h"
+#include "core/study/tile_tasks/plan/find_districts.h"
 #include "core/study/tiles/tile_runner.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <stop_token>
 
 #include "core/study/study.h"
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 #include "core/study/tiles/assemble_map.h"
 
 namespace noonmark {

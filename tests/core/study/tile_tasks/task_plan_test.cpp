@@ -5,8 +5,8 @@
 
 #include "core/io/write_city.h"
 #include "core/io/write_raster.h"
-#include "core/study/tile_tasks/make_task_plan.h"
-#include "core/study/tile_tasks/merge_tiles.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
+#include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/run_task.h"
 #include "core/study/tile_tasks/task_status.h"
 #include "tests/core/engines/scenes.h"

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/tile_mosaic.h"
+#include "core/study/tile_tasks/merge/tile_mosaic.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "core/measures/statistics.h"
 #include "core/study/study.h"
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 
 namespace noonmark {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/pending_file.h"
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/make_task_plan.h"
+#include "core/study/tile_tasks/plan/make_task_plan.h"
 
 #include <tbb/parallel_for.h>
 
@@ -9,9 +9,9 @@
 #include "core/base/progress_share.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/provenance/study_hash.h"
-#include "core/study/tile_tasks/find_districts.h"
-#include "core/study/tile_tasks/survey_district.h"
-#include "core/study/tile_tasks/tile_load.h"
+#include "core/study/tile_tasks/plan/find_districts.h"
+#include "core/study/tile_tasks/plan/survey_district.h"
+#include "core/study/tile_tasks/plan/tile_load.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 #include "core/engines/auto_engine.h"
 #include "core/study/study.h"
-#include "core/study/tile_tasks/tile_halo.h"
+#include "core/study/tile_tasks/plan/tile_halo.h"
 
 namespace noonmark {
 

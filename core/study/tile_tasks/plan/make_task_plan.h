@@ -3,8 +3,8 @@
 #include <stop_token>
 
 #include "core/study/study.h"
-#include "core/study/tile_tasks/pack_tasks.h"
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/pack_tasks.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 #include "core/study/tiles/tiled_study.h"
 
 namespace noonmark {

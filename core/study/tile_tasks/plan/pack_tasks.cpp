@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/pack_tasks.h"
+#include "core/study/tile_tasks/plan/pack_tasks.h"
 
 #include <algorithm>
 #include <tuple>

@@ -5,7 +5,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/pending_file.h"
-#include "core/study/tile_tasks/cloud_map.h"
+#include "core/study/tile_tasks/merge/cloud_map.h"
 
 namespace noonmark {
 

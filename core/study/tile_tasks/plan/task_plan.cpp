@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/study/tile_tasks/task_plan.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 
 namespace noonmark {
 

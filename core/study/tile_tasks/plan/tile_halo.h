@@ -2,7 +2,7 @@
 
 #include "core/engines/common/shadow_reach.h"
 #include "core/receivers/tile_plan.h"
-#include "core/study/tile_tasks/occluder_survey.h"
+#include "core/study/tile_tasks/plan/occluder_survey.h"
 
 namespace noonmark {
 

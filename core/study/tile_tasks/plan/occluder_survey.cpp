@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/occluder_survey.h"
+#include "core/study/tile_tasks/plan/occluder_survey.h"
 
 #include <algorithm>
 #include <charconv>

@@ -2,8 +2,8 @@
 
 #include <stop_token>
 
-#include "core/study/tile_tasks/find_districts.h"
-#include "core/study/tile_tasks/occluder_survey.h"
+#include "core/study/tile_tasks/plan/find_districts.h"
+#include "core/study/tile_tasks/plan/occluder_survey.h"
 
 namespace noonmark {
 

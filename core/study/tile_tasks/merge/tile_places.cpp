@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/tile_places.h"
+#include "core/study/tile_tasks/merge/tile_places.h"
 
 #include <fmt/format.h>
 

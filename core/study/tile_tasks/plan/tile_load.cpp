@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/tile_load.h"
+#include "core/study/tile_tasks/plan/tile_load.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/survey_district.h"
+#include "core/study/tile_tasks/plan/survey_district.h"
 
 #include <fmt/format.h>
 

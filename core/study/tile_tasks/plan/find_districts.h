@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/footprints/footprint_scan.h"
-#include "core/study/tile_tasks/make_task_plan.h"
+#include "core/study/tile_tasks/plan/make_task_plan.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/stac_item.h"
+#include "core/study/tile_tasks/merge/stac_item.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/find_districts.h"
+#include "core/study/tile_tasks/plan/find_districts.h"
 
 #include <fmt/format.h>
 

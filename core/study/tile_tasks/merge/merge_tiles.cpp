@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/merge_tiles.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "core/io/files/pending_file.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/has_runs.h"
-#include "core/study/tile_tasks/cloud_map.h"
-#include "core/study/tile_tasks/stac_item.h"
-#include "core/study/tile_tasks/tile_mosaic.h"
-#include "core/study/tile_tasks/tile_places.h"
+#include "core/study/tile_tasks/merge/cloud_map.h"
+#include "core/study/tile_tasks/merge/stac_item.h"
+#include "core/study/tile_tasks/merge/tile_mosaic.h"
+#include "core/study/tile_tasks/merge/tile_places.h"
 
 namespace noonmark {
 

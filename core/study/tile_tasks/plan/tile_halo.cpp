@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/tile_halo.h"
+#include "core/study/tile_tasks/plan/tile_halo.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
