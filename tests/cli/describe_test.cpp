@@ -163,8 +163,10 @@ TEST_F(Descriptions, NameEveryCommandAndOption) {
         EXPECT_THAT(bash, HasSubstr("'/" + name + "') options=")) << name;
         EXPECT_THAT(zsh, HasSubstr("_noonmark-cli-" + name + "() {")) << name;
         EXPECT_THAT(fish, HasSubstr(" -a " + name + " -d ")) << name;
-        std::istringstream words(noonmarkCli({name, "--help"}).out);
-        for (std::string word; words >> word;) {
+        std::istringstream helpLines(noonmarkCli({name, "--help"}).out);
+        for (std::string helpLine; std::getline(helpLines, helpLine);) {
+            std::string word;  // an option is the first one of its line; later ones may be another program's
+            std::istringstream(helpLine) >> word;
             if (!word.starts_with("--") || word.size() < 4) continue;
             word = word.substr(0, word.find_first_of(",.;:)'"));
             std::string escaped;
