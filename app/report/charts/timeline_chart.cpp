@@ -36,9 +36,9 @@ double topOf(const TimelineChart& chart) {
 TimelineAxes axesOf(const QRectF& area, double point, const TimelineChart& chart) {
     const QRectF plot = plotIn(area, point);
     const AreaUnit unit = areaUnitOf(chart.units);
-    const double top = topOf(chart) / unit.squareMetres;
+    const double topM2 = topOf(chart), top = topM2 / unit.squareMetres;
     ChartAxis up = makeAmountAxis(0, top, unit.name);
-    if (top * unit.squareMetres >= chart.areaM2 && top > 0) {  // ends at the whole place
+    if (topM2 >= chart.areaM2 && topM2 > 0) {  // ends at the whole place
         up.to = top;
         std::erase_if(up.ticks, [&](const Tick& tick) { return tick.at > top; });
     }
