@@ -41,6 +41,8 @@ std::string formatImperialArea(double squareMetres) {
 
 std::string formatNumber(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
+    // What rounds to zero has no sign.
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
     const auto first = std::ptrdiff_t(text.starts_with('-') ? 1 : 0);
     const auto whole = std::ptrdiff_t(std::min(text.find('.'), text.size()));
     for (std::ptrdiff_t at = whole - 3; at > first; at -= 3) text.insert(std::size_t(at), 1, ',');

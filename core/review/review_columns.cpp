@@ -53,6 +53,7 @@ const std::array columns{
     Column{"full_cover_min", [](const P&, const R& r) { return minutesText(r.fullCoverMin); }},
     Column{"total_duration_min", [](const P&, const R& r) { return minutesText(r.totalDurationMin); }},
     Column{"total_max_area_m2", [](const P&, const R& r) { return areaText(r.totalMaxAreaM2); }},
+    Column{"total_max_area_ft2", [](const P&, const R& r) { return areaText(r.totalMaxAreaM2 * ft2PerM2); }},
     Column{"total_max_point_min", [](const P&, const R& r) { return minutesText(r.totalMaxPointMin); }},
     Column{"least_sun_min", [](const P&, const R& r) { return minutesText(r.leastSunMin); }},
     Column{"least_sun_hm", [](const P&, const R& r) { return hoursMinutes(r.leastSunMin); }},
@@ -65,11 +66,30 @@ const std::array columns{
     Column{"baseline_ft2h", [](const P&, const R& r) { return areaText(r.baselineM2h * ft2PerM2); }},
     Column{"scenario_ft2h", [](const P&, const R& r) { return areaText(r.scenarioM2h * ft2PerM2); }},
     Column{"incremental_ft2h", [](const P&, const R& r) { return areaText(r.incrementalM2h * ft2PerM2); }},
+    Column{"gained_ft2h", [](const P&, const R& r) { return areaText(r.gainedM2h * ft2PerM2); }},
     Column{
         "incremental_share",
         [](const P& p, const R& r) { return fmt::format("{:.4f} %", 100 * shareOf(p, r.incrementalM2h)); }},
     Column{"window_min", [](const P&, const R& r) { return minutesText(r.windowMin); }},
 };
+
+/// "max_area_ft2" of "max_area_m2"; empty for other keys.
+std::string imperialKey(std::string_view key) {
+    const auto at = key.rfind("_m2");
+    if (at == std::string_view::npos || key.starts_with(criterionPrefix)) return {};
+    const std::string_view rest = key.substr(at + 3);
+    if (!rest.empty() && rest != "h") return {};
+    return fmt::format("{}_ft2{}", key.substr(0, at), rest);
+}
+
+/// "Largest area, sq ft" of "Largest area, m2"; a title without its unit gets one.
+std::string imperialTitle(const RuleColumn& column) {
+    for (const std::string_view metric : {"m2", "m²"})
+        if (const auto at = column.title.rfind(metric); at != std::string::npos)
+            return fmt::format("{}sq ft{}", column.title.substr(0, at),
+                               column.title.substr(at + metric.size()));
+    return fmt::format("{}, sq ft{}", column.title, column.key.ends_with("h") ? " h" : "");
+}
 
 std::string criterionText(const PlaceReview& review, const ReviewRow& row, std::string_view key) {
     for (std::size_t i = 0; i < review.criteria.size() && i < row.criteria.size(); ++i) {
@@ -95,6 +115,18 @@ bool isReviewColumn(const Rule& rule, std::string_view key) {
         return std::ranges::find(columns, key, &Column::key) != columns.end();
     return std::ranges::find(rule.criteria, key.substr(criterionPrefix.size()), &Criterion::key) !=
            rule.criteria.end();
+}
+
+std::vector<RuleColumn> columnsIn(UnitSystem units, const std::vector<RuleColumn>& columns) {
+    if (units == UnitSystem::metric) return columns;
+    std::vector<RuleColumn> shown;
+    for (const RuleColumn& column : columns) {
+        const std::string key = imperialKey(column.key);
+        if (key.empty() || units == UnitSystem::both) shown.push_back(column);
+        if (!key.empty() && std::ranges::find(columns, key, &RuleColumn::key) == columns.end())
+            shown.push_back({imperialTitle(column), key});
+    }
+    return shown;
 }
 
 std::string columnText(const PlaceReview& review, const ReviewRow& row, std::string_view key) {

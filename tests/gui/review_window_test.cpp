@@ -196,6 +196,41 @@ TEST_F(ReviewWindow, ARangeOfDaysHasACarpet) {
     EXPECT_GT(dock().range().carpet().days.size(), 20U);
 }
 
+TEST_F(ReviewWindow, UnitsOfTheProjectAreShownAtOnce) {
+    showDock();
+    addPlaces();
+    build();
+    choose("boston-midtown");
+    run();
+    ASSERT_TRUE(review().shown()) << message().toStdString();
+    VerdictTable& table = dock().table();
+    const auto titleOf = [&](const QString& unit) {
+        for (int i = 0; i < table.columnCount(); ++i)
+            if (table.headerItem()->text(i).simplified() == QStringLiteral("Largest area, ") + unit) return i;
+        return -1;
+    };
+    const auto setUnits = [&](UnitSystem units) {
+        Project next = session().project();
+        next.sheets.units = units;
+        ASSERT_TRUE(session().change(std::move(next), QStringLiteral("units")));
+    };
+    const auto* reading = dock().findChild<QLabel*>(QStringLiteral("timelineReading"));
+    ASSERT_TRUE(waitFor([&] { return !dock().day().working().busy() && !reading->text().isEmpty(); }));
+    const int metric = titleOf(QStringLiteral("m2")), columns = table.columnCount();
+    ASSERT_GE(metric, 0);
+    setUnits(UnitSystem::imperial);
+    EXPECT_EQ(titleOf(QStringLiteral("m2")), -1);
+    EXPECT_EQ(titleOf(QStringLiteral("sq ft")), metric);
+    EXPECT_EQ(table.columnCount(), columns);
+    EXPECT_EQ(dock().day().chart().units, UnitSystem::imperial);
+    EXPECT_FALSE(reading->text().contains(QStringLiteral("m²"))) << reading->text().toStdString();
+    setUnits(UnitSystem::both);
+    EXPECT_EQ(titleOf(QStringLiteral("sq ft")), titleOf(QStringLiteral("m2")) + 1);
+    EXPECT_EQ(table.columnCount(), columns + 1);
+    setUnits(UnitSystem::metric);
+    EXPECT_EQ(titleOf(QStringLiteral("m2")), metric);
+}
+
 TEST_F(ReviewWindow, TheChoiceIsSavedWithTheProjectAndFollowsRenaming) {
     addPlaces();
     build();

@@ -135,30 +135,30 @@ QString monthText(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
-BookPage monthPage(const Score& score, const PageSetup& setup) {
+/// A chart of one figure by month.
+PageChart monthChart(const Score& score, double MonthFigures::*figure, const BarChart::Series& series,
+                     const QString& explanation, UnitSystem units) {
+    BarChart chart{{series}, {}, false, units};
+    for (const MonthFigures& month : score.months)
+        chart.groups.push_back({monthText(month.month), {month.*figure}});
+    return {std::move(chart), {series.name + QStringLiteral(" by month"), explanation}};
+}
+
+BookPage monthPage(const Score& score, const BookSettings& settings) {
     const QString title = QStringLiteral("Months");
     BookPage page{title, {}, title, 0, {}};
-    const QRectF all = contentArea(setup);
-    const double scale = textScale(setup), half = (all.height() - 14 * scale) / 2;
-    PageBars area{
-        {QStringLiteral("Shadow area by month"),
-         QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area")},
-        QStringLiteral("m²"),
-        {shade::proposal},
-        {},
-        scale};
-    PageBars value{{QStringLiteral("Score by month"),
-                    QStringLiteral("Positive: wanted shade outweighs unwanted shadow")},
-                   QStringLiteral("m²"),
-                   {shade::incremental},
-                   {},
-                   scale};
-    for (const MonthFigures& month : score.months) {
-        area.groups.push_back({monthText(month.month), {month.shadowAreaM2}});
-        value.groups.push_back({monthText(month.month), {month.scoreM2}});
-    }
-    page.items.push_back({{all.left(), all.top(), all.width(), half}, std::move(area)});
-    page.items.push_back({{all.left(), all.bottom() - half, all.width(), half}, std::move(value)});
+    const QRectF all = contentArea(settings.setup);
+    const double half = (all.height() - 14 * textScale(settings.setup)) / 2;
+    page.items.push_back(
+        {{all.left(), all.top(), all.width(), half},
+         monthChart(
+             score, &MonthFigures::shadowAreaM2, {QStringLiteral("Shadow area"), shade::proposal},
+             QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area"),
+             settings.units)});
+    page.items.push_back(
+        {{all.left(), all.bottom() - half, all.width(), half},
+         monthChart(score, &MonthFigures::scoreM2, {QStringLiteral("Score"), shade::incremental},
+                    QStringLiteral("Positive: wanted shade outweighs unwanted shadow"), settings.units)});
     return page;
 }
 
@@ -199,7 +199,7 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
     book.record = sheet.record;
     addMaps(book, sheet);
-    if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings.setup));
+    if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings));
     appendPages(book, intervalPages(answer, settings));
     addText(book, sheet,
             repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance)));

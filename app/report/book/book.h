@@ -2,9 +2,9 @@
 
 // The folder app/report/book/ makes books of sheets that a board can file. A Book (this file) is a list of
 // pages, and a page is a list of items with their places on the paper: text and tables (page_text.h, flow.h),
-// plan diagrams (diagram.h), charts (chart.h) and pictures. page_painter.h paints a page on any canvas with
-// its frame and title block, print_book.h makes the PDF, and pdf_structure.h adds what Qt's PDF lacks.
-// sun_view.h draws the view from the sun. review/ makes the book of a review.
+// plan diagrams (diagram.h), charts (app/report/charts) and pictures. page_painter.h paints a page on any
+// canvas with its frame and title block, print_book.h makes the PDF, and pdf_structure.h adds what Qt's PDF
+// lacks. sun_view.h draws the view from the sun. review/ makes the book of a review.
 
 #include <QImage>
 #include <QRectF>
@@ -14,10 +14,12 @@
 #include <variant>
 #include <vector>
 
-#include "app/report/book/chart.h"
 #include "app/report/book/diagram.h"
 #include "app/report/book/page_text.h"
 #include "app/report/book/paper.h"
+#include "app/report/charts/bar_chart.h"
+#include "app/report/charts/carpet_chart.h"
+#include "app/report/charts/timeline_chart.h"
 #include "app/report/sheets/sheet.h"
 #include "core/base/display_units.h"
 #include "scenarios/project/title_block.h"
@@ -30,6 +32,12 @@ struct PagePicture {
     Caption caption;
 };
 
+/// A chart with a caption above it.
+struct PageChart {
+    std::variant<TimelineChart, CarpetChart, BarChart> chart;
+    Caption caption;
+};
+
 /// A map of cells with its legend, as large as its area allows. The map must not be null, and the data that
 /// it refers to must outlive the book.
 struct PageMap {
@@ -37,8 +45,7 @@ struct PageMap {
     Caption caption{};  ///< empty: none
 };
 
-using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, PageTimeline, PageCarpet,
-                                 PageBars, PagePicture, PageMap>;
+using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, PageChart, PagePicture, PageMap>;
 
 /// `area`: in points from the top left corner of the page, inside contentArea().
 struct PageItem {

@@ -5,23 +5,12 @@
 #include <vector>
 
 #include "app/report/book/page_text.h"
+#include "app/report/maps/palette.h"
 #include "core/city/city.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/place.h"
 
 namespace noonmark {
-
-/// Colours of shadows, told apart by colour-blind readers and by lightness in grey print.
-namespace shade {
-constexpr QColor baseline{0xb4, 0xb8, 0xc4};
-constexpr QColor incremental{0xd5, 0x5e, 0x00};
-constexpr QColor gained{0xf7, 0xdc, 0x6f};
-constexpr QColor place{0xe4, 0xf0, 0xe2};
-constexpr QColor placeLine{0x0b, 0x5d, 0x57};
-constexpr QColor building{0xf4, 0xf4, 0xf5};
-constexpr QColor buildingLine{0x85, 0x88, 0x90};
-constexpr QColor proposal = ink::heading;
-}  // namespace shade
 
 /// What all diagrams of a book show.
 struct DiagramScene {

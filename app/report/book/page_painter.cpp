@@ -32,6 +32,22 @@ void paintPicture(const Canvas& canvas, const QRectF& area, const PagePicture& p
                  scale);
 }
 
+struct ChartPainter {
+    const Canvas& canvas;
+    QRectF area;
+
+    void operator()(const TimelineChart& chart) const { paintTimeline(canvas, area, chart); }
+    void operator()(const CarpetChart& chart) const { paintCarpet(canvas, area, chart); }
+    void operator()(const BarChart& chart) const { paintBars(canvas, area, chart); }
+};
+
+void paintChart(const Canvas& canvas, const QRectF& area, const PageChart& page, double scale) {
+    const double caption = captionPt(scale) * canvas.point;
+    paintCaption(canvas, {area.left(), area.top(), area.width(), caption}, page.caption, scale);
+    const Canvas larger{canvas.painter, canvas.point * scale};
+    std::visit(ChartPainter{larger, area.adjusted(0, caption, 0, 0)}, page.chart);
+}
+
 void paintPageMap(const Canvas& canvas, const QRectF& area, const PageMap& map, double scale) {
     const Canvas larger{canvas.painter, canvas.point * scale};
     const double foot = (legendHeightPt + 8) * larger.point;
@@ -56,9 +72,7 @@ struct ContentPainter {
     void operator()(const PageTable& table) const { paintTable(canvas, area, table); }
     void operator()(const Diagram& diagram) const { paintDiagram(canvas, area, diagram); }
     void operator()(const DiagramFoot& foot) const { paintDiagramFoot(canvas, area, foot); }
-    void operator()(const PageTimeline& chart) const { paintTimeline(canvas, area, chart); }
-    void operator()(const PageCarpet& chart) const { paintCarpet(canvas, area, chart); }
-    void operator()(const PageBars& chart) const { paintBars(canvas, area, chart); }
+    void operator()(const PageChart& chart) const { paintChart(canvas, area, chart, scale); }
     void operator()(const PageMap& map) const { paintPageMap(canvas, area, map, scale); }
     void operator()(const PagePicture& picture) const { paintPicture(canvas, area, picture, scale); }
 };

@@ -1,20 +1,18 @@
 #include "app/report/charts/carpet_chart.h"
 
 #include <QImage>
-#include <QLinearGradient>
 #include <QLocale>
 #include <QObject>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "app/report/charts/timeline_chart.h"
 #include "app/report/maps/palette.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr QColor nightColour{0xee, 0xef, 0xf1};
 
 double shareOf(const DayTimeline& day, const PlaceStep& step, CarpetQuantity quantity) {
     const double m2 = quantity == CarpetQuantity::incremental ? step.incrementalM2
@@ -33,18 +31,52 @@ std::pair<double, double> hoursOf(std::span<const DayTimeline> days, double rowM
     return {std::floor(from / 60) * 60, std::ceil(to / 60) * 60};
 }
 
-void fillDay(CarpetChart& chart, std::size_t index, const DayTimeline& day, CarpetQuantity quantity,
-             const DayClock& clock) {
+void fillDay(CarpetChart& chart, std::size_t index, const DayTimeline& day, const DayClock& clock) {
     std::vector<double> sums(chart.rows);
     std::vector<int> counts(chart.rows);
     for (const PlaceStep& step : day.steps) {
         const double row = (clock.minutesOf(day.day, step.at) - chart.fromMin) / chart.rowMin;
         if (row < 0 || row >= double(chart.rows)) continue;
-        sums[std::size_t(row)] += shareOf(day, step, quantity);
+        sums[std::size_t(row)] += shareOf(day, step, chart.quantity);
         ++counts[std::size_t(row)];
     }
     for (std::size_t row = 0; row < chart.rows; ++row)
         if (counts[row] > 0) chart.shares[index * chart.rows + row] = float(sums[row] / counts[row]);
+}
+
+int daysBetween(CivilDate from, CivilDate to) {
+    return int((std::chrono::sys_days{to} - std::chrono::sys_days{from}).count());
+}
+
+/// The columns of a day, counted in days from the first: [first, end).
+std::pair<int, int> columnsOf(const CarpetChart& chart, std::size_t day) {
+    constexpr int month = 31;
+    const int first = daysBetween(chart.days.front(), chart.days[day]);
+    if (day + 1 < chart.days.size())
+        return {first, first + std::min(month, daysBetween(chart.days[day], chart.days[day + 1]))};
+    const int before = day > 0 ? daysBetween(chart.days[day - 1], chart.days[day]) : 1;
+    return {first, first + std::clamp(before, 1, month)};
+}
+
+int columnCount(const CarpetChart& chart) { return columnsOf(chart, chart.days.size() - 1).second; }
+
+/// A line at the beginning of each month, and its name in the middle of its days.
+ChartAxis monthAxis(const CarpetChart& chart) {
+    ChartAxis axis{0, double(columnCount(chart))};
+    const auto first = std::chrono::sys_days{chart.days.front()};
+    for (int from = 0; from < int(axis.to);) {
+        const CivilDate day{first + std::chrono::days{from}};
+        const std::chrono::sys_days next{day.year() / day.month() / std::chrono::last};
+        const int to = std::min(int(axis.to), int((next - first).count()) + 1);
+        if (from > 0) axis.ticks.push_back({double(from)});
+        const QString name =
+            QLocale(QLocale::English).monthName(int(unsigned(day.month())), QLocale::ShortFormat);
+        constexpr int leastNamed = 10;
+        if (to - from >= std::min(leastNamed, int(axis.to)))
+            axis.ticks.push_back({(from + to) / 2.0, name, false});
+        from = to;
+    }
+    return axis;
 }
 
 struct CarpetAxes {
@@ -52,87 +84,91 @@ struct CarpetAxes {
     ChartAxis across, up;
 };
 
-ChartAxis monthAxis(const CarpetChart& chart) {
-    ChartAxis axis{0, double(std::max<std::size_t>(1, chart.days.size())), {}, {}};
-    for (std::size_t i = 0; i < chart.days.size(); ++i) {
-        const bool begins = i > 0 && chart.days[i].month() != chart.days[i - 1].month();
-        if (!begins && i > 0) continue;
-        axis.ticks.push_back(
-            {double(i), QLocale(QLocale::English)
-                            .monthName(int(unsigned(chart.days[i].month())), QLocale::ShortFormat)});
-    }
-    return axis;
-}
-
-CarpetAxes axesOf(const Canvas& canvas, const QRectF& area, const CarpetChart& chart) {
-    const QRectF plot = plotIn(canvas, area);
-    ChartAxis up{
-        chart.fromMin, chart.fromMin + std::max(chart.rowMin, chart.rowMin * double(chart.rows)), {}, {}};
-    const double every = plot.height() / canvas.point > 150 ? 120 : 240;
+CarpetAxes axesOf(const QRectF& area, double point, const CarpetChart& chart) {
+    const QRectF plot = plotIn(area, point);
+    ChartAxis up{chart.fromMin, chart.fromMin + std::max(chart.rowMin, chart.rowMin * double(chart.rows))};
+    const double every = plot.height() / point > 90 ? 120 : 240;
     for (double at = std::ceil(up.from / every) * every; at <= up.to; at += every)
         up.ticks.push_back({at, formatClock(at)});
     return {plot, monthAxis(chart), up};
 }
 
 QImage imageOf(const CarpetChart& chart) {
-    QImage image(int(chart.days.size()), int(chart.rows), QImage::Format_RGB32);
-    image.fill(nightColour);
-    for (std::size_t day = 0; day < chart.days.size(); ++day)
+    QImage image(columnCount(chart), int(chart.rows), QImage::Format_RGB32);
+    image.fill(ink::paper);
+    for (std::size_t day = 0; day < chart.days.size(); ++day) {
+        const auto [first, end] = columnsOf(chart, day);
         for (std::size_t row = 0; row < chart.rows; ++row) {
-            const float share = chart.shares[day * chart.rows + row];
-            if (!std::isnan(share))
-                image.setPixelColor(int(day), int(chart.rows - 1 - row), shadowColour(double(share)));
+            const QColor colour = carpetColour(chart.shares[day * chart.rows + row], chart.quantity);
+            for (int x = first; x < end; ++x) image.setPixelColor(x, int(chart.rows - 1 - row), colour);
         }
-    return image;
+    }
+    // Viewers of PDF blur coarse pictures: whole pixels for each cell keep its edges sharp.
+    return image.scaled(image.width() * 4, image.height() * 4);
 }
 
-void paintScale(const Canvas& canvas, const QRectF& plot) {
-    const double pt = canvas.point;
-    const QRectF bar(plot.left() + 4 * pt, plot.top() - 12 * pt, 80 * pt, 7 * pt);
-    QLinearGradient colours(bar.topLeft(), bar.topRight());
-    for (int i = 0; i <= 10; ++i) colours.setColorAt(i / 10.0, shadowColour(i / 10.0));
-    canvas.painter.fillRect(bar, colours);
-    canvas.painter.setPen(ink::text);
-    canvas.painter.setFont(textFont(canvas, 7));
-    canvas.painter.drawText(QRectF(bar.right() + 4 * pt, bar.top() - 3 * pt, 200 * pt, bar.height() + 6 * pt),
-                            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-                            QObject::tr("0 to 100 % of the place in shadow"));
+/// Colours from no share to the whole place, and that of no sun.
+void paintShares(const Canvas& canvas, const QRectF& plot, CarpetQuantity quantity) {
+    constexpr int parts = 10;
+    constexpr double partPt = 8, gapPt = 3;
+    double at = paintKeyText(canvas, plot, 0, QStringLiteral("0 %")) + gapPt;
+    for (int i = 0; i < parts; ++i, at += partPt)
+        canvas.painter.fillRect(keyBox(canvas, plot, at, partPt),
+                                carpetColour(i / double(parts - 1), quantity));
+    at = paintKeyText(canvas, plot, at + gapPt, QObject::tr("100 % of the place")) + 12;
+    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.5));
+    canvas.painter.drawRect(keyBox(canvas, plot, at, 9));
+    paintKeyText(canvas, plot, at + 9 + gapPt, QObject::tr("not counted"));
 }
 
 }  // namespace
 
-CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double rowMin,
+QColor carpetColour(double share, CarpetQuantity quantity) {
+    if (std::isnan(share)) return ink::paper;
+    if (quantity != CarpetQuantity::incremental) return shadowColour(share);
+    if (share <= 0) return {0xee, 0xef, 0xf1};
+    return impactColour(0.15 + 0.85 * share);
+}
+
+CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double leastRowMin,
                             const DayClock& clock) {
-    CarpetChart chart;
-    chart.rowMin = rowMin;
-    const auto [from, to] = hoursOf(days, rowMin, clock);
+    CarpetChart chart{.days = {}, .rowMin = leastRowMin, .shares = {}, .quantity = quantity};
+    for (const DayTimeline& day : days) chart.rowMin = std::max(chart.rowMin, stepMinutesOf(day, 0));
+    const auto [from, to] = hoursOf(days, chart.rowMin, clock);
     chart.fromMin = std::min(from, to);
-    chart.rows = std::size_t(std::max(0.0, std::ceil((to - from) / rowMin)));
+    chart.rows = std::size_t(std::max(0.0, std::ceil((to - from) / chart.rowMin)));
     for (const DayTimeline& day : days) chart.days.push_back(day.day);
     chart.shares.assign(days.size() * chart.rows, std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t i = 0; i < days.size(); ++i) fillDay(chart, i, days[i], quantity, clock);
+    for (std::size_t i = 0; i < days.size(); ++i) fillDay(chart, i, days[i], clock);
     return chart;
 }
 
 void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart) {
-    if (chart.days.empty() || chart.rows == 0) return;
     canvas.painter.save();
-    const CarpetAxes axes = axesOf(canvas, area, chart);
-    canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-    canvas.painter.drawImage(axes.plot, imageOf(chart));
-    paintAxes(canvas, axes.plot, axes.across, axes.up);
-    paintScale(canvas, axes.plot);
+    if (chart.days.empty() || chart.rows == 0) {
+        paintNothing(canvas, area, QObject::tr("The sun is not up in the hours of the rule"));
+    } else {
+        const CarpetAxes axes = axesOf(area, canvas.point, chart);
+        canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
+        canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+        canvas.painter.drawImage(axes.plot, imageOf(chart));
+        paintAxes(canvas, axes.plot, axes.across, axes.up);
+        paintShares(canvas, axes.plot, chart.quantity);
+    }
     canvas.painter.restore();
 }
 
-std::optional<CarpetCell> findCellAt(const Canvas& canvas, const QRectF& area, const CarpetChart& chart,
+std::optional<CarpetCell> findCellAt(const QRectF& area, double point, const CarpetChart& chart,
                                      const QPointF& at) {
-    const CarpetAxes axes = axesOf(canvas, area, chart);
-    if (chart.days.empty() || chart.rows == 0 || !axes.plot.contains(at)) return std::nullopt;
-    const double day = (at.x() - axes.plot.left()) / axes.plot.width() * double(chart.days.size());
+    if (chart.days.empty() || chart.rows == 0) return std::nullopt;
+    const CarpetAxes axes = axesOf(area, point, chart);
+    if (!axes.plot.contains(at)) return std::nullopt;
+    const double column = valueAt(axes.across, axes.plot, at.x());
     const double row = (axes.plot.bottom() - at.y()) / axes.plot.height() * double(chart.rows);
-    return CarpetCell{std::min(std::size_t(day), chart.days.size() - 1),
-                      std::min(std::size_t(row), chart.rows - 1)};
+    for (std::size_t day = 0; day < chart.days.size(); ++day)
+        if (const auto [first, end] = columnsOf(chart, day); column >= first && column < end)
+            return CarpetCell{day, std::min(std::size_t(row), chart.rows - 1)};
+    return std::nullopt;
 }
 
 QString describeCell(const CarpetChart& chart, const CarpetCell& cell) {
@@ -141,7 +177,14 @@ QString describeCell(const CarpetChart& chart, const CarpetCell& cell) {
         QObject::tr("%1, %2").arg(QString::fromStdString(formatText(chart.days[cell.day])),
                                   formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
     if (std::isnan(share)) return QObject::tr("%1   not counted").arg(when);
-    return QObject::tr("%1   %2 % of the place in shadow").arg(when).arg(100 * double(share), 0, 'f', 1);
+    const QString shadow = chart.quantity == CarpetQuantity::incremental ? QObject::tr("incremental shadow")
+                           : chart.quantity == CarpetQuantity::scenario
+                               ? QObject::tr("the scenario's shadow")
+                               : QObject::tr("the baseline's shadow");
+    return QObject::tr("%1   %2 % of the place in %3")
+        .arg(when)
+        .arg(100 * double(share), 0, 'f', 1)
+        .arg(shadow);
 }
 
 }  // namespace noonmark

@@ -1,16 +1,18 @@
 #include "app/report/charts/chart_axes.h"
 
 #include <QFontMetricsF>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace noonmark {
 
 namespace {
 
 constexpr double tickPt = 7, titlePt = 7, keyPt = 7.5;
-constexpr double leftPt = 44, bottomPt = 16, topPt = 16, rightPt = 10;
+constexpr double leftPt = 48, bottomPt = 15, topPt = 16, rightPt = 12;
+constexpr double metresPerFoot = 0.3048;
+constexpr double keyBoxPt = 9, keyGapPt = 3;
 
 void paintText(const Canvas& canvas, const QRectF& box, int flags, const QString& text, double points,
                const QColor& colour) {
@@ -19,14 +21,22 @@ void paintText(const Canvas& canvas, const QRectF& box, int flags, const QString
     canvas.painter.drawText(box, flags | Qt::TextDontClip, text);
 }
 
+double widthOf(const Canvas& canvas, const QString& text, double points) {
+    return QFontMetricsF(textFont(canvas, points), canvas.painter.device()).horizontalAdvance(text);
+}
+
 void paintTicksAcross(const Canvas& canvas, const QRectF& plot, const ChartAxis& axis) {
     const double pt = canvas.point;
+    double free = -std::numeric_limits<double>::infinity();  // right of the text before
     for (const Tick& tick : axis.ticks) {
         const double x = xOf(axis, plot, tick.at);
         canvas.painter.setPen(linePen(canvas, ink::line, 0.5));
-        canvas.painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
-        paintText(canvas, {x - 30 * pt, plot.bottom() + 2 * pt, 60 * pt, 10 * pt},
+        if (tick.line) canvas.painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+        const double half = widthOf(canvas, tick.text, tickPt) / 2;
+        if (half <= 0 || x - half < free) continue;
+        paintText(canvas, {x - half, plot.bottom() + 2 * pt, 2 * half, 10 * pt},
                   Qt::AlignHCenter | Qt::AlignTop, tick.text, tickPt, ink::quiet);
+        free = x + half + 3 * pt;
     }
 }
 
@@ -35,13 +45,18 @@ void paintTicksUp(const Canvas& canvas, const QRectF& plot, const ChartAxis& axi
     for (const Tick& tick : axis.ticks) {
         const double y = yOf(axis, plot, tick.at);
         canvas.painter.setPen(linePen(canvas, ink::line, 0.5));
-        canvas.painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        if (tick.line) canvas.painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         paintText(canvas, {plot.left() - leftPt * pt, y - 6 * pt, (leftPt - 4) * pt, 12 * pt},
                   Qt::AlignRight | Qt::AlignVCenter, tick.text, tickPt, ink::quiet);
     }
 }
 
 }  // namespace
+
+AreaUnit areaUnitOf(UnitSystem units) {
+    if (units == UnitSystem::imperial) return {metresPerFoot * metresPerFoot, QStringLiteral("sq ft")};
+    return {1, QStringLiteral("m²")};
+}
 
 double findNiceStep(double span, int most) {
     const double least = span / most;
@@ -51,16 +66,14 @@ double findNiceStep(double span, int most) {
     return power * 10;
 }
 
-ChartAxis makeAmountAxis(double highest, const QString& title) {
-    ChartAxis axis{0, 1, {}, title};
-    if (highest > 0) {
-        const double step = findNiceStep(highest, 4);
-        axis.to = std::ceil(highest / step - 1e-9) * step;
-        for (int i = 0; i * step <= axis.to * (1 + 1e-9); ++i)
-            axis.ticks.push_back({i * step, formatAmount(i * step)});
-    } else {
-        axis.ticks = {{0, QStringLiteral("0")}};
-    }
+ChartAxis makeAmountAxis(double lowest, double highest, const QString& title) {
+    if (!(highest > lowest)) return {0, 1, {{0, QStringLiteral("0")}}, title};
+    const double step = findNiceStep(highest - lowest, 4);
+    const auto first = int(std::floor(lowest / step + 1e-9)), last = int(std::ceil(highest / step - 1e-9));
+    ChartAxis axis{first * step, last * step, {}, title};
+    const int decimals = std::max(0, -int(std::floor(std::log10(step) + 1e-9)));
+    for (int i = first; i <= last; ++i)
+        axis.ticks.push_back({i * step, QString::fromStdString(formatNumber(i * step, decimals))});
     return axis;
 }
 
@@ -70,15 +83,14 @@ ChartAxis makeHourAxis(double fromMin, double toMin, double widthPt) {
     double every = 1;
     for (const double one : {1.0, 2.0, 3.0, 6.0})
         if (every = one; hours / one * textPt <= widthPt) break;
-    ChartAxis axis{fromMin, std::max(toMin, fromMin + 1), {}, {}};
+    ChartAxis axis{fromMin, std::max(toMin, fromMin + 1)};
     for (double at = std::ceil(fromMin / (60 * every)) * 60 * every; at <= toMin; at += 60 * every)
         axis.ticks.push_back({at, formatClock(at)});
     return axis;
 }
 
-QRectF plotIn(const Canvas& canvas, const QRectF& area) {
-    const double pt = canvas.point;
-    return area.adjusted(leftPt * pt, topPt * pt, -rightPt * pt, -bottomPt * pt);
+QRectF plotIn(const QRectF& area, double point) {
+    return area.adjusted(leftPt * point, topPt * point, -rightPt * point, -bottomPt * point);
 }
 
 double xOf(const ChartAxis& axis, const QRectF& plot, double value) {
@@ -89,44 +101,52 @@ double yOf(const ChartAxis& axis, const QRectF& plot, double value) {
     return plot.bottom() - plot.height() * (value - axis.from) / (axis.to - axis.from);
 }
 
+double valueAt(const ChartAxis& axis, const QRectF& plot, double x) {
+    return axis.from + (x - plot.left()) / plot.width() * (axis.to - axis.from);
+}
+
 void paintAxes(const Canvas& canvas, const QRectF& plot, const ChartAxis& across, const ChartAxis& up) {
     paintTicksAcross(canvas, plot, across);
     paintTicksUp(canvas, plot, up);
-    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.7));
+    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.6));
     canvas.painter.setBrush(Qt::NoBrush);
-    canvas.painter.drawLine(plot.bottomLeft(), plot.bottomRight());
-    canvas.painter.drawLine(plot.topLeft(), plot.bottomLeft());
+    canvas.painter.drawRect(plot);
     const double pt = canvas.point;
     paintText(canvas, {plot.left() - leftPt * pt, plot.top() - topPt * pt, (leftPt - 4) * pt, 10 * pt},
               Qt::AlignRight | Qt::AlignVCenter, up.title, titlePt, ink::quiet);
 }
 
-void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<ChartKey>& keys) {
+QRectF keyBox(const Canvas& canvas, const QRectF& plot, double fromPt, double widthPt) {
     const double pt = canvas.point;
-    const QFontMetricsF metrics(textFont(canvas, keyPt), canvas.painter.device());
-    double x = plot.left() + 4 * pt;
-    const double y = plot.top() - 9 * pt;
+    return {plot.left() + fromPt * pt, plot.top() - 12.5 * pt, widthPt * pt, 7 * pt};
+}
+
+double paintKeyText(const Canvas& canvas, const QRectF& plot, double fromPt, const QString& text) {
+    const double width = widthOf(canvas, text, keyPt);
+    const QRectF box = keyBox(canvas, plot, fromPt, width / canvas.point);
+    paintText(canvas, box.adjusted(0, -3 * canvas.point, 0, 3 * canvas.point),
+              Qt::AlignLeft | Qt::AlignVCenter, text, keyPt, ink::text);
+    return fromPt + width / canvas.point;
+}
+
+void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<ChartKey>& keys) {
+    constexpr double apartPt = 12;
+    double at = 0;
     for (const ChartKey& key : keys) {
+        const QRectF box = keyBox(canvas, plot, at, keyBoxPt);
         if (key.line) {
             canvas.painter.setPen(linePen(canvas, key.colour, 1.5));
-            canvas.painter.drawLine(QPointF(x, y), QPointF(x + 9 * pt, y));
+            canvas.painter.drawLine(QPointF(box.left(), box.center().y()),
+                                    QPointF(box.right(), box.center().y()));
         } else {
-            canvas.painter.fillRect(QRectF(x, y - 3.5 * pt, 9 * pt, 7 * pt), key.colour);
+            canvas.painter.fillRect(box, key.colour);
         }
-        const double width = metrics.horizontalAdvance(key.text);
-        paintText(canvas, {x + 12 * pt, y - 6 * pt, width, 12 * pt}, Qt::AlignLeft | Qt::AlignVCenter,
-                  key.text, keyPt, ink::text);
-        x += width + 24 * pt;
+        at = paintKeyText(canvas, plot, at + keyBoxPt + keyGapPt, key.text) + apartPt;
     }
 }
 
 void paintNothing(const Canvas& canvas, const QRectF& area, const QString& words) {
     paintText(canvas, area, Qt::AlignCenter | Qt::TextWordWrap, words, 9, ink::quiet);
-}
-
-QString formatAmount(double value) {
-    const bool whole = std::abs(value) >= 10 || value == std::floor(value);
-    return QLocale(QLocale::English).toString(value, 'f', whole ? 0 : value < 0.1 ? 2 : 1);
 }
 
 QString formatClock(double minutes) {

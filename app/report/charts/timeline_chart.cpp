@@ -1,32 +1,48 @@
 #include "app/report/charts/timeline_chart.h"
 
 #include <QObject>
-#include <QPainterPath>
+#include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "app/report/maps/palette.h"
 
 namespace noonmark {
 
 namespace {
 
-// Told apart by lightness as well as by hue.
-constexpr QColor baselineColour{0xc3, 0xc7, 0xcd};
-constexpr QColor scenarioColour{0x3b, 0x2a, 0x6e};
-constexpr QColor incrementalColour{0xd5, 0x5e, 0x00};
+using Sample = TimelineChart::Sample;
 constexpr double gapFactor = 1.5;  // a longer time between two steps is a gap in the chart
 
 struct TimelineAxes {
     QRectF plot;
     ChartAxis across, up;
+    double unitM2;  ///< square metres in the unit of `up`
+    [[nodiscard]] QPointF at(double minutes, double m2) const {
+        return {xOf(across, plot, minutes), yOf(up, plot, m2 / unitM2)};
+    }
 };
 
-TimelineAxes axesOf(const Canvas& canvas, const QRectF& area, const TimelineChart& chart) {
-    double highest = 0;
-    for (const auto& sample : chart.samples)
-        highest = std::max({highest, sample.baselineM2, sample.scenarioM2, sample.incrementalM2});
-    const QRectF plot = plotIn(canvas, area);
-    return {plot, makeHourAxis(chart.fromMin, chart.toMin, plot.width() / canvas.point),
-            makeAmountAxis(highest, QStringLiteral("m²"))};
+/// The place's area, so that shares can be seen, unless little of it is ever in shadow.
+double topOf(const TimelineChart& chart) {
+    constexpr double leastShare = 0.2;
+    double most = 0;
+    for (const Sample& sample : chart.samples)
+        most = std::max({most, sample.baselineM2 + sample.incrementalM2, sample.scenarioM2});
+    return most < leastShare * chart.areaM2 ? most : std::max(most, chart.areaM2);
+}
+
+TimelineAxes axesOf(const QRectF& area, double point, const TimelineChart& chart) {
+    const QRectF plot = plotIn(area, point);
+    const AreaUnit unit = areaUnitOf(chart.units);
+    const double topM2 = topOf(chart), top = topM2 / unit.squareMetres;
+    ChartAxis up = makeAmountAxis(0, top, unit.name);
+    if (topM2 >= chart.areaM2 && topM2 > 0) {  // ends at the whole place
+        up.to = top;
+        std::erase_if(up.ticks, [&](const Tick& tick) { return tick.at > top; });
+    }
+    return {plot, makeHourAxis(chart.fromMin, chart.toMin, plot.width() / point), up, unit.squareMetres};
 }
 
 // Steps with no gap between them: [first, last).
@@ -41,76 +57,110 @@ std::vector<std::pair<std::size_t, std::size_t>> runsOf(const TimelineChart& cha
     return runs;
 }
 
-/// The outline of one quantity over the steps of a run, from its first to its last moment.
-QPolygonF lineOfRun(const TimelineAxes& axes, const TimelineChart& chart,
-                    std::pair<std::size_t, std::size_t> run, double TimelineChart::Sample::*value) {
-    QPolygonF line;
-    for (std::size_t i = run.first; i < run.second; ++i)
-        line << QPointF(xOf(axes.across, axes.plot, chart.samples[i].minutes),
-                        yOf(axes.up, axes.plot, chart.samples[i].*value));
-    const auto& last = chart.samples[run.second - 1];
-    line << QPointF(xOf(axes.across, axes.plot, last.minutes + chart.stepMinutes), line.back().y());
-    return line;
+/// An area over the steps of each run: it holds from the beginning of a step to the next.
+template <class Area>
+std::vector<QPolygonF> linesOf(const TimelineAxes& axes, const TimelineChart& chart, const Area& m2) {
+    std::vector<QPolygonF> lines;
+    for (const auto& [first, last] : runsOf(chart)) {
+        QPolygonF& line = lines.emplace_back();
+        for (std::size_t i = first; i < last; ++i) {
+            const Sample& sample = chart.samples[i];
+            const double end =
+                i + 1 < last ? chart.samples[i + 1].minutes : sample.minutes + chart.stepMinutes;
+            line << axes.at(sample.minutes, m2(sample)) << axes.at(end, m2(sample));
+        }
+    }
+    return lines;
 }
 
-void fill(const Canvas& canvas, const TimelineAxes& axes, QPolygonF line, const QColor& colour) {
-    line << QPointF(line.back().x(), axes.plot.bottom()) << QPointF(line.front().x(), axes.plot.bottom());
+template <class Low, class High>
+void fillBand(const Canvas& canvas, const TimelineAxes& axes, const TimelineChart& chart, const Low& low,
+              const High& high, const QColor& colour) {
+    const auto floors = linesOf(axes, chart, low);
+    auto bands = linesOf(axes, chart, high);
     canvas.painter.setPen(Qt::NoPen);
     canvas.painter.setBrush(colour);
-    canvas.painter.drawPolygon(line);
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        for (qsizetype k = floors[i].size(); k-- > 0;) bands[i] << floors[i][k];
+        canvas.painter.drawPolygon(bands[i]);
+    }
 }
 
-void stroke(const Canvas& canvas, const QPolygonF& line, const QColor& colour, double points) {
-    canvas.painter.setBrush(Qt::NoBrush);
-    canvas.painter.setPen(linePen(canvas, colour, points));
-    canvas.painter.drawPolyline(line);
+void fillBands(const Canvas& canvas, const TimelineAxes& axes, const TimelineChart& chart) {
+    const auto none = [](const Sample&) { return 0.0; };
+    const auto baseline = [](const Sample& s) { return s.baselineM2; };
+    const auto lowered = [](const Sample& s) { return s.baselineM2 - s.gainedM2; };
+    const auto raised = [](const Sample& s) { return s.baselineM2 + s.incrementalM2; };
+    fillBand(canvas, axes, chart, none, baseline, shade::baseline);
+    fillBand(canvas, axes, chart, lowered, baseline, shade::gained);
+    fillBand(canvas, axes, chart, baseline, raised, shade::incremental);
 }
 
-QString shareText(const TimelineChart& chart, double m2) {
-    if (chart.areaM2 <= 0) return {};
-    return QObject::tr(" (%1 %)").arg(100 * m2 / chart.areaM2, 0, 'f', m2 < 0.1 * chart.areaM2 ? 1 : 0);
+bool gainsSun(const TimelineChart& chart) {
+    return std::ranges::any_of(chart.samples, [](const Sample& sample) { return sample.gainedM2 > 0; });
+}
+
+void paintLegend(const Canvas& canvas, const QRectF& plot, const TimelineChart& chart) {
+    std::vector<ChartKey> keys{{QObject::tr("Baseline"), shade::baseline},
+                               {QObject::tr("Scenario"), shade::proposal, true},
+                               {QObject::tr("Incremental"), shade::incremental}};
+    if (gainsSun(chart)) keys.push_back({QObject::tr("Sun gained"), shade::gained});
+    paintKeys(canvas, plot, keys);
+}
+
+QString areaText(const TimelineChart& chart, double m2) {
+    QString text = QString::fromStdString(formatArea(m2, chart.units));
+    if (chart.areaM2 > 0)
+        text += QObject::tr(", %1 %").arg(100 * m2 / chart.areaM2, 0, 'f', m2 < 0.1 * chart.areaM2 ? 1 : 0);
+    return text;
 }
 
 }  // namespace
 
-TimelineChart makeTimelineChart(const DayTimeline& day, double stepMinutes, const DayClock& clock) {
-    TimelineChart chart{{}, stepMinutes, day.areaM2};
+double stepMinutesOf(const DayTimeline& day, double otherwise) {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 1; i < day.steps.size(); ++i)
+        least = std::min(least, TimeSpan{day.steps[i - 1].at, day.steps[i].at}.minutes());
+    return day.steps.size() < 2 ? otherwise : least;
+}
+
+TimelineChart makeTimelineChart(const DayTimeline& day, double stepMinutes, const DayClock& clock,
+                                UnitSystem units) {
+    TimelineChart chart{.samples = {}, .stepMinutes = stepMinutesOf(day, stepMinutes), .areaM2 = day.areaM2};
+    chart.units = units;
     for (const PlaceStep& step : day.steps)
-        chart.samples.push_back(
-            {clock.minutesOf(day.day, step.at), step.baselineM2, step.scenarioM2, step.incrementalM2});
+        chart.samples.push_back({clock.minutesOf(day.day, step.at), step.baselineM2, step.scenarioM2,
+                                 step.incrementalM2, step.gainedM2});
     if (chart.samples.empty()) return chart;
     chart.fromMin = std::floor(chart.samples.front().minutes / 60) * 60;
-    chart.toMin = std::ceil((chart.samples.back().minutes + stepMinutes) / 60) * 60;
+    chart.toMin = std::ceil((chart.samples.back().minutes + chart.stepMinutes) / 60) * 60;
     return chart;
 }
 
 void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart& chart) {
     canvas.painter.save();
-    canvas.painter.setRenderHint(QPainter::Antialiasing);
-    const TimelineAxes axes = axesOf(canvas, area, chart);
-    using Sample = TimelineChart::Sample;
-    for (const auto& run : runsOf(chart)) {
-        fill(canvas, axes, lineOfRun(axes, chart, run, &Sample::baselineM2), baselineColour);
-        fill(canvas, axes, lineOfRun(axes, chart, run, &Sample::incrementalM2), incrementalColour);
+    if (chart.samples.empty()) {
+        paintNothing(canvas, area,
+                     QObject::tr("The sun is not up in the rule's hours, or the place has no open ground"));
+    } else {
+        canvas.painter.setRenderHint(QPainter::Antialiasing);
+        const TimelineAxes axes = axesOf(area, canvas.point, chart);
+        fillBands(canvas, axes, chart);
+        paintAxes(canvas, axes.plot, axes.across, axes.up);
+        canvas.painter.setBrush(Qt::NoBrush);
+        canvas.painter.setPen(linePen(canvas, shade::proposal, 1));
+        for (const QPolygonF& line : linesOf(axes, chart, [](const Sample& s) { return s.scenarioM2; }))
+            canvas.painter.drawPolyline(line);
+        paintLegend(canvas, axes.plot, chart);
     }
-    paintAxes(canvas, axes.plot, axes.across, axes.up);
-    for (const auto& run : runsOf(chart)) {
-        stroke(canvas, lineOfRun(axes, chart, run, &Sample::incrementalM2), incrementalColour, 1);
-        stroke(canvas, lineOfRun(axes, chart, run, &Sample::scenarioM2), scenarioColour, 1.4);
-    }
-    paintKeys(canvas, axes.plot,
-              {{QObject::tr("Baseline"), baselineColour},
-               {QObject::tr("Scenario"), scenarioColour, true},
-               {QObject::tr("Incremental"), incrementalColour}});
     canvas.painter.restore();
 }
 
-std::optional<std::size_t> findSampleAt(const Canvas& canvas, const QRectF& area, const TimelineChart& chart,
+std::optional<std::size_t> findSampleAt(const QRectF& area, double point, const TimelineChart& chart,
                                         const QPointF& at) {
-    const TimelineAxes axes = axesOf(canvas, area, chart);
+    const TimelineAxes axes = axesOf(area, point, chart);
     if (!axes.plot.contains(at)) return std::nullopt;
-    const double minutes = axes.across.from + (at.x() - axes.plot.left()) / axes.plot.width() *
-                                                  (axes.across.to - axes.across.from);
+    const double minutes = valueAt(axes.across, axes.plot, at.x());
     for (std::size_t i = 0; i < chart.samples.size(); ++i) {
         const double since = minutes - chart.samples[i].minutes;
         if (since >= 0 && since < chart.stepMinutes) return i;
@@ -119,11 +169,23 @@ std::optional<std::size_t> findSampleAt(const Canvas& canvas, const QRectF& area
 }
 
 QString describeSample(const TimelineChart& chart, std::size_t sample) {
-    const auto& at = chart.samples[sample];
-    return QObject::tr("%1   incremental %2 m²%3, scenario %4 m²%5, baseline %6 m²%7")
-        .arg(formatClock(at.minutes), formatAmount(at.incrementalM2), shareText(chart, at.incrementalM2),
-             formatAmount(at.scenarioM2), shareText(chart, at.scenarioM2), formatAmount(at.baselineM2),
-             shareText(chart, at.baselineM2));
+    const Sample& at = chart.samples[sample];
+    QString text = QObject::tr("%1   incremental %2; scenario %3; baseline %4")
+                       .arg(formatClock(at.minutes), areaText(chart, at.incrementalM2),
+                            areaText(chart, at.scenarioM2), areaText(chart, at.baselineM2));
+    if (at.gainedM2 > 0) text += QObject::tr("; sun gained %1").arg(areaText(chart, at.gainedM2));
+    return text;
+}
+
+QString describeIncremental(const DayTimeline& day, const DayClock& clock, UnitSystem units) {
+    const ShadowOnPlace& shadow = day.incremental;
+    if (!shadow.enters()) return QObject::tr("No incremental shadow in the rule's hours");
+    const auto at = [&](Instant time) { return QString::fromStdString(clock.timeText(day.day, time)); };
+    return QObject::tr("Incremental shadow from %1 to %2; at most %3, %4 % of the place, at %5")
+        .arg(at(*shadow.enters()), at(*shadow.exits()),
+             QString::fromStdString(formatArea(shadow.largestM2, units)),
+             QString::fromStdString(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),
+             at(*shadow.largestAt));
 }
 
 }  // namespace noonmark

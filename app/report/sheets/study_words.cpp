@@ -1,20 +1,15 @@
 #include "app/report/sheets/study_words.h"
 
-#include <QLocale>
 #include <cmath>
 
 #include "app/report/maps/shadow_measure.h"
+#include "core/base/display_units.h"
 #include "core/base/version.h"
 #include "core/measures/has_runs.h"
 
 namespace noonmark {
 
 namespace {
-
-const QLocale& english() {
-    static const QLocale locale(QLocale::English, QLocale::UnitedStates);
-    return locale;
-}
 
 QString describeMinutes(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
 
@@ -47,14 +42,14 @@ void addMinutes(std::vector<Figure>& figures, const Study& study) {
 
 }  // namespace
 
-QString describeCount(std::uint64_t count) { return english().toString(qulonglong(count)); }
+QString describeCount(std::uint64_t count) { return QString::fromStdString(formatNumber(double(count))); }
 
 QString describeAmount(double amount, int decimals) {
-    QString words = english().toString(amount, 'f', decimals);
+    QString words = QString::fromStdString(formatNumber(amount, decimals));
     if (decimals == 0) return words;
     while (words.endsWith(u'0')) words.chop(1);
     if (words.endsWith(u'.')) words.chop(1);
-    return words == QStringLiteral("-0") ? QStringLiteral("0") : words;
+    return words;
 }
 
 QString describeLatLon(LonLat place) {

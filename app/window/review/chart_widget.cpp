@@ -24,16 +24,15 @@ void ChartWidget::show(Paint paint) {
     update();
 }
 
-Canvas ChartWidget::canvasOn(QPainter& painter) const { return {painter, logicalDpiY() / pointsPerInch}; }
+double ChartWidget::point() const { return logicalDpiY() / pointsPerInch; }
 
 QRectF ChartWidget::area() const { return QRectF(rect()).adjusted(2, 4, -4, -2); }
 
 void ChartWidget::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), ink::paper);
-    const Canvas canvas = canvasOn(painter);
-    if (paint_) paint_(canvas, area());
-    const QRectF plot = plotIn(canvas, area());
+    if (paint_) paint_({painter, point()}, area());
+    const QRectF plot = plotIn(area(), point());
     if (!paint_ || !cursor_ || *cursor_ < plot.left() || *cursor_ > plot.right()) return;
     painter.setPen(QPen(ink::quiet, 1, Qt::DotLine));
     painter.drawLine(QPointF(*cursor_, plot.top()), QPointF(*cursor_, plot.bottom()));

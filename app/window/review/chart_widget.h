@@ -15,10 +15,9 @@ public:
     using Paint = std::function<void(const Canvas&, const QRectF&)>;
     explicit ChartWidget(QWidget* parent = nullptr);
 
-    void show(Paint paint);  ///< replaces the chart
-    /// A canvas for questions to the chart about positions; valid while `painter` is.
-    [[nodiscard]] Canvas canvasOn(QPainter& painter) const;
-    [[nodiscard]] QRectF area() const;
+    void show(Paint paint);              ///< replaces the chart
+    [[nodiscard]] QRectF area() const;   ///< in which the chart is painted
+    [[nodiscard]] double point() const;  ///< as in Canvas
 
     [[nodiscard]] QSize sizeHint() const override { return {420, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 120}; }

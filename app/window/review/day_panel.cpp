@@ -3,10 +3,9 @@
 #include <QDateEdit>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
-#include <QPixmap>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/window/frame/qt_dates.h"
 #include "app/window/review/chart_widget.h"
@@ -44,6 +43,7 @@ DayPanel::DayPanel(QWidget* parent)
 void DayPanel::clear(const QString& why) {
     working_.drop();
     answer_.reset();
+    shown_.reset();
     chart_ = {};
     times_.clear();
     title_->clear();
@@ -70,50 +70,38 @@ void DayPanel::compute() {
                                                                           std::stop_token stop) {
             return computeReviewDay(*answer, review, day, progress, std::move(stop));
         },
-        [this](const Result<ReviewDay>& day) { take(day); });
+        [this](Result<ReviewDay> day) { take(std::move(day)); });
 }
 
-void DayPanel::take(const Result<ReviewDay>& day) {
-    if (!day) {
-        if (isCancelled(day.error())) return;
-        chart_ = {};
-        times_.clear();
-        reading_->clear();
-        return widget_->show(
-            [why = QString::fromStdString(day.error().text())](const Canvas& canvas, const QRectF& area) {
-                paintNothing(canvas, area, why);
-            });
+void DayPanel::take(Result<ReviewDay> day) {
+    if (day) {
+        shown_ = *std::move(day);
+        return draw();
     }
-    chart_ = makeTimelineChart(day->day, day->stepMinutes, day->clock);
-    tellTimes(*day);
-    if (chart_.samples.empty())
-        return widget_->show([](const Canvas& canvas, const QRectF& area) {
-            paintNothing(canvas, area,
-                         tr("The sun is not up in the rule's hours, or the place has no open ground"));
-        });
+    if (isCancelled(day.error())) return;
+    shown_.reset();
+    chart_ = {};
+    times_.clear();
+    reading_->clear();
+    widget_->show([why = QString::fromStdString(day.error().text())](
+                      const Canvas& canvas, const QRectF& area) { paintNothing(canvas, area, why); });
+}
+
+void DayPanel::setUnits(UnitSystem units) {
+    if (std::exchange(units_, units) != units && shown_) draw();
+}
+
+void DayPanel::draw() {
+    chart_ = makeTimelineChart(shown_->day, shown_->stepMinutes, shown_->clock, units_);
+    times_ = tr("%1 (%2).")
+                 .arg(describeIncremental(shown_->day, shown_->clock, units_),
+                      QString::fromStdString(shown_->clock.text()));
+    reading_->setText(times_);
     widget_->show([this](const Canvas& canvas, const QRectF& area) { paintTimeline(canvas, area, chart_); });
 }
 
-void DayPanel::tellTimes(const ReviewDay& day) {
-    const ShadowOnPlace& shadow = day.day.incremental;
-    if (!shadow.enters()) {
-        times_ = tr("No incremental shadow in the hours of the rule (%1).")
-                     .arg(QString::fromStdString(day.clock.text()));
-    } else {
-        const auto at = [&](const Instant& instant) {
-            return QString::fromStdString(day.clock.timeText(day.day.day, instant));
-        };
-        times_ = tr("Incremental shadow enters %1, exits %2, at most %3 m² at %4 (%5).")
-                     .arg(at(*shadow.enters()), at(*shadow.exits()), formatAmount(shadow.largestM2),
-                          at(*shadow.largestAt), QString::fromStdString(day.clock.text()));
-    }
-    reading_->setText(times_);
-}
-
 void DayPanel::read(QPointF at) {
-    QPixmap measure(1, 1);  // text is measured on a canvas
-    QPainter painter(&measure);
-    const auto sample = findSampleAt(widget_->canvasOn(painter), widget_->area(), chart_, at);
+    const auto sample = findSampleAt(widget_->area(), widget_->point(), chart_, at);
     reading_->setText(sample ? describeSample(chart_, *sample) : times_);
 }
 

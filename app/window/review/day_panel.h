@@ -23,19 +23,22 @@ public:
 
     /// `review`: index in the answer's study. The chart before stays until the new one is ready.
     void show(std::shared_ptr<const ReviewAnswer> answer, std::size_t review, CivilDate day);
+    void setUnits(UnitSystem units);
     void clear(const QString& why);
     [[nodiscard]] const TimelineChart& chart() const { return chart_; }
     [[nodiscard]] JobSlot& working() { return working_; }
 
 private:
     void compute();
-    void take(const Result<ReviewDay>& day);
+    void take(Result<ReviewDay> day);
+    void draw();
     void read(QPointF at);
-    void tellTimes(const ReviewDay& day);
 
     std::shared_ptr<const ReviewAnswer> answer_;
     std::size_t review_ = 0;
-    TimelineChart chart_;
+    UnitSystem units_ = UnitSystem::metric;
+    std::optional<ReviewDay> shown_;
+    TimelineChart chart_;  ///< of shown_
     QString times_;
     QLabel* title_;
     QLabel* reading_;

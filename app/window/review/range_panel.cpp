@@ -3,9 +3,8 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
-#include <QPixmap>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/window/review/chart_widget.h"
 
@@ -28,8 +27,9 @@ RangePanel::RangePanel(QWidget* parent)
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     what_->setObjectName(QStringLiteral("rangeQuantity"));
     what_->addItems({tr("Incremental shadow"), tr("Shadow in the scenario"), tr("Shadow in the baseline"),
-                     tr("Incremental by month")});
-    reading_->setText(QString());
+                     tr("Shadow by month")});
+    reading_->setObjectName(QStringLiteral("rangeReading"));
+    reading_->setWordWrap(true);
     auto* row = new QHBoxLayout;
     row->addWidget(title_, 1);
     row->addWidget(what_);
@@ -39,12 +39,8 @@ RangePanel::RangePanel(QWidget* parent)
     column->addWidget(widget_, 1);
     column->addWidget(reading_);
     connect(what_, &QComboBox::activated, this, &RangePanel::draw);
-    connect(widget_, &ChartWidget::hovered, this, [this](QPointF at) {
-        const auto cell = cellAt(at);
-        reading_->setText(cell ? describeCell(carpet_, *cell) : QString());
-    });
-    connect(widget_, &ChartWidget::left, this,
-            [this] { reading_->setText(tr("Click a day for its timeline.")); });
+    connect(widget_, &ChartWidget::hovered, this, &RangePanel::read);
+    connect(widget_, &ChartWidget::left, this, &RangePanel::resetReading);
     connect(widget_, &ChartWidget::clicked, this, [this](QPointF at) {
         if (const auto cell = cellAt(at)) Q_EMIT dayChosen(carpet_.days[cell->day]);
     });
@@ -56,6 +52,7 @@ void RangePanel::clear(const QString& why) {
     answer_.reset();
     range_.reset();
     carpet_ = {};
+    bars_ = {};
     title_->clear();
     reading_->clear();
     widget_->show([why](const Canvas& canvas, const QRectF& area) { paintNothing(canvas, area, why); });
@@ -98,24 +95,43 @@ void RangePanel::compute() {
 void RangePanel::draw() {
     if (!range_) return;
     if (what_->currentIndex() == barsIndex) return drawBars();
-    carpet_ = makeCarpetChart(range_->days, CarpetQuantity(what_->currentIndex()),
-                              std::max(carpetRowMin, range_->stepMinutes), range_->clock);
-    reading_->setText(tr("Click a day for its timeline."));
+    bars_ = {};
+    carpet_ =
+        makeCarpetChart(range_->days, CarpetQuantity(what_->currentIndex()), carpetRowMin, range_->clock);
+    resetReading();
     widget_->show([this](const Canvas& canvas, const QRectF& area) { paintCarpet(canvas, area, carpet_); });
 }
 
 void RangePanel::drawBars() {
     carpet_ = {};
-    reading_->clear();
-    const MonthBars bars{answer_->study.places[review_].totals.incrementalByMonthM2h, tr("m² h"),
-                         tr("Incremental shadow by month")};
-    widget_->show([bars](const Canvas& canvas, const QRectF& area) { paintMonthBars(canvas, area, bars); });
+    bars_ = makeMonthBars(answer_->study.places[review_], units_);
+    resetReading();
+    widget_->show([this](const Canvas& canvas, const QRectF& area) { paintBars(canvas, area, bars_); });
+}
+
+void RangePanel::setUnits(UnitSystem units) {
+    if (std::exchange(units_, units) != units) draw();
+}
+
+void RangePanel::read(QPointF at) {
+    if (const auto cell = cellAt(at)) return reading_->setText(describeCell(carpet_, *cell));
+    const auto group = findGroupAt(widget_->area(), widget_->point(), bars_, at);
+    group ? reading_->setText(describeGroup(bars_, *group)) : resetReading();
+}
+
+void RangePanel::resetReading() {
+    if (!range_) return reading_->clear();
+    const bool mirrored = answer_->question.rule.days.mirrored;
+    if (bars_.groups.empty())
+        reading_->setText(tr("Click a day for its timeline."));
+    else
+        reading_->setText(mirrored ? tr("Area × hours in shadow; each month counts twice, for both halves of "
+                                        "the year.")
+                                   : tr("Area × hours in shadow."));
 }
 
 std::optional<CarpetCell> RangePanel::cellAt(QPointF at) const {
-    QPixmap measure(1, 1);
-    QPainter painter(&measure);
-    return findCellAt(widget_->canvasOn(painter), widget_->area(), carpet_, at);
+    return findCellAt(widget_->area(), widget_->point(), carpet_, at);
 }
 
 }  // namespace noonmark

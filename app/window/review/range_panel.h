@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/report/charts/bar_chart.h"
 #include "app/report/charts/carpet_chart.h"
-#include "app/report/charts/month_bars.h"
 #include "app/window/review/review_question.h"
 #include "app/window/study/job_slot.h"
 
@@ -15,8 +15,8 @@ namespace noonmark {
 
 class ChartWidget;
 
-/// The shaded share of a place by hour and day of a rule's range, or bars of its incremental shadow by month.
-/// Computed in a job while it is visible.
+/// The shaded share of a place by hour and day of a rule's range, or bars of its shadow by month. Computed in
+/// a job while it is visible.
 class RangePanel final : public QWidget {
     Q_OBJECT
 public:
@@ -24,7 +24,9 @@ public:
 
     void show(std::shared_ptr<const ReviewAnswer> answer, std::size_t review);
     void clear(const QString& why);
+    void setUnits(UnitSystem units);
     [[nodiscard]] const CarpetChart& carpet() const { return carpet_; }
+    [[nodiscard]] const BarChart& bars() const { return bars_; }
     [[nodiscard]] JobSlot& working() { return working_; }
 
 Q_SIGNALS:
@@ -37,12 +39,16 @@ private:
     void compute();
     void draw();
     void drawBars();
+    void read(QPointF at);
+    void resetReading();
     [[nodiscard]] std::optional<CarpetCell> cellAt(QPointF at) const;
 
     std::shared_ptr<const ReviewAnswer> answer_;
     std::size_t review_ = 0;
     std::optional<ReviewRange> range_;  ///< of answer_ and review_; none: not computed yet
-    CarpetChart carpet_;
+    UnitSystem units_ = UnitSystem::metric;
+    CarpetChart carpet_;  ///< empty while bars are shown
+    BarChart bars_;       ///< empty while a carpet is shown
     QLabel* title_;
     QLabel* reading_;
     QComboBox* what_;

@@ -4,7 +4,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTabWidget>
@@ -12,6 +11,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/window/project/project_session.h"
 #include "app/window/review/day_panel.h"
@@ -41,22 +41,22 @@ QString describeVerdicts(const ReviewStudy& study) {
     return parts.join(QStringLiteral(", "));
 }
 
-QString describeSums(const ReviewTotals& sums) {
+QString describeSums(const ReviewTotals& sums, UnitSystem units) {
     const auto share = [&](double m2h) {
         return sums.theoreticalM2h > 0 ? 100 * m2h / sums.theoreticalM2h : 0.0;
     };
-    const QLocale english(QLocale::English);
-    QString text = QObject::tr(
-                       "Of a theoretical sum of %1 m² h, %2 % are in shadow in the baseline and %3 % in the "
-                       "scenario; incremental shadow takes %4 m² h (%5 %)")
-                       .arg(english.toString(sums.theoreticalM2h, 'f', 0))
-                       .arg(share(sums.baselineM2h), 0, 'f', 2)
-                       .arg(share(sums.scenarioM2h), 0, 'f', 2)
-                       .arg(english.toString(sums.incrementalM2h, 'f', 0))
-                       .arg(share(sums.incrementalM2h), 0, 'f', 2);
+    const auto text = [&](double m2h) { return QString::fromStdString(formatAreaHours(m2h, units)); };
+    QString words = QObject::tr(
+                        "Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the "
+                        "scenario; incremental shadow takes %4 (%5 %)")
+                        .arg(text(sums.theoreticalM2h))
+                        .arg(share(sums.baselineM2h), 0, 'f', 2)
+                        .arg(share(sums.scenarioM2h), 0, 'f', 2)
+                        .arg(text(sums.incrementalM2h))
+                        .arg(share(sums.incrementalM2h), 0, 'f', 2);
     if (sums.largestDay && sums.incrementalM2h > 0)
-        text += QObject::tr(", most on %1").arg(QString::fromStdString(formatText(*sums.largestDay)));
-    return text + u'.';
+        words += QObject::tr(", most on %1").arg(QString::fromStdString(formatText(*sums.largestDay)));
+    return words + u'.';
 }
 
 QString listOf(const QString& title, const std::vector<std::string>& texts) {
@@ -222,9 +222,10 @@ void ReviewDock::showChoice() {
 void ReviewDock::showAnswer() {
     if (!isVisible()) return;
     const auto shown = review_.shown();
+    showUnits();
     if (shown != answer_) {
         answer_ = shown;
-        table_->show(answer_);
+        table_->show(answer_, units_);
         chosenDay_.reset();
         if (answer_)
             table_->chooseCurrent();
@@ -234,6 +235,16 @@ void ReviewDock::showAnswer() {
         showRule();
     }
     showState();
+}
+
+// The units of the project; a change of them keeps what is chosen.
+void ReviewDock::showUnits() {
+    const UnitSystem units = project_.project().sheets.units;
+    if (std::exchange(units_, units) == units) return;
+    table_->show(answer_, units_);
+    day_->setUnits(units_);
+    range_->setUnits(units_);
+    showDetails();
 }
 
 // What the table shows and whether it is up to date; without an answer, what to do next.
@@ -267,7 +278,7 @@ void ReviewDock::showDetails() {
     const PlaceReview& place = answer_->study.places[chosen_];
     QString text =
         tr("%1: %2.").arg(QString::fromStdString(place.name), QString::fromStdString(place.reason));
-    if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals);
+    if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
 }
 

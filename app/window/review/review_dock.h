@@ -50,6 +50,7 @@ private:
     void connectTable();
     void showChoice();
     void showAnswer();
+    void showUnits();
     void showState();
     void showChart();
     void showDetails();
@@ -73,6 +74,7 @@ private:
     QTextBrowser* about_;
     QTimer* estimateSoon_;
     std::shared_ptr<const ReviewAnswer> answer_;  ///< in the table
+    UnitSystem units_ = UnitSystem::metric;       ///< in which all is shown
     std::size_t chosen_ = 0;                      ///< review whose charts are shown
     std::optional<CivilDate> chosenDay_;
 };

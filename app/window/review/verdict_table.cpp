@@ -77,7 +77,7 @@ VerdictTable::VerdictTable(QWidget* parent) : QTreeWidget(parent) {
     });
 }
 
-void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer) {
+void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer, UnitSystem units) {
     const QSignalBlocker block(this);
     const QTreeWidgetItem* before = currentItem();
     const QString name = before ? (before->parent() ? before->parent() : before)->text(0) : QString();
@@ -91,9 +91,10 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer) {
     clear();
     setHeaderHidden(!answer);
     if (!answer) return setColumnCount(1);
-    columns_ = answer->question.rule.deliverables.columns;
+    columns_ = columnsIn(units, answer->question.rule.deliverables.columns);
     std::erase_if(columns_,
                   [](const RuleColumn& column) { return column.key == "place" || column.key == "day"; });
+    const bool sameColumns = sameRule && columnCount() == int(columns_.size()) + firstRuleColumn;
     QStringList titles{tr("Place and day"), tr("Verdict")};
     for (const RuleColumn& column : columns_) titles << wrapped(textOf(column.title));
     setColumnCount(int(titles.size()));
@@ -109,9 +110,9 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer) {
             if (day.isValid() && item->child(child)->data(0, dayRole) == day)
                 setCurrentItem(item->child(child));
     }
-    if (!sameRule)
-        for (int i = 0; i < columnCount(); ++i) resizeColumnToContents(i);
-    if (!sameRule) setColumnWidth(0, std::min(columnWidth(0), 220));
+    if (sameColumns) return;
+    for (int i = 0; i < columnCount(); ++i) resizeColumnToContents(i);
+    setColumnWidth(0, std::min(columnWidth(0), 220));
 }
 
 void VerdictTable::addPlace(std::size_t review) {

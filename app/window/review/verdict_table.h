@@ -3,18 +3,20 @@
 #include <QTreeWidget>
 
 #include "app/window/review/review_question.h"
+#include "core/base/display_units.h"
 
 namespace noonmark {
 
 /// The verdict of each place, those that fail first, and below it the days with the numbers behind it, in the
-/// rule's own columns. Of a range of days those with most incremental shadow are listed.
+/// rule's own columns; areas in the units of the project. Of a range of days those with most incremental
+/// shadow are listed.
 class VerdictTable final : public QTreeWidget {
     Q_OBJECT
 public:
     explicit VerdictTable(QWidget* parent = nullptr);
 
     /// Keeps what is selected if the places are the same. Null: empties the table.
-    void show(const std::shared_ptr<const ReviewAnswer>& answer);
+    void show(const std::shared_ptr<const ReviewAnswer>& answer, UnitSystem units);
     /// Emits chosen() for the current row, or else for the first.
     void chooseCurrent();
     /// The whole table as text with tabs, for spreadsheets: a line for each place and day.
@@ -34,7 +36,7 @@ private:
     void choose(const QTreeWidgetItem* item);
 
     std::shared_ptr<const ReviewAnswer> answer_;
-    std::vector<RuleColumn> columns_;  ///< of the rule, without place and day
+    std::vector<RuleColumn> columns_;  ///< of the rule in the units shown, without place and day
 };
 
 }  // namespace noonmark

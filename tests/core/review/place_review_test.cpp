@@ -233,6 +233,25 @@ TEST(Verdicts, ARangeAroundTheLimitIsBorderline) {
     EXPECT_EQ(ratioOf({0, 0, 0}, {0, 0, 0}).value, 1);
 }
 
+TEST(ReviewColumns, SquareMetresAreShownInTheUnitsOfTheProject) {
+    const std::vector<RuleColumn> columns{
+        {"Day", "day"},           {"Largest area, m2", "max_area_m2"},  {"All shadow, m2 h", "scenario_m2h"},
+        {"Gained", "gained_m2h"}, {"Existing, ft2 h", "baseline_ft2h"}, {"Existing, m2 h", "baseline_m2h"}};
+    const auto shown = [&](UnitSystem units) {
+        std::string text;
+        for (const RuleColumn& column : columnsIn(units, columns))
+            text += column.title + "|" + column.key + "\n";
+        return text;
+    };
+    EXPECT_EQ(shown(UnitSystem::imperial),
+              "Day|day\nLargest area, sq ft|max_area_ft2\nAll shadow, sq ft h|scenario_ft2h\n"
+              "Gained, sq ft h|gained_ft2h\nExisting, ft2 h|baseline_ft2h\n");
+    EXPECT_EQ(columnsIn(UnitSystem::metric, columns).size(), columns.size());
+    EXPECT_EQ(columnsIn(UnitSystem::both, columns).size(), columns.size() + 3);  // baseline_ft2h is there
+    for (const RuleColumn& column : columnsIn(UnitSystem::both, columns))
+        EXPECT_TRUE(isReviewColumn(Rule{}, column.key)) << column.key;
+}
+
 }  // namespace
 
 }  // namespace noonmark

@@ -220,7 +220,7 @@ TEST(Book, WithoutAProposalStillHasItsPages) {
 }
 
 TEST(Book, BarsMayBeNegative) {
-    PageBars chart{{QStringLiteral("Score"), {}}, QStringLiteral("m²"), {Qt::red}, {}, 1};
+    BarChart chart{{{QStringLiteral("Score"), Qt::red}}, {}};
     chart.groups = {{QStringLiteral("Jan"), {100}}, {QStringLiteral("Feb"), {-100}}};
     QImage image(400, 300, QImage::Format_RGB32);
     image.fill(Qt::white);
@@ -233,8 +233,9 @@ TEST(Book, BarsMayBeNegative) {
             if (image.pixelColor(x, y) == QColor(Qt::red)) rows = {std::min(rows.first, y), y};
         return rows;
     };
-    // The plot lies between 52 points from the left and 10 from the right.
-    const auto january = heights(52 + 338 / 4), february = heights(52 + 338 * 3 / 4);
+    const QRectF plot = plotIn(QRectF(0, 0, 400, 300), 1);
+    const auto january = heights(int(plot.left() + plot.width() / 4)),
+               february = heights(int(plot.left() + plot.width() * 3 / 4));
     EXPECT_LE(std::abs(january.second - february.first), 2) << "both begin at zero";
     EXPECT_NEAR(january.second - january.first, february.second - february.first, 2);
 }

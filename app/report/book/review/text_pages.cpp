@@ -24,8 +24,8 @@ BookPage chapter(const QString& title, const QString& subtitle) { return {title,
 std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     PageTable table{{}, {}, {}, {}, tablePt * textScale(scene.settings.setup)};
-    for (const RuleColumn& column : study.rule.deliverables.columns)
-        table.titles.push_back(plainText(column.title));
+    const auto columns = columnsIn(scene.settings.units, study.rule.deliverables.columns);
+    for (const RuleColumn& column : columns) table.titles.push_back(plainText(column.title));
     if (table.titles.empty()) return std::nullopt;
     std::size_t leftOut = 0;
     for (const PlaceReview& review : study.places)
@@ -35,7 +35,7 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
                 continue;
             }
             auto& texts = table.rows.emplace_back();
-            for (const RuleColumn& column : study.rule.deliverables.columns)
+            for (const RuleColumn& column : columns)
                 texts.push_back(plainText(columnText(review, row, column.key)));
         }
     const QString note = leftOut == 0

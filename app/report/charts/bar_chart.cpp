@@ -1,0 +1,103 @@
+#include "app/report/charts/bar_chart.h"
+
+#include <QLocale>
+#include <QObject>
+#include <QStringList>
+#include <algorithm>
+#include <map>
+
+#include "app/report/maps/palette.h"
+
+namespace noonmark {
+
+namespace {
+
+struct BarAxes {
+    QRectF plot;
+    ChartAxis across, up;
+    double unitM2;  ///< square metres in the unit of `up`
+};
+
+BarAxes axesOf(const QRectF& area, double point, const BarChart& chart) {
+    const AreaUnit unit = areaUnitOf(chart.units);
+    double least = 0, most = 0;
+    for (const auto& group : chart.groups)
+        for (const double value : group.values) most = std::max(most, value), least = std::min(least, value);
+    const QString title = unit.name + (chart.isAreaHours ? QObject::tr(" h") : QString());
+    ChartAxis across{0, double(std::max<std::size_t>(1, chart.groups.size()))};
+    for (std::size_t i = 0; i < chart.groups.size(); ++i)
+        across.ticks.push_back({double(i) + 0.5, chart.groups[i].name, false});
+    return {plotIn(area, point), across,
+            makeAmountAxis(least / unit.squareMetres, most / unit.squareMetres, title), unit.squareMetres};
+}
+
+void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart, std::size_t index) {
+    constexpr double groupShare = 0.8, barShare = 0.92;
+    const auto& values = chart.groups[index].values;
+    const double width = groupShare / double(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double from = double(index) + (1 - groupShare) / 2 + double(i) * width;
+        const QPointF top(xOf(axes.across, axes.plot, from),
+                          yOf(axes.up, axes.plot, values[i] / axes.unitM2));
+        const QPointF foot(xOf(axes.across, axes.plot, from + barShare * width), yOf(axes.up, axes.plot, 0));
+        canvas.painter.fillRect(QRectF(top, foot).normalized(), chart.series[i].colour);
+    }
+}
+
+}  // namespace
+
+BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
+    BarChart chart{{{QObject::tr("Baseline"), shade::baseline},
+                    {QObject::tr("Scenario"), shade::proposal},
+                    {QObject::tr("Incremental"), shade::incremental}},
+                   {},
+                   true,
+                   units};
+    std::map<unsigned, std::vector<double>> months;
+    for (const ReviewRow& row : place.rows) {
+        auto& sums = months[unsigned(row.day.month())];
+        sums.resize(chart.series.size());
+        sums[0] += row.weight * row.baselineM2h;
+        sums[1] += row.weight * row.scenarioM2h;
+        sums[2] += row.weight * row.incrementalM2h;
+    }
+    const QLocale english(QLocale::English);
+    for (const auto& [month, sums] : months)
+        chart.groups.push_back({english.monthName(int(month), QLocale::ShortFormat), sums});
+    return chart;
+}
+
+void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart) {
+    canvas.painter.save();
+    if (chart.groups.empty()) {
+        paintNothing(canvas, area, QObject::tr("No month has a day that counts"));
+    } else {
+        const BarAxes axes = axesOf(area, canvas.point, chart);
+        for (std::size_t i = 0; i < chart.groups.size(); ++i) paintGroup(canvas, axes, chart, i);
+        paintAxes(canvas, axes.plot, axes.across, axes.up);
+        std::vector<ChartKey> keys;
+        for (const auto& series : chart.series) keys.push_back({series.name, series.colour});
+        paintKeys(canvas, axes.plot, keys);
+    }
+    canvas.painter.restore();
+}
+
+std::optional<std::size_t> findGroupAt(const QRectF& area, double point, const BarChart& chart,
+                                       const QPointF& at) {
+    const BarAxes axes = axesOf(area, point, chart);
+    if (chart.groups.empty() || !axes.plot.contains(at)) return std::nullopt;
+    return std::min(std::size_t(valueAt(axes.across, axes.plot, at.x())), chart.groups.size() - 1);
+}
+
+QString describeGroup(const BarChart& chart, std::size_t group) {
+    const auto& [name, values] = chart.groups[group];
+    QStringList parts;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string value =
+            chart.isAreaHours ? formatAreaHours(values[i], chart.units) : formatArea(values[i], chart.units);
+        parts << chart.series[i].name.toLower() + u' ' + QString::fromStdString(value);
+    }
+    return name + QStringLiteral("   ") + parts.join(QStringLiteral("; "));
+}
+
+}  // namespace noonmark
