@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "app/report/book/paper.h"
 #include "app/report/book/street_name.h"
 #include "app/report/maps/city_painter.h"
-#include "app/report/maps/map_furniture.h"
 #include "app/report/maps/map_view.h"
 #include "app/report/sheets/study_words.h"
 
@@ -265,57 +263,6 @@ private:
     std::vector<QRectF> labels_;
 };
 
-void paintSwatch(const Canvas& canvas, const QRectF& box, const QColor& fill, const QColor& line,
-                 double linePt) {
-    canvas.painter.setBrush(fill);
-    canvas.painter.setPen(linePen(canvas, line, linePt));
-    canvas.painter.drawRect(box);
-}
-
-struct LegendEntry {
-    QString text;
-    QColor fill, line;
-    double linePt;
-};
-
-std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
-    std::vector<LegendEntry> entries;
-    if (foot.subject == DiagramFoot::Subject::fan)
-        entries = {{QStringLiteral("shadow of the proposal alone"), shade::incremental.lighter(190),
-                    shade::incremental, 0.5}};
-    else if (foot.subject == DiagramFoot::Subject::valueLines)
-        entries = {{QStringLiteral("hours of shadow"), ink::paper, shade::incremental, 1}};
-    else
-        entries = {{QStringLiteral("existing shadow"), shade::baseline, shade::baseline, 0.2},
-                   {QStringLiteral("incremental shadow"), shade::incremental, shade::incremental, 0.2},
-                   {QStringLiteral("sun gained"), shade::gained, ink::quiet, 0.3}};
-    entries.push_back({QStringLiteral("proposal"), shade::proposal, ink::text, 0.9});
-    entries.push_back({QStringLiteral("building"), shade::building, shade::buildingLine, 0.4});
-    entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
-    return entries;
-}
-
-/// In rows from the left; returns nothing beyond `area` as long as the page is at least 300 points wide.
-void paintEntries(const Canvas& canvas, const QRectF& area, const DiagramFoot& foot) {
-    const double unit = foot.textScale * canvas.point;
-    const QFont font = textFont(canvas, 7 * foot.textScale);
-    const QFontMetricsF metrics(font, canvas.painter.device());
-    double x = area.left(), y = area.top() + 4 * unit;
-    for (const LegendEntry& entry : entriesOf(foot)) {
-        const double width = 18 * unit + metrics.horizontalAdvance(entry.text);
-        if (x > area.left() && x + width > area.right()) x = area.left(), y += 12 * unit;
-        paintSwatch(canvas, {x, y, 12 * unit, 7 * unit}, entry.fill, entry.line, entry.linePt);
-        canvas.painter.setFont(font);
-        canvas.painter.setPen(ink::text);
-        canvas.painter.drawText(QPointF(x + 15 * unit, y + 6.4 * unit), entry.text);
-        x += width + 8 * unit;
-    }
-    QString words = QStringLiteral("Heights in m above the ground.");
-    if (!foot.note.isEmpty()) words = foot.note + QStringLiteral(" ") + words;
-    paintFitted(canvas, {area.left(), y + 10 * unit, area.width(), area.bottom() - y - 10 * unit}, words,
-                6.6 * foot.textScale, 4.5, QFont::Normal, ink::quiet);
-}
-
 }  // namespace
 
 QRectF mapAreaOf(const QRectF& area, double textScale) {
@@ -327,24 +274,6 @@ void paintDiagram(const Canvas& canvas, const QRectF& area, const Diagram& diagr
     DiagramPainter(canvas, area.adjusted(0, 0, 0, -caption), diagram).paint();
     paintCaption(canvas, {area.left(), area.bottom() - caption, area.width(), caption}, diagram.caption,
                  diagram.textScale);
-}
-
-void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoot& foot) {
-    const double unit = foot.textScale * canvas.point;
-    const double perMetre = pointsPerMetre(foot.scale) * canvas.point;
-    const double arrow = 22 * unit, scaleWidth = 62 * unit;
-    const double barRoom = std::min(area.width() * 0.24, 150 * unit);
-    const Canvas larger{canvas.painter, unit};
-    paintNorthArrow(larger, {area.right() - arrow, area.top() + 2 * unit, arrow, 30 * unit});
-    const QRectF bar(area.right() - arrow - barRoom - 4 * unit, area.top() + 6 * unit, barRoom, 30 * unit);
-    paintScaleBar(larger, bar, scaleBarWithin((barRoom - 30 * unit) / perMetre), perMetre);
-    const QRectF scale(bar.left() - scaleWidth, area.top() + 4 * unit, scaleWidth, 14 * unit);
-    paintFitted(canvas, scale, QStringLiteral("1:%1").arg(std::llround(foot.scale)), 11 * foot.textScale, 6,
-                QFont::Bold);
-    paintFitted(canvas, scale.translated(0, 14 * unit), QStringLiteral("on %1").arg(foot.paper),
-                7 * foot.textScale, 5, QFont::Normal, ink::quiet);
-    paintEntries(canvas, {area.left(), area.top(), scale.left() - area.left() - 6 * unit, area.height()},
-                 foot);
 }
 
 }  // namespace noonmark

@@ -21,8 +21,7 @@ struct ReviewExport {
     OutputRules outputs;              ///< which files may be replaced
 };
 
-/// The review with its timelines, and its book. Neither changes after layOutReview(); the book refers to the
-/// rest.
+/// The review with its timelines, and its book, which refers to the rest: never changed once it is made.
 struct ReviewSheets {
     BookSettings settings;
     ReviewLabels labels;

@@ -160,11 +160,9 @@ void SheetsDialog::askForFolder() {
 }
 
 void SheetsDialog::tell(const Error& error) {
-    if (isCancelled(error))
-        message_->setText(tr("Cancelled. Any change lays the sheets out again."));
-    else
-        Q_EMIT failed(error);
-    if (!isCancelled(error)) message_->setText(QString::fromStdString(error.text()));
+    if (isCancelled(error)) return message_->setText(tr("Cancelled. Any change lays the sheets out again."));
+    message_->setText(QString::fromStdString(error.text()));
+    Q_EMIT failed(error);
 }
 
 }  // namespace noonmark
