@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "app/window/review/review_session.h"
+#include "core/base/display_units.h"
 
 class QLabel;
 class QPushButton;
