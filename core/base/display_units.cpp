@@ -10,9 +10,7 @@ namespace noonmark {
 
 namespace {
 
-// International feet (NIST SP 811): 1 ft = 0.3048 m; 1 acre = 43,560 sq ft.
-constexpr double metresPerFoot = 0.3048;
-constexpr double squareMetresPerSquareFoot = metresPerFoot * metresPerFoot;
+// NIST SP 811
 constexpr double squareFeetPerAcre = 43560;
 constexpr double squareMetresPerHectare = 10000;
 // From so many hectares or acres on, an area is stated in them.
@@ -74,6 +72,11 @@ std::string formatLength(double metres, UnitSystem units, int decimals) {
 
 std::string formatArea(double squareMetres, UnitSystem units) {
     return combine(units, formatMetricArea(squareMetres), formatImperialArea(squareMetres));
+}
+
+std::string formatSmallArea(double squareMetres, UnitSystem units) {
+    return combine(units, formatNumber(squareMetres) + " m²",
+                   formatNumber(squareMetres / squareMetresPerSquareFoot) + " sq ft");
 }
 
 std::string formatAreaHours(double squareMetreHours, UnitSystem units) {

@@ -21,6 +21,10 @@ std::string_view nameOf(UnitSystem units);
 /// The system of that name; nothing for any other text.
 std::optional<UnitSystem> parseUnitSystem(std::string_view name);
 
+/// International feet (NIST SP 811).
+inline constexpr double metresPerFoot = 0.3048;
+inline constexpr double squareMetresPerSquareFoot = metresPerFoot * metresPerFoot;
+
 /// "1,234.5": with commas between thousands
 std::string formatNumber(double value, int decimals = 0);
 
@@ -28,6 +32,8 @@ std::string formatNumber(double value, int decimals = 0);
 std::string formatLength(double metres, UnitSystem units, int decimals = 1);
 /// "1,204 m²"; "12,960 sq ft"; "12.5 acres", "12.5 ha" from ten of them on.
 std::string formatArea(double squareMetres, UnitSystem units);
+/// "125,204 m²"; "1,347,685 sq ft": never in hectares or acres.
+std::string formatSmallArea(double squareMetres, UnitSystem units);
 /// "1,204 m² h"; "12,960 sq ft h", square-foot-hours.
 std::string formatAreaHours(double squareMetreHours, UnitSystem units);
 

@@ -3,37 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/review/review_rows.h"
-#include "core/review/rule_names.h"
 
 namespace noonmark {
 
 namespace {
-
-std::string limitText(const Criterion& criterion, const Limit& limit) {
-    const std::string value = limit.ofFormer ? fmt::format("{:g} x former", limit.value)
-                                             : formatMeasured(criterion.measure, limit.value);
-    return fmt::format("{} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
-}
-
-std::string limitsText(const Criterion& criterion) {
-    std::string text;
-    for (const Limit& limit : criterion.limits)
-        text += fmt::format("{}{}", text.empty() ? "" : " or ", limitText(criterion, limit));
-    return text;
-}
-
-/// "At least 2 h of sun ...: 45 % (former 60 %) on 2026-03-21, wanted >= 50 % or >= 0.8 x former".
-std::string reasonFor(const Criterion& criterion, const CriterionResult& result) {
-    std::string text =
-        fmt::format("{}: {}", criterion.name, formatMeasured(criterion.measure, result.value->value));
-    if (result.former)
-        text += fmt::format(" (former {})", formatMeasured(criterion.measure, result.former->value));
-    if (result.day) text += fmt::format(" on {}", formatText(*result.day));
-    return text + ", wanted " + limitsText(criterion);
-}
 
 bool decides(const Criterion& criterion, const CriterionResult& result) {
     return !criterion.advisory && !criterion.limits.empty() && result.verdict != Verdict::notApplicable;
@@ -44,17 +19,6 @@ bool decides(const Criterion& criterion, const CriterionResult& result) {
 bool covers(const Rule& rule, PlaceKind kind) {
     return rule.receivers.kinds.empty() ||
            std::ranges::find(rule.receivers.kinds, kind) != rule.receivers.kinds.end();
-}
-
-std::string formatMeasured(Measure measure, double value) {
-    const std::string_view unit = unitOf(measure);
-    if (unit.empty()) return fmt::format("{:.1f} %", value * 100);
-    if (unit != "min") return fmt::format("{:.0f} {}", value, unit);
-    if (value < 60) return fmt::format("{:.4g} min", value);
-    const double minutes = std::round(value * 10) / 10;
-    const double hours = std::floor(minutes / 60);
-    return minutes == hours * 60 ? fmt::format("{:.0f} h", hours)
-                                 : fmt::format("{:.0f} h {:.4g} min", hours, minutes - hours * 60);
 }
 
 PlaceEvaluation::PlaceEvaluation(const Rule& rule, const DayClock& clock, std::string name, PlaceKind kind,
@@ -106,14 +70,11 @@ PlaceReview PlaceEvaluation::finish() const {
 }
 
 void PlaceEvaluation::judge(PlaceReview& review) const {
-    const auto end = [&](Verdict verdict, std::string reason) {
-        review.verdict = verdict;
-        review.reason = std::move(reason);
-    };
     // A criterion about nothing that was measured would hold.
     const auto leaveUnjudged = [&](Verdict verdict, std::string reason) {
         for (CriterionResult& result : review.results) result.verdict = verdict;
-        end(verdict, std::move(reason));
+        review.verdict = verdict;
+        review.unjudged = std::move(reason);
     };
     if (!covers(*rule_, review.kind))
         return leaveUnjudged(
@@ -124,16 +85,15 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
     if (review.areaM2 <= 0)
         return leaveUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
     if (!sunWasUp_) return leaveUnjudged(Verdict::notChecked, "The sun is not up in the rule's hours");
-    const Criterion* deciding = nullptr;
-    const CriterionResult* result = nullptr;
     for (std::size_t i = 0; i < review.results.size(); ++i) {
         if (!decides(review.criteria[i], review.results[i])) continue;
-        if (result && review.results[i].verdict <= result->verdict) continue;
-        deciding = &review.criteria[i];
-        result = &review.results[i];
+        if (review.deciding && review.results[i].verdict <= review.verdict) continue;
+        review.deciding = i;
+        review.verdict = review.results[i].verdict;
     }
-    if (!result) return end(Verdict::notApplicable, "The rule states no limit for this place");
-    end(result->verdict, reasonFor(*deciding, *result));
+    if (review.deciding) return;
+    review.verdict = Verdict::notApplicable;
+    review.unjudged = "The rule states no limit for this place";
 }
 
 }  // namespace noonmark

@@ -50,7 +50,8 @@ struct PlaceReview {
     LineBelt belt = LineBelt::none;
     double areaM2 = 0;  ///< of the cells that are receivers
     Verdict verdict = Verdict::notChecked;
-    std::string reason;                    ///< the verdict in a sentence
+    std::optional<std::size_t> deciding;   ///< the criterion whose result is the verdict
+    std::string unjudged;                  ///< why none decides; a sentence without a full stop
     std::vector<Criterion> criteria;       ///< those of the rule that apply to this place
     std::vector<CriterionResult> results;  ///< by criterion
     std::vector<ReviewRow> rows;           ///< in the order of the days
@@ -83,8 +84,5 @@ private:
 
 /// Whether a rule covers places of that kind.
 bool covers(const Rule& rule, PlaceKind kind);
-
-/// "2 h 15 min", "62 %", "1,204 m2": a value of a criterion for people.
-std::string formatMeasured(Measure measure, double value);
 
 }  // namespace noonmark

@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double ft2PerM2 = 1 / (0.3048 * 0.3048);
+constexpr double ft2PerM2 = 1 / squareMetresPerSquareFoot;
 constexpr std::string_view criterionPrefix = "criterion.";
 
 std::string minutesText(double minutes) { return fmt::format("{:.10g}", std::round(minutes * 100) / 100); }

@@ -92,4 +92,18 @@ Result<std::vector<RuleMoment>> computeRuleMoments(const Rule& rule, const RuleS
     return up;
 }
 
+bool hasIsochrones(const Rule& rule) {
+    const auto& diagrams = rule.deliverables.diagrams;
+    return diagrams && std::ranges::find(diagrams->views, "isochrones") != diagrams->views.end();
+}
+
+std::vector<double> listIsochroneMinutes(const Rule& rule) {
+    std::set<double> levels;
+    for (int hour = 1; hour <= 8; ++hour) levels.insert(60.0 * hour);
+    for (const Criterion& criterion : rule.criteria)
+        for (const Limit& limit : criterion.limits)
+            if (criterion.measure == Measure::spotTotal && !limit.ofFormer) levels.insert(limit.value);
+    return {levels.begin(), levels.end()};
+}
+
 }  // namespace noonmark

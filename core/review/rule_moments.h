@@ -30,4 +30,12 @@ Result<std::vector<RuleMoment>> computeRuleMoments(const Rule& rule, const RuleS
                                                    const RuleMomentSettings& settings = {},
                                                    const std::stop_token& stop = {});
 
+/// Whether the rule's diagrams have lines of equal hours of shadow.
+bool hasIsochrones(const Rule& rule);
+/// Of a rule about more days, lines are drawn for so many.
+inline constexpr std::size_t mostIsochroneDays = 4;
+/// The minutes of these lines, ascending: each full hour up to 8, and the rule's limits of the total at a
+/// spot.
+std::vector<double> listIsochroneMinutes(const Rule& rule);
+
 }  // namespace noonmark

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "core/review/place_review.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_times.h"
+#include "core/review/verdict_text.h"
 
 namespace noonmark {
 
@@ -65,13 +65,10 @@ std::string receiversText(const RuleReceivers& receivers) {
 
 std::string criterionText(const Criterion& criterion) {
     std::string text = criterion.name;
-    for (const Limit& limit : criterion.limits) {
-        const std::string value = limit.ofFormer ? fmt::format("{:g} x former", limit.value)
-                                                 : formatMeasured(criterion.measure, limit.value);
-        text += fmt::format("{} {} {} [{}]", &limit == &criterion.limits.front() ? ":" : " or",
-                            ruleNameOf(comparisonNames(), limit.comparison), value,
+    for (const Limit& limit : criterion.limits)
+        text += fmt::format("{} {} [{}]", &limit == &criterion.limits.front() ? ":" : " or",
+                            describeLimit(criterion, limit),
                             ruleNameOf(figureStatusNames(), limit.evidence.status));
-    }
     if (criterion.limits.empty()) text += ": stated, no limit";
     return text + (criterion.advisory ? " (does not decide)" : "");
 }

@@ -4,129 +4,17 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <set>
 
+#include "core/base/progress_share.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
-#include "core/receivers/line_belts.h"
+#include "core/measures/place_sums.h"
+#include "core/study/prepare_review.h"
 
 namespace noonmark {
 
 namespace {
-
-/// What is measured: the places, or the belts around parcels.
-struct RulePlaces {
-    std::vector<Place> places;
-    std::vector<LineBelt> belts;
-};
-
-double highestM(const City& city) {
-    double highest = 0;
-    for (const auto& building : city.buildings)
-        for (const Part& part : building->parts) highest = std::max(highest, double(part.topM));
-    return highest;
-}
-
-/// The least limit of the rule's criteria beyond the outer line, minutes.
-double leastLimitBeyond(const Rule& rule) {
-    double least = 1440;
-    for (const Criterion& criterion : rule.criteria)
-        for (const Limit& limit : criterion.limits)
-            if (criterion.belt == LineBelt::beyondLines && !limit.ofFormer)
-                least = std::min(least, limit.value);
-    return least;
-}
-
-/// How far from the parcel a point can be in shadow for longer than the limit. Such a point is in shadow at
-/// one of the steps that are left when as many of the lowest suns as the limit has are taken away.
-double reachOfLimitM(const Rule& rule, const SunSteps& sun, double heightM) {
-    std::vector<float> altitudes;
-    for (const SunStep& step : sun.steps) altitudes.push_back(step.altitudeDeg);
-    std::ranges::sort(altitudes);
-    const auto skipped = std::size_t(leastLimitBeyond(rule) / sun.stepMinutes);
-    if (skipped >= altitudes.size()) return 0;
-    const double tangent = std::tan(Degrees{altitudes[skipped]}.radians().value);
-    constexpr double farthestM = 2000;
-    return std::min(farthestM, std::max(0.0, heightM - rule.receivers.planeM) / tangent);
-}
-
-Result<RulePlaces> placesToMeasure(const Rule& rule, const std::vector<Place>& places, const City& scenario,
-                                   const SunSteps& sun) {
-    if (!rule.receivers.hasLines()) return RulePlaces{places, std::vector(places.size(), LineBelt::none)};
-    const auto& [inner, outer] = std::pair{rule.receivers.innerLineM, rule.receivers.outerLineM};
-    const double reach = std::max(outer + 10, reachOfLimitM(rule, sun, highestM(scenario)));
-    RulePlaces measured;
-    for (const Place& place : places)
-        for (const LineBelt belt : {LineBelt::betweenLines, LineBelt::beyondLines}) {
-            const bool between = belt == LineBelt::betweenLines;
-            auto polygons = cutBelt(place.polygons, between ? inner : outer, between ? outer : reach);
-            if (!polygons) return tl::make_unexpected(polygons.error());
-            const std::string name = between ? fmt::format("{}, {:g} to {:g} m", place.name, inner, outer)
-                                             : fmt::format("{}, beyond {:g} m", place.name, outer);
-            measured.places.push_back({name, place.kind, *std::move(polygons), place.source});
-            measured.belts.push_back(belt);
-        }
-    return measured;
-}
-
-/// Raises the receivers to the rule's plane above the mean of their ground.
-void raiseToPlane(Receivers& receivers, double planeM) {
-    if (receivers.cells.empty()) return;
-    double sum = 0;
-    for (const std::uint32_t cell : receivers.cells) sum += receivers.position(cell).z;
-    const double mean = sum / double(receivers.cells.size());
-    receivers.groundM.assign(receivers.grid.size(), float(mean + planeM));
-}
-
-/// The part of a building above a plane, as seen from that plane; none where all of it is below.
-std::shared_ptr<const Building> lowered(const Building& building, float byM) {
-    Building above = building;
-    std::erase_if(above.parts, [&](const Part& part) { return part.topM <= byM; });
-    for (Part& part : above.parts) {
-        part.topM -= byM;
-        part.bottomM = std::max(0.0F, part.bottomM - byM);
-        part.isOverhanging = part.isOverhanging && part.bottomM > 0;
-    }
-    return above.parts.empty() ? nullptr : std::make_shared<const Building>(std::move(above));
-}
-
-/// The city above a plane, so that the plane becomes level ground, which the exact engines take. Nothing
-/// where there is terrain or a mesh: then the receivers are raised instead.
-std::optional<City> loweredCity(const City& city, float byM) {
-    City above{city.frame, {}, nullptr};
-    for (const auto& building : city.buildings) {
-        if (std::ranges::any_of(building->parts, [](const Part& part) { return part.mesh != nullptr; }))
-            return std::nullopt;
-        if (auto part = lowered(*building, byM)) above.buildings.push_back(std::move(part));
-    }
-    return city.terrain ? std::nullopt : std::optional(std::move(above));
-}
-
-/// The cities that cast, and the cells on which they do.
-struct RuleScene {
-    City before, after;
-    PlaceReceivers receivers;
-    [[nodiscard]] std::array<const City*, 2> cities() const { return {&before, &after}; }
-};
-
-Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const std::vector<Place>& places,
-                                double cellM, const std::stop_token& stop) {
-    const bool plane = rule.receivers.surface == RuleSurface::plane;
-    const auto height = float(rule.receivers.planeM);
-    auto beforeAbove = plane ? loweredCity(before, height) : std::nullopt;
-    auto afterAbove = plane ? loweredCity(after, height) : std::nullopt;
-    const bool isLowered = beforeAbove && afterAbove;
-    if (isLowered) before = *std::move(beforeAbove), after = *std::move(afterAbove);
-    const std::array<const City*, 2> cities{&before, &after};
-    auto receivers = placeReceiversOnPlaces(cities, places, {.cellM = cellM}, stop);
-    if (!receivers) return tl::make_unexpected(receivers.error());
-    if (plane && !isLowered) raiseToPlane(receivers->receivers, rule.receivers.planeM);
-    return RuleScene{std::move(before), std::move(after), *std::move(receivers)};
-}
 
 /// Thins the steps of a day, so that a year of them stays small.
 DayTimeline thinned(DayTimeline day, double stepMinutes, std::size_t days) {
@@ -150,54 +38,45 @@ std::vector<std::string> notCheckedIn(const Rule& rule, const City& city) {
     return all;
 }
 
-}  // namespace
-
-City keepOwnBuildings(const City& city, const City& other) {
-    std::set<const Building*> shared;
-    std::multimap<std::string, const Building*> byId;
-    for (const auto& building : other.buildings) {
-        shared.insert(building.get());
-        byId.emplace(building->sourceId, building.get());
-    }
-    const auto isIn = [&](const std::shared_ptr<const Building>& building) {
-        if (shared.contains(building.get())) return true;
-        const auto [from, to] = byId.equal_range(building->sourceId);
-        return std::any_of(from, to, [&](const auto& same) { return *same.second == *building; });
+/// The shadow that one building alone adds to the places, m2 x h by place.
+Result<std::vector<double>> shadowOfBuilding(const PreparedReview& prepared, const Building& building,
+                                             const Engine& engine, Progress& progress,
+                                             const std::stop_token& stop) {
+    const RuleScene& scene = prepared.scene;
+    City without = scene.after;
+    std::erase_if(without.buildings, [&](const auto& other) { return other.get() == &building; });
+    std::vector<double> incremental(prepared.measured.places.size());
+    const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
+        tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
+            const DayTimeline timeline = computeTimeline(shadows[i], {.steps = false, .longestStays = false});
+            incremental[i] += prepared.days.weights[day] * timeline.incremental.areaHoursM2;
+        });
+        return {};
     };
-    City own = city;
-    std::erase_if(own.buildings, isIn);
-    return own;
+    return shadePlaces(engine, without, &scene.after, scene.receivers, prepared.days.sun, take, progress,
+                       stop)
+        .map([&] { return std::move(incremental); });
 }
 
-namespace {
-
-/// A rule's question, ready to be computed.
-struct PreparedReview {
-    RuleSun days;
-    RulePlaces measured;
-    RuleScene scene;
-};
-
-Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, const City& scenario,
-                                     const std::vector<Place>& places, const ReviewSettings& settings,
-                                     const std::stop_token& stop) {
-    if (rule.receivers.surface == RuleSurface::windows)
-        return unsupported("The rule is about windows, which are not measured", rule.key,
-                           "Choose another rule");
-    const bool alone = rule.occluders.casters == RuleCasters::proposal;
-    City before = alone ? keepOwnBuildings(baseline, scenario) : baseline;
-    City after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
-    auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
-    if (!days) return tl::make_unexpected(days.error());
-    if (days->sun.steps.empty())
-        return failure("The sun is below the horizon in all hours of the rule", rule.key,
-                       "Check place and year");
-    auto measured = placesToMeasure(rule, places, after, days->sun);
-    if (!measured) return tl::make_unexpected(measured.error());
-    auto scene =
-        makeRuleScene(rule, std::move(before), std::move(after), measured->places, settings.cellM, stop);
-    if (!scene) return tl::make_unexpected(scene.error());
-    return PreparedReview{*std::move(days), *std::move(measured), *std::move(scene)};
+/// Contributions of scenarios with several new buildings; of too many, a warning instead.
+Result<void> addContributions(const PreparedReview& prepared, const Engine& engine, Progress& progress,
+                              const std::stop_token& stop, ReviewStudy& study) {
+    const City fresh = keepOwnBuildings(prepared.scene.after, prepared.scene.before);
+    if (fresh.buildings.size() < 2) return {};
+    if (fresh.buildings.size() > mostContributors) {
+        study.warnings.push_back({WarningKind::leftOut, "contributions of single new buildings",
+                                  fmt::format("{} new buildings; at most {} are computed one by one",
+                                              fresh.buildings.size(), mostContributors)});
+        return {};
+    }
+    for (std::size_t i = 0; i < fresh.buildings.size(); ++i) {
+        ProgressShare share(progress, i, fresh.buildings.size());
+        const Building& building = *fresh.buildings[i];
+        auto incremental = shadowOfBuilding(prepared, building, engine, share, stop);
+        if (!incremental) return tl::make_unexpected(incremental.error());
+        study.contributions.push_back({building.sourceId, building.name, *std::move(incremental)});
+    }
+    return {};
 }
 
 }  // namespace
@@ -257,13 +136,15 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         });
         return {};
     };
-    const auto done = shadePlaces(engine, scene.before, &scene.after, scene.receivers, days.sun, take,
-                                  progress, std::move(stop));
+    ProgressShare first(progress, 0, settings.contributions ? 2 : 1);
+    const auto done =
+        shadePlaces(engine, scene.before, &scene.after, scene.receivers, days.sun, take, first, stop);
     if (!done) return tl::make_unexpected(done.error());
     ReviewStudy study{rule,
                       settings,
                       {},
                       std::move(timelines),
+                      {},
                       std::string(engine.nameOfMasks(scene.cities(), scene.receivers.receivers)),
                       days.clock.text(),
                       days.year,
@@ -271,7 +152,9 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
                       notCheckedIn(rule, baseline),
                       {}};
     for (const PlaceEvaluation& evaluation : evaluations) study.places.push_back(evaluation.finish());
-    return study;
+    if (!settings.contributions) return study;
+    ProgressShare second(progress, 1, 2);
+    return addContributions(*prepared, engine, second, stop, study).map([&] { return std::move(study); });
 }
 
 }  // namespace noonmark

@@ -22,6 +22,16 @@ struct ReviewSettings {
     /// Hold the areas in shadow step by step, for charts. Of more than a month of days, steps that are at
     /// least ten minutes apart.
     bool timelines = false;
+    bool contributions = false;  ///< of each new building, where there are 2 to mostContributors
+};
+
+/// More new buildings are not measured one by one: each costs as much as the review.
+inline constexpr std::size_t mostContributors = 20;
+
+/// The shadow that one new building alone adds: in shadow in the scenario, lit in the scenario without it.
+struct ReviewContribution {
+    std::string id, name;                ///< of the building
+    std::vector<double> incrementalM2h;  ///< by place, over the rule's days, m2 x h
 };
 
 /// A rule's answers for all places.
@@ -31,6 +41,7 @@ struct ReviewStudy {
     std::vector<PlaceReview> places;  ///< in the order given; two for each parcel of a rule with lines
     /// By place and day, without longest stays; empty unless the settings ask for them.
     std::vector<std::vector<DayTimeline>> timelines{};
+    std::vector<ReviewContribution> contributions{};  ///< in the order of the scenario's buildings
     std::string engine;
     std::string clock;  ///< "America/New_York, standard time"
     int year = 0;

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 
 #include "core/base/progress_share.h"
+#include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/outlines/shadow_fan.h"
 #include "core/measures/place_run.h"
+#include "core/receivers/line_belts.h"
+#include "core/sun/chosen_days.h"
 
 namespace noonmark {
 
@@ -99,6 +103,34 @@ std::vector<DrawnTime> timesOf(const std::vector<RuleMoment>& moments, const std
     return times;
 }
 
+/// Lines of equal hours of a rule that asks for them, on its first days, with its distances from the places.
+Result<void> addIsochrones(const ReviewStudy& study, const City& after, const Observer& observer,
+                           const std::vector<Place>& places, ShadowDrawing& drawing, Progress& progress,
+                           const std::stop_token& stop) {
+    const Rule& rule = study.rule;
+    const auto days = computeRuleSun(rule, {observer, study.settings.zone, study.year}, stop);
+    if (!days) return tl::make_unexpected(days.error());
+    IsochroneSettings settings{drawing.area, listIsochroneMinutes(rule), {}};
+    if (rule.receivers.surface == RuleSurface::plane) settings.planeM = rule.receivers.planeM;
+    for (std::size_t day = 0; day < std::min(mostIsochroneDays, days->sun.days.size()); ++day) {
+        auto lines =
+            traceDayIsochrones(after, chooseDays(days->sun, std::array{day}), settings, progress, stop);
+        if (!lines) return tl::make_unexpected(lines.error());
+        drawing.isochrones.push_back(
+            {formatText(days->sun.days[day].date), lines->cellM, std::move(lines->lines)});
+    }
+    if (!rule.receivers.hasLines()) return {};
+    for (const double metres : {rule.receivers.innerLineM, rule.receivers.outerLineM}) {
+        DrawnDistance& distance = drawing.distances.emplace_back(DrawnDistance{metres, {}});
+        for (const Place& place : choosePlacesIn(places, drawing.area)) {
+            auto belt = cutBelt(place.polygons, 0, metres);
+            if (!belt) return tl::make_unexpected(belt.error());
+            for (Footprint& polygon : *belt) distance.outlines.push_back({std::move(polygon.outer), {}});
+        }
+    }
+    return {};
+}
+
 /// The day of most incremental shadow on any place.
 std::vector<std::chrono::month_day> worstDay(const ReviewStudy& study) {
     const PlaceReview* worst = nullptr;
@@ -160,6 +192,11 @@ Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& ba
     if (alone)
         addBuildings(keepOwnBuildings(baseline, before), BuildingState::unchanged, drawing->area,
                      drawing->buildings);
+    if (hasIsochrones(rule)) {
+        const auto done =
+            addIsochrones(study, after, observerOfPlaces(baseline), places, *drawing, progress, stop);
+        if (!done) return tl::make_unexpected(done.error());
+    }
     drawing->notes.push_back("Rule: " + rule.name);
     if (rule.receivers.surface == RuleSurface::plane)
         drawing->notes.push_back("Shadows are on the ground, not on the rule's plane above it");

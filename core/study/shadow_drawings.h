@@ -35,7 +35,8 @@ Result<std::vector<RuleMoment>> computeReviewMoments(const ReviewStudy& study, c
                                                      int mostHoursADay, const std::stop_token& stop);
 
 /// The moments of computeReviewMoments() at all full hours, with the casters that it counts.
-/// Shadows are on the ground, also of a rule about a plane above it.
+/// Shadows are on the ground, also of a rule about a plane above it. Lines of equal hours and distances from
+/// the places come with rules whose diagrams have them: on the rule's plane.
 Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,
                                         const std::vector<Place>& places, Progress& progress,
                                         const std::stop_token& stop);

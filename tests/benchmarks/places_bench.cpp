@@ -15,6 +15,7 @@
 #include "core/measures/place_screening.h"
 #include "core/measures/place_sums.h"
 #include "core/receivers/place_names.h"
+#include "core/review/verdict_text.h"
 #include "core/sun/chosen_days.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -155,7 +156,7 @@ int main(int argc, char** argv) {
                           .value();
                   for (const ScreenedPlace& place : screened)
                       fmt::print("  {:<34} {}: {}\n", bench.places[place.place].name, nameOf(place.result),
-                                 place.reason);
+                                 describeReason(place));
               }));
     if (asked("year"))
         bench.runDays(

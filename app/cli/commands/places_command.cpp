@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -82,7 +83,7 @@ void printJson(const ListedPlaces& listed, std::ostream& out) {
 void print(const ListedPlaces& listed, std::ostream& out) {
     for (const Place& place : listed.read.places)
         out << fmt::format("{:<44} {:<13} {:>10} m2  {}\n", place.name, nameOf(place.kind),
-                           withCommas(std::size_t(area(place) + 0.5)), place.source);
+                           withCommas(std::size_t(std::llround(area(place)))), place.source);
     out << fmt::format("{} places\n", withCommas(listed.read.places.size()));
     printWarnings(out, listed.read.warnings);
 }

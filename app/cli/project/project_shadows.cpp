@@ -16,6 +16,7 @@
 #include "app/cli/table.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/shadow_files.h"
+#include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/place_run.h"
 #include "core/study/shadow_drawings.h"
 #include "core/study/text/warnings_json.h"
@@ -31,6 +32,7 @@ using Json = nlohmann::ordered_json;
 struct ShadowOptions {
     std::string file, from, to, zone, region, out;
     std::vector<std::string> days, times, places;
+    std::vector<double> isochroneHours;
     int everyMin = 0;
     ShadowFileSettings files;
     DrawingSettings drawing;
@@ -141,6 +143,32 @@ struct ShadowAnswer {
     Warnings warnings;
 };
 
+/// Lines of equal hours of shadow from sunrise to sunset of each day.
+Result<void> addIsochrones(const ShadowOptions& options, const City& city, ShadowDrawing& drawing,
+                           Progress& progress, const std::stop_token& stop) {
+    IsochroneSettings settings{drawing.area, {}, {}};
+    for (const double hours : options.isochroneHours) settings.levelsMin.push_back(hours * 60);
+    std::ranges::sort(settings.levelsMin);
+    for (const std::string& day : options.days) {
+        const auto start = parseDate(day);
+        if (!start) return tl::make_unexpected(start.error());
+        Period period;
+        period.start = *start;
+        period.days = 1;
+        period.from = std::chrono::minutes(0);
+        period.hours = 24;
+        period.zone = options.zone;
+        const auto sun = computeDaylightSteps(period, observerOfPlaces(city), stop);
+        if (!sun) return tl::make_unexpected(sun.error());
+        auto lines = traceDayIsochrones(city, *sun, settings, progress, stop);
+        if (!lines) return tl::make_unexpected(lines.error());
+        drawing.isochrones.push_back({day, lines->cellM, std::move(lines->lines)});
+        drawing.notes.push_back(fmt::format("Lines of equal hours of shadow on {}: {}, cells of {:g} m", day,
+                                            lines->engine, lines->cellM));
+    }
+    return {};
+}
+
 Result<ShadowAnswer> computeDrawing(const ShadowOptions& options, const ProjectFile& disk,
                                     const OutputRules& outputs, const Console& console) {
     const Project& project = disk.project();
@@ -161,6 +189,10 @@ Result<ShadowAnswer> computeDrawing(const ShadowOptions& options, const ProjectF
                                *times, *settings, progress, interrupt.token());
     if (!drawing) return tl::make_unexpected(drawing.error());
     answer.drawing = *std::move(drawing);
+    if (!options.isochroneHours.empty()) {
+        const auto done = addIsochrones(options, after->city, answer.drawing, progress, interrupt.token());
+        if (!done) return tl::make_unexpected(done.error());
+    }
     answer.drawing.notes.push_back(options.to.empty()
                                        ? "Shadows of " + options.from
                                        : fmt::format("From {} to {}", options.from, options.to));
@@ -239,6 +271,12 @@ void addQuestion(CLI::App& command, ShadowOptions& options) {
         ->check(within(1, 720))
         ->excludes(times)
         ->type_name("MIN");
+    command
+        .add_option("--isochrones", options.isochroneHours,
+                    "Add lines of so many hours of shadow, from sunrise to sunset of each day")
+        ->delimiter(',')
+        ->check(within(0.1, 24))
+        ->type_name("HOURS,...");
     command.add_option("--zone", options.zone, "Time zone of the times")->required()->type_name("ZONE");
     CLI::Option* region = command.add_option(
         "--region", options.region,

@@ -20,6 +20,7 @@
 #include "core/base/progress_share.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/review_columns.h"
+#include "core/review/verdict_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 
@@ -116,7 +117,7 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
         return tl::make_unexpected(may.error());
     const auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
-    const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true};
+    const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true, true};
     const Interrupt interrupt;
     ProgressLine progress(console);
     auto study = runReview(*rule, before->city, after->city, *places, settings, AutoEngine(), progress,
@@ -173,7 +174,7 @@ void printReview(const ReviewAnswer& answer, std::ostream& out) {
     printTable(study, out);
     out << '\n';
     for (const PlaceReview& review : study.places)
-        out << fmt::format("{}: {}. {}\n", review.name, nameOf(review.verdict), review.reason);
+        out << fmt::format("{}: {}. {}\n", review.name, nameOf(review.verdict), describeReason(review));
     out << "\nNot checked:\n";
     for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
     printWarnings(out, study.warnings);

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double tickPt = 7, titlePt = 7, keyPt = 7.5;
 constexpr double leftPt = 48, bottomPt = 15, topPt = 16, rightPt = 12;
-constexpr double metresPerFoot = 0.3048;
 constexpr double keyBoxPt = 9, keyGapPt = 3;
 
 void paintText(const Canvas& canvas, const QRectF& box, int flags, const QString& text, double points,
@@ -54,7 +53,7 @@ void paintTicksUp(const Canvas& canvas, const QRectF& plot, const ChartAxis& axi
 }  // namespace
 
 AreaUnit areaUnitOf(UnitSystem units) {
-    if (units == UnitSystem::imperial) return {metresPerFoot * metresPerFoot, QStringLiteral("sq ft")};
+    if (units == UnitSystem::imperial) return {squareMetresPerSquareFoot, QStringLiteral("sq ft")};
     return {1, QStringLiteral("m²")};
 }
 

@@ -23,7 +23,7 @@ std::vector<std::string> shadowFileNames(const std::vector<DrawnTime>& times,
     if (settings.formats.contains(ShadowFormat::dxf)) names.emplace_back("shadows.dxf");
     if (settings.formats.contains(ShadowFormat::geoPackage)) names.emplace_back("shadows.gpkg");
     if (settings.formats.contains(ShadowFormat::geoJson))
-        for (const char* layer : {"shadows", "buildings", "places", "fan", "isochrones"})
+        for (const char* layer : {"shadows", "buildings", "places", "fan", "isochrones", "distances"})
             names.push_back(std::string(layer) + ".geojson");
     if (settings.formats.contains(ShadowFormat::svg))
         for (const DrawnTime& time : times) names.push_back(svgName(time));

@@ -19,8 +19,8 @@ struct ShadowFileSettings {
 };
 
 /// The names of the files of a drawing: shadows.dxf, shadows.gpkg; shadows.geojson, and buildings, places,
-/// fan and isochrones .geojson; shadows_TIME.svg for each time. Before the drawing is made, some of them may
-/// not come about.
+/// fan, isochrones and distances .geojson; shadows_TIME.svg for each time. Before the drawing is made, some
+/// of them may not come about.
 std::vector<std::string> shadowFileNames(const std::vector<DrawnTime>& times,
                                          const ShadowFileSettings& settings);
 

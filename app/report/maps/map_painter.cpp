@@ -42,7 +42,8 @@ QRectF placeOf(const FieldImage& field, const QRectF& grid, double unitsPerCell)
 QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
     const int longer = std::max(image.width(), image.height());
     if (painter.paintEngine()->type() != QPaintEngine::Pdf || longer == 0 || longer >= wanted) return image;
-    return image.scaled(image.size() * ((wanted + longer - 1) / longer));
+    const int times = (wanted + longer - 1) / longer;
+    return image.scaled(image.width() * times, image.height() * times);
 }
 
 void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene) {

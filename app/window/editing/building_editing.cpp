@@ -6,6 +6,7 @@
 #include "app/window/editing/building_facts.h"
 #include "app/window/editing/selection_panel.h"
 #include "app/window/massing/figure_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 

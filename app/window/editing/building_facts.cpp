@@ -1,6 +1,7 @@
 #include "app/window/editing/building_facts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
@@ -42,7 +43,7 @@ BuildingFacts collectFacts(const Building& building, const City& city) {
     facts.parts = building.parts.size();
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
     if (highest != building.parts.end()) facts.heightSource = describeSource(highest->heightSource);
-    facts.storeys = int(facts.heightM / usualStoreyM + 0.5);
+    facts.storeys = int(std::lround(facts.heightM / usualStoreyM));
     if (const auto mass = massOf(building, city)) {
         facts.planM2 = computeArea(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;

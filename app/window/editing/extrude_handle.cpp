@@ -106,10 +106,9 @@ bool ExtrudeHandle::key(int key) {
     if (!tower_) return false;
     const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
     const bool point = (key == Qt::Key_Period || key == Qt::Key_Comma) && !typed_.contains(QLatin1Char('.'));
+    if (typed_.isEmpty() && !digit && !point) return false;
     if (digit || point)
         typed_ += digit ? QChar(key) : QLatin1Char('.');
-    else if (typed_.isEmpty())
-        return false;
     else if (key == Qt::Key_Backspace)
         typed_.chop(1);
     else if (key == Qt::Key_Escape)

@@ -7,9 +7,9 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/window/massing/figure_words.h"
 #include "app/window/widgets/mesh_fields.h"
 #include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 

@@ -15,6 +15,7 @@
 #include "app/window/massing/figure_words.h"
 #include "app/window/study/region_words.h"
 #include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/number_words.h"
 #include "app/window/widgets/push_button.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"

@@ -1,16 +1,16 @@
 #include "app/window/live/live_rule.h"
 
-#include <QLocale>
 #include <QObject>
+
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
 namespace {
 
-QString groupDigits(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
-
 QString describeStep(std::size_t steps) {
-    return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(groupDigits(steps));
+    return steps == 1 ? QObject::tr("this moment")
+                      : QObject::tr("all %1 steps").arg(groupDigits(double(steps)));
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, 
             return QObject::tr("With the proposal: exact at %1").arg(describeStep(steps));
         case LiveEngine::moments:
             return QObject::tr("With the proposal: exact at %1 of %2 steps")
-                .arg(groupDigits(counted), groupDigits(steps));
+                .arg(groupDigits(double(counted)), groupDigits(double(steps)));
         case LiveEngine::horizons:
             break;
     }

@@ -1,15 +1,12 @@
 #include "app/window/massing/figure_words.h"
 
-#include <QLocale>
 #include <QObject>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace noonmark {
+#include "app/window/widgets/number_words.h"
 
-QString groupDigits(double number, int decimals) {
-    return QLocale(QLocale::English).toString(number, 'f', decimals);
-}
+namespace noonmark {
 
 QString describeStoreys(int storeys) {
     return storeys == 1 ? QObject::tr("1 storey") : QObject::tr("%1 storeys").arg(storeys);

@@ -16,7 +16,4 @@ QString describeFigures(const MassingFigures& figures);
 /// "12.0 m east, 3.5 m south"
 QString describeMove(glm::dvec2 byM);
 
-/// 12,345
-QString groupDigits(double number, int decimals = 0);
-
 }  // namespace noonmark

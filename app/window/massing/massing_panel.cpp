@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_form.h"
 #include "app/window/study/region_words.h"
+#include "app/window/widgets/number_words.h"
 #include "app/window/widgets/push_button.h"
 
 namespace noonmark {

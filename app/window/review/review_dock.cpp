@@ -22,6 +22,7 @@
 #include "app/window/review/verdict_words.h"
 #include "app/window/widgets/progress_strip.h"
 #include "core/review/rule_text.h"
+#include "core/review/verdict_text.h"
 
 namespace noonmark {
 
@@ -276,8 +277,8 @@ void ReviewDock::showDetails() {
     details_->setVisible(answer_ && chosenDay_);
     if (!answer_ || !chosenDay_) return;
     const PlaceReview& place = answer_->study.places[chosen_];
-    QString text =
-        tr("%1: %2.").arg(QString::fromStdString(place.name), QString::fromStdString(place.reason));
+    QString text = tr("%1: %2.").arg(QString::fromStdString(place.name),
+                                     QString::fromStdString(describeReason(place, units_)));
     if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
 }

@@ -9,6 +9,7 @@
 
 #include "app/window/review/verdict_words.h"
 #include "core/review/review_columns.h"
+#include "core/review/verdict_text.h"
 
 namespace noonmark {
 
@@ -91,6 +92,7 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer, UnitS
     clear();
     setHeaderHidden(!answer);
     if (!answer) return setColumnCount(1);
+    units_ = units;
     columns_ = columnsIn(units, answer->question.rule.deliverables.columns);
     std::erase_if(columns_,
                   [](const RuleColumn& column) { return column.key == "place" || column.key == "day"; });
@@ -124,7 +126,7 @@ void VerdictTable::addPlace(std::size_t review) {
     QFont bold = font();
     bold.setBold(true);
     item->setFont(verdictColumn, bold);
-    for (int i = 0; i < columnCount(); ++i) item->setToolTip(i, textOf(place.reason));
+    for (int i = 0; i < columnCount(); ++i) item->setToolTip(i, textOf(describeReason(place, units_)));
     item->setData(0, reviewRole, qulonglong(review));
     if (place.rows.size() == 1) {  // one day stands in the place's own row
         for (std::size_t i = 0; i < columns_.size(); ++i)

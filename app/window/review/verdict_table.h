@@ -36,6 +36,7 @@ private:
     void choose(const QTreeWidgetItem* item);
 
     std::shared_ptr<const ReviewAnswer> answer_;
+    UnitSystem units_ = UnitSystem::metric;
     std::vector<RuleColumn> columns_;  ///< of the rule in the units shown, without place and day
 };
 

@@ -94,7 +94,7 @@ void BookView::listChapters() {
     for (std::size_t i = 0; i < book_->pages.size(); ++i) {
         const BookPage& page = book_->pages[i];
         if (!page.bookmark.isEmpty())
-            chapters_->addItem(QString(2 * page.level, QLatin1Char(' ')) + page.bookmark, int(i));
+            chapters_->addItem(QString(qsizetype{2} * page.level, QLatin1Char(' ')) + page.bookmark, int(i));
     }
 }
 

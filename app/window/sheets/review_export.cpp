@@ -14,7 +14,7 @@ Result<std::shared_ptr<const ReviewStudy>> computeWithTimelines(const ReviewExpo
                                                                 const std::stop_token& stop) {
     const ReviewQuestion& asked = review.answer->question;
     ReviewSettings settings = asked.settings;
-    settings.timelines = true;
+    settings.timelines = settings.contributions = true;
     auto study = runReview(asked.rule, *asked.before, *asked.after, asked.places, settings, AutoEngine(),
                            progress, stop);
     if (!study) return tl::make_unexpected(study.error());

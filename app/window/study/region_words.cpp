@@ -1,15 +1,13 @@
 #include "app/window/study/region_words.h"
 
-#include <QLocale>
 #include <QObject>
+
+#include "app/window/widgets/number_words.h"
+#include "core/base/display_units.h"
 
 namespace noonmark {
 
-QString describeArea(double areaM2) {
-    const QLocale english(QLocale::English);
-    if (areaM2 < 1e5) return english.toString(areaM2, 'f', 0) + QStringLiteral(" m²");
-    return english.toString(areaM2 * 1e-4, 'f', 1) + QStringLiteral(" ha");
-}
+QString describeArea(double areaM2) { return QString::fromStdString(formatArea(areaM2, UnitSystem::metric)); }
 
 QString describeKind(PlaceKind kind) {
     switch (kind) {
@@ -58,7 +56,7 @@ QString describeRegion(const Region& region, double cellM) {
         .arg(name.at(0).toUpper() + name.mid(1))
         .arg(double(box.high.x - box.low.x), 0, 'f', 0)
         .arg(double(box.high.y - box.low.y), 0, 'f', 0)
-        .arg(describeArea(areaM2), QLocale(QLocale::English).toString(areaM2 / (cellM * cellM), 'f', 0));
+        .arg(describeArea(areaM2), groupDigits(areaM2 / (cellM * cellM)));
 }
 
 }  // namespace noonmark

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/display_units.h"
 #include "core/io/files/fold_text.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double feetM = 0.3048;
 constexpr double inchM = 0.0254;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -76,10 +76,10 @@ constexpr std::array unitNames{
     UnitName{"centimetres", 0.01},
     UnitName{"mm", 0.001},
     UnitName{"km", 1000},
-    UnitName{"ft", feetM},
-    UnitName{"foot", feetM},
-    UnitName{"feet", feetM},
-    UnitName{"'", feetM},
+    UnitName{"ft", metresPerFoot},
+    UnitName{"foot", metresPerFoot},
+    UnitName{"feet", metresPerFoot},
+    UnitName{"'", metresPerFoot},
     UnitName{"in", inchM},
     UnitName{"inch", inchM},
     UnitName{"inches", inchM},
@@ -114,7 +114,7 @@ std::optional<double> takeLength(Reader& reader, double bareUnitM) {
     const std::string_view unit = reader.takeUnit();
     const auto unitM = unit.empty() ? std::optional(bareUnitM) : metresOf(unit);
     if (!unitM) return std::nullopt;
-    const bool feet = !unit.empty() && *unitM == feetM;
+    const bool feet = !unit.empty() && *unitM == metresPerFoot;
     const auto inches = feet ? takeInches(reader) : std::optional(0.0);
     if (!inches) return std::nullopt;
     const double metres = *number * *unitM + *inches;
@@ -136,7 +136,7 @@ double metresPer(LengthUnit unit) {
         case LengthUnit::metres:
             return 1;
         case LengthUnit::feet:
-            return feetM;
+            return metresPerFoot;
         case LengthUnit::usSurveyFeet:
             return 1200.0 / 3937.0;
         case LengthUnit::centimetres:

@@ -74,17 +74,27 @@ DrawingTable fanTable(const ShadowDrawing& drawing) {
 }
 
 DrawingTable isochroneTable(const ShadowDrawing& drawing) {
-    DrawingTable table{"isochrones", true, {{"minutes", number}, {"closed", number}}, {}};
-    for (const Isochrone& line : drawing.isochrones)
-        table.rows.push_back({{}, {pointsToDraw(line)}, {line.level, line.closed ? 1.0 : 0.0}});
+    DrawingTable table{
+        "isochrones", true, {{"day", text}, {"minutes", number}, {"closed", number}, {"cell_m", number}}, {}};
+    for (const DrawnIsochrones& day : drawing.isochrones)
+        for (const Isochrone& line : day.lines)
+            table.rows.push_back(
+                {{}, {pointsToDraw(line)}, {day.day, line.level, line.closed ? 1.0 : 0.0, day.cellM}});
+    return table;
+}
+
+DrawingTable distanceTable(const ShadowDrawing& drawing) {
+    DrawingTable table{"distances", false, {{"distance_m", number}}, {}};
+    for (const DrawnDistance& distance : drawing.distances)
+        table.rows.push_back({distance.outlines, {}, {distance.metres}});
     return table;
 }
 
 }  // namespace
 
 std::vector<DrawingTable> makeDrawingTables(const ShadowDrawing& drawing) {
-    std::vector<DrawingTable> tables{shadowTable(drawing), buildingTable(drawing), placeTable(drawing),
-                                     fanTable(drawing), isochroneTable(drawing)};
+    std::vector<DrawingTable> tables{shadowTable(drawing), buildingTable(drawing),  placeTable(drawing),
+                                     fanTable(drawing),    isochroneTable(drawing), distanceTable(drawing)};
     std::erase_if(tables,
                   [](const DrawingTable& table) { return table.rows.empty() && table.name != "shadows"; });
     return tables;

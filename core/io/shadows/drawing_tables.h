@@ -35,7 +35,8 @@ struct DrawingTable {
 /// - buildings: id, name, state, height_m, bottom_m (above the ground); one row a part
 /// - places: name, kind, area_m2
 /// - fan: day, time, utc, azimuth_deg, altitude_deg, area_m2; one row a moment
-/// - isochrones: minutes, closed (1 or 0)
+/// - isochrones: day, minutes, closed (1 or 0), cell_m
+/// - distances: distance_m
 std::vector<DrawingTable> makeDrawingTables(const ShadowDrawing& drawing);
 
 /// The kinds of shadow of a moment, with their names: "baseline", "incremental", "gained".

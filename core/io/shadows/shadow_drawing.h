@@ -42,6 +42,19 @@ struct DrawnFan {
     std::vector<Footprint> all;
 };
 
+/// Lines of equal minutes in shadow on a day.
+struct DrawnIsochrones {
+    std::string day;   ///< "2026-12-21"
+    double cellM = 1;  ///< the lines are exact to a cell
+    std::vector<Isochrone> lines;
+};
+
+/// The line that runs around the places of a rule at a distance (Japan: 5 and 10 m from the parcel).
+struct DrawnDistance {
+    double metres = 0;
+    std::vector<Footprint> outlines;
+};
+
 enum class BuildingState {
     unchanged,
     proposed,  ///< of the scenario alone
@@ -65,7 +78,8 @@ struct ShadowDrawing {
     std::vector<DrawnPart> buildings;
     std::vector<Place> places;
     std::vector<DrawnFan> fans;
-    std::vector<Isochrone> isochrones;
+    std::vector<DrawnIsochrones> isochrones;
+    std::vector<DrawnDistance> distances;
     std::vector<std::string> notes;  ///< lines of text: scenarios, method, sources
 };
 

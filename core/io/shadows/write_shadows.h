@@ -23,11 +23,11 @@ Result<std::string> describePlane(const Frame& frame, DrawingPlane plane);
 // reports, and that there is no UTM zone.
 
 /// Layers, with names that every CAD program takes (LayerNames): `TIME_KIND` for each moment's shadows
-/// ("2026-03-21_0900_incremental"), `fan_TIME` and `fan_DAY` (the union), `isochrones_MINUTES`, `buildings`,
-/// `buildings_proposed`, `buildings_removed`, `places`, `place_names`, `area`, and `notes`, which states the
-/// plane, the area and the drawing's notes as text south of the area. Shadows are hatches with closed
-/// polylines around them, everything else closed polylines; units are metres. Backend:
-/// write_shadows_dxf_gdal.cpp.
+/// ("2026-03-21_0900_incremental"), `fan_TIME` and `fan_DAY` (the union), `isochrones_DAY_MINUTES`,
+/// `distance_Mm`, `buildings`, `buildings_proposed`, `buildings_removed`, `places`, `place_names`, `area`,
+/// and `notes`, which states the plane, the area and the drawing's notes as text south of the area. Shadows
+/// are hatches with closed polylines around them, everything else closed polylines; units are metres.
+/// Backend: write_shadows_dxf_gdal.cpp.
 Result<void> writeShadowsDxf(const std::filesystem::path& file, const ShadowDrawing& drawing,
                              DrawingPlane plane);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 
 #include "core/base/gdal_calls.h"
@@ -50,7 +51,7 @@ struct DxfStyle {
 };
 constexpr DxfStyle buildingStyle{"#505050", nullptr}, proposedStyle{"#c00000", nullptr},
     removedStyle{"#a0a0a0", nullptr}, placeStyle{"#2e7d32", nullptr}, fanStyle{"#6a1b9a", nullptr},
-    isochroneStyle{"#1565c0", nullptr}, areaStyle{"#a0a0a0", nullptr};
+    isochroneStyle{"#1565c0", nullptr}, distanceStyle{"#2e7d32", nullptr}, areaStyle{"#a0a0a0", nullptr};
 
 DxfStyle styleOfShadow(std::string_view kind) {
     if (kind == "incremental") return {"#c62828", "#ef9a9a"};
@@ -174,14 +175,17 @@ private:
     }
 
     void writeIsochrones() {
-        double level = 0;
-        std::string name;
-        for (const Isochrone& line : drawing_.isochrones) {
-            if (name.empty() || line.level != level)
-                name = names_.add(fmt::format("isochrones_{:g}", line.level));
-            level = line.level;
-            writer_.addLine(name, pointsToDraw(line), isochroneStyle);
+        for (const DrawnIsochrones& day : drawing_.isochrones) {
+            std::map<double, std::string> layers;  // by level
+            for (const Isochrone& line : day.lines) {
+                std::string& layer = layers[line.level];
+                if (layer.empty()) layer = names_.add(fmt::format("isochrones_{}_{:g}", day.day, line.level));
+                writer_.addLine(layer, pointsToDraw(line), isochroneStyle);
+            }
         }
+        for (const DrawnDistance& distance : drawing_.distances)
+            writer_.addPolygons(names_.add(fmt::format("distance_{:g}m", distance.metres)), distance.outlines,
+                                distanceStyle);
     }
 
     void writeArea(const std::string& plane) {

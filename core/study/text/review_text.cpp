@@ -8,6 +8,7 @@
 #include "core/review/review_columns.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_text.h"
+#include "core/review/verdict_text.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
@@ -121,10 +122,14 @@ Json placeJson(const PlaceReview& review) {
     for (const ReviewRow& row : review.rows) rows.push_back(rowJson(review, row));
     for (std::size_t i = 0; i < review.criteria.size(); ++i)
         criteria.push_back(criterionJson(review.criteria[i], review.results[i]));
-    return {
-        {"name", review.name},     {"kind", nameOf(review.kind)},        {"verdict", nameOf(review.verdict)},
-        {"reason", review.reason}, {"area_m2", round4(review.areaM2)},   {"rows", rows},
-        {"criteria", criteria},    {"totals", totalsJson(review.totals)}};
+    return {{"name", review.name},
+            {"kind", nameOf(review.kind)},
+            {"verdict", nameOf(review.verdict)},
+            {"reason", describeReason(review)},
+            {"area_m2", round4(review.areaM2)},
+            {"rows", rows},
+            {"criteria", criteria},
+            {"totals", totalsJson(review.totals)}};
 }
 
 /// The rule's own table: its titles, and the texts of each place and day.
@@ -139,6 +144,18 @@ Json tableJson(const ReviewStudy& study) {
             lines.push_back(line);
         }
     return {{"columns", titles}, {"rows", lines}};
+}
+
+Json contributionsJson(const ReviewStudy& study) {
+    Json all = Json::array();
+    for (const ReviewContribution& building : study.contributions) {
+        Json places = Json::array();
+        for (std::size_t i = 0; i < study.places.size(); ++i)
+            places.push_back(
+                {{"name", study.places[i].name}, {"incremental_m2h", round4(building.incrementalM2h[i])}});
+        all.push_back({{"id", building.id}, {"name", building.name}, {"places", places}});
+    }
+    return all;
 }
 
 Json figuresJson(const Rule& rule) {
@@ -168,6 +185,7 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
               {"readings", study.rule.readings},
               {"figures", figuresJson(study.rule)},
               {"table", tableJson(study)},
+              {"contributions", contributionsJson(study)},
               {"year", study.year},
               {"clock", study.clock},
               {"engine", study.engine},
@@ -198,7 +216,7 @@ std::string reviewCsv(const ReviewStudy& study, const ReviewLabels& labels) {
             for (const char* key :
                  {"intervals", "baseline_m2h", "scenario_m2h", "incremental_m2h", "gained_m2h"})
                 csv += fmt::format(",{}", columnText(review, row, key));
-            csv += fmt::format(",{}\r\n", csvField(review.reason));
+            csv += fmt::format(",{}\r\n", csvField(describeReason(review)));
         }
     return csv;
 }

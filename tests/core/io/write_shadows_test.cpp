@@ -54,8 +54,9 @@ ShadowDrawing smallDrawing() {
     drawing.fans.push_back({"2026-03-21",
                             {{timeNamed("2026-03-21_0900"), {{rectangle(0, 0, 10, 10), {}}}}},
                             {{rectangle(0, 0, 10, 10), {}}}});
-    drawing.isochrones.push_back({120, {{0, 0}, {30, 0}, {30, 40}}, true});
-    drawing.isochrones.push_back({60, {{0, 0}, {50, 0}}, false});
+    drawing.isochrones.push_back(
+        {"2026-03-21", 2, {{120, {{0, 0}, {30, 0}, {30, 40}}, true}, {60, {{0, 0}, {50, 0}}, false}}});
+    drawing.distances.push_back({5, {{rectangle(-5, -55, 25, -15), {}}}});
     drawing.notes = {"From Existing to Tower; 東京"};
     return drawing;
 }
@@ -113,12 +114,14 @@ TEST(WriteShadows, DxfHasClosedLinesTextsAndMetres) {
         texts += feature->GetFieldAsString("Text");
         if (wkbFlatten(feature->GetGeometryRef()->getGeometryType()) != wkbLineString) continue;
         lines.insert(layer);
-        EXPECT_EQ(feature->GetGeometryRef()->toLineString()->get_IsClosed() != 0, layer != "isochrones_60");
+        EXPECT_EQ(feature->GetGeometryRef()->toLineString()->get_IsClosed() != 0,
+                  layer != "isochrones_2026-03-21_60");
         if (layer == "buildings_proposed") feature->GetGeometryRef()->getEnvelope(&tower);
     }
     EXPECT_EQ(lines.count("2026-03-21_0900_baseline"), 3U);  // a ring, its hole, and another ring
-    for (const char* layer : {"buildings", "buildings_proposed", "places", "fan_2026-03-21_0900",
-                              "fan_2026-03-21", "isochrones_120", "isochrones_60", "area"})
+    for (const char* layer :
+         {"buildings", "buildings_proposed", "places", "fan_2026-03-21_0900", "fan_2026-03-21",
+          "isochrones_2026-03-21_120", "isochrones_2026-03-21_60", "distance_5m", "area"})
         EXPECT_EQ(lines.count(layer), 1U) << layer;
     EXPECT_THAT(texts, testing::HasSubstr("Sheep 公園 \"Ü\" \\P"));
     EXPECT_THAT(texts, testing::HasSubstr("+proj=tmerc +lat_0=40.75 +lon_0=-73.98 +k=1"));
@@ -164,7 +167,8 @@ TEST(WriteShadows, GeoPackageHasTheLayersWithTheirFields) {
     ASSERT_TRUE(package);
     std::vector<std::string> names;
     for (OGRLayer* layer : package->GetLayers()) names.emplace_back(layer->GetName());
-    EXPECT_THAT(names, testing::ElementsAre("shadows", "buildings", "places", "fan", "isochrones"));
+    EXPECT_THAT(names,
+                testing::ElementsAre("shadows", "buildings", "places", "fan", "isochrones", "distances"));
     OGRLayer& shadows = *package->GetLayerByName("shadows");
     EXPECT_EQ(shadows.GetFeatureCount(), 2);
     std::map<std::string, double> areas;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/review/review_columns.h"
+#include "core/review/verdict_text.h"
 #include "tests/core/review/paper_days.h"
 
 namespace noonmark {
@@ -50,7 +51,7 @@ TEST(PlaceReview, CombinesDaysAsTheRuleWants) {
     EXPECT_EQ(review.verdict, fail);
     EXPECT_EQ(review.results[0].day, on(2026, 3, 2));
     EXPECT_EQ(review.results[0].failingDays, 1);
-    EXPECT_THAT(review.reason, testing::HasSubstr("1 h 40 min on 2026-03-02, wanted <= 1 h"));
+    EXPECT_THAT(describeReason(review), testing::HasSubstr("1 h 40 min on 2026-03-02, wanted <= 1 h"));
     criterion.combination = DayCombination::chosen;
     review = daysOf(ruleWith(criterion), days);
     EXPECT_EQ(review.verdict, pass);

@@ -81,6 +81,40 @@ TEST(ReviewStudy, EnginesAgreeToTheStep) {
     }
 }
 
+TEST(ReviewStudy, ContributionsAreSole) {
+    // Two towers 400 m apart: their shadows meet on no part of the park, so that the contributions are all of
+    // the incremental shadow. Of two equal towers at the same place each leaves nothing to the other.
+    const City before = cityAt({-73.98, 40.75}, {{{-60, -40, 0}, {-30, -20, 25}}});
+    const auto with = [&](const Box3& one, const Box3& two) {
+        City after = before;
+        after.buildings.push_back(tests::buildingOf(one));
+        after.buildings.push_back(tests::buildingOf(two));
+        Quiet quiet;
+        ReviewSettings settings{2, "America/New_York", 2026};
+        settings.contributions = true;
+        return runReview(shippedRule("ceqr"), before, after,
+                         {placeOf("A", -50, 0, 50, 60), placeOf("B", 380, 0, 480, 60)}, settings,
+                         AutoEngine(), quiet, {})
+            .value();
+    };
+    const Box3 near{{10, -40, 0}, {30, -20, 30}}, far{{410, -40, 0}, {430, -20, 30}};
+    const ReviewStudy apart = with(near, far), same = with(near, near);
+    ASSERT_EQ(apart.contributions.size(), 2);
+    for (std::size_t place = 0; place < 2; ++place) {
+        const double all = apart.places[place].totals.incrementalM2h;
+        EXPECT_GT(all, 100);
+        EXPECT_DOUBLE_EQ(apart.contributions[place].incrementalM2h[place], all);
+        EXPECT_EQ(apart.contributions[1 - place].incrementalM2h[place], 0);
+    }
+    ASSERT_EQ(same.contributions.size(), 2);
+    EXPECT_GT(same.places[0].totals.incrementalM2h, 100);
+    EXPECT_EQ(same.contributions[0].incrementalM2h[0], 0);
+    EXPECT_EQ(same.contributions[1].incrementalM2h[0], 0);
+    EXPECT_TRUE(reviewed(shippedRule("ceqr"), before, before, {placeOf("A", -50, 0, 50, 60)},
+                         "America/New_York")
+                    .contributions.empty());
+}
+
 TEST(ReviewStudy, OnlyTheProposalCastsWhereTheRuleSaysSo) {
     const City before = cityAt({139.7, 35.7}, {{{-60, -40, 0}, {-30, -20, 25}}});
     City after = before;

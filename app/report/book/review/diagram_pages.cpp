@@ -6,12 +6,12 @@
 #include "app/report/book/sun_view.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/shadow_fan.h"
+#include "core/review/rule_moments.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostIsochroneDays = 4;
 constexpr double mostFanScale = 10000;
 constexpr double pictureDpi = 200;
 constexpr double mostPicturePixels = 2200;  // a picture for large paper need not be finer
@@ -198,9 +198,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
 
 Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progress& progress,
                                                  const std::stop_token& stop) {
-    const auto& diagrams = scene.source.study.rule.deliverables.diagrams;
-    if (!diagrams || std::ranges::find(diagrams->views, "isochrones") == diagrams->views.end())
-        return std::vector<BookPage>{};
+    if (!hasIsochrones(scene.source.study.rule)) return std::vector<BookPage>{};
     const PageSetup& setup = scene.settings.setup;
     const auto areas = diagramAreas(setup, 1, 1);
     const QString title = QStringLiteral("Lines of equal hours of shadow");

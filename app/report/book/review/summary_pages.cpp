@@ -5,6 +5,7 @@
 #include "app/report/sheets/study_words.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_text.h"
+#include "core/review/verdict_text.h"
 #include "core/study/text/height_words.h"
 
 namespace noonmark {
@@ -51,7 +52,8 @@ PageTable verdictTable(const ReviewScene& scene, double points) {
         const PlaceReview& place = *of;
         table.rows.push_back({plainText(place.name), plainText(nameOf(place.kind)),
                               QString::fromStdString(formatArea(place.areaM2, scene.settings.units)),
-                              plainText(nameOf(place.verdict)), plainText(place.reason)});
+                              plainText(nameOf(place.verdict)),
+                              plainText(describeReason(place, scene.settings.units))});
         table.marks.push_back(colourOf(place.verdict));
     }
     return table;

@@ -9,6 +9,7 @@
 #include "core/review/review_columns.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_text.h"
+#include "core/review/verdict_text.h"
 
 namespace noonmark {
 
@@ -48,16 +49,6 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
         std::move(table)};
 }
 
-QString limitText(const Criterion& criterion) {
-    QStringList texts;
-    for (const Limit& limit : criterion.limits) {
-        const QString value = limit.ofFormer ? describeAmount(limit.value, 3) + QStringLiteral(" × former")
-                                             : plainText(formatMeasured(criterion.measure, limit.value));
-        texts << plainText(ruleNameOf(comparisonNames(), limit.comparison)) + u' ' + value;
-    }
-    return texts.isEmpty() ? QStringLiteral("none") : texts.join(QStringLiteral(" or "));
-}
-
 /// The numbers behind the verdicts.
 std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
     PageTable table{{QStringLiteral("Place"), QStringLiteral("Criterion"), QStringLiteral("Measured"),
@@ -68,17 +59,20 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
                     {},
                     tablePt * textScale(scene.settings.setup)};
     const QString none = QStringLiteral("-");
+    const UnitSystem units = scene.settings.units;
     for (const PlaceReview& review : scene.source.study.places)
         for (std::size_t i = 0; i < review.criteria.size() && i < review.results.size(); ++i) {
             const Criterion& criterion = review.criteria[i];
             const CriterionResult& result = review.results[i];
             const auto measured = [&](const std::optional<Measured>& value) {
-                return value ? plainText(formatMeasured(criterion.measure, value->value)) : none;
+                return value ? plainText(formatMeasured(criterion.measure, value->value, units)) : none;
             };
             table.rows.push_back({plainText(review.name),
                                   plainText(criterion.name) +
                                       (criterion.advisory ? QStringLiteral(" (does not decide)") : QString()),
-                                  measured(result.value), measured(result.former), limitText(criterion),
+                                  measured(result.value), measured(result.former),
+                                  criterion.limits.empty() ? QStringLiteral("none")
+                                                           : plainText(describeLimits(criterion, units)),
                                   result.day ? dayText(*result.day) : none,
                                   plainText(nameOf(result.verdict))});
         }
@@ -121,6 +115,35 @@ std::optional<NamedTable> sumTable(const ReviewScene& scene) {
     return NamedTable{QStringLiteral("Sums"),
                       QStringLiteral("Over the days of the rule; shares of the theoretical sun"),
                       std::move(table)};
+}
+
+/// Which new building takes how much sun from which place; places that none reaches are left out.
+std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    PageTable table{
+        {QStringLiteral("New building"), QStringLiteral("Place"), QStringLiteral("Shadow"),
+         QStringLiteral("share of the theoretical sun"), QStringLiteral("of the proposal's shadow")},
+        {},
+        {},
+        {},
+        tablePt * textScale(scene.settings.setup)};
+    for (const ReviewContribution& building : study.contributions)
+        for (std::size_t i = 0; i < study.places.size(); ++i) {
+            const double m2h = building.incrementalM2h[i];
+            const ReviewTotals& sum = study.places[i].totals;
+            if (m2h <= 0) continue;
+            table.rows.push_back({plainText(building.name.empty() ? building.id : building.name),
+                                  plainText(study.places[i].name), areaHours(scene, m2h), shareText(sum, m2h),
+                                  sum.incrementalM2h > 0 ? describeAmount(100 * m2h / sum.incrementalM2h, 1) +
+                                                               QStringLiteral(" %")
+                                                         : QStringLiteral("-")});
+        }
+    if (table.rows.empty()) return std::nullopt;
+    return NamedTable{
+        QStringLiteral("Sole contributions of the new buildings"),
+        QStringLiteral("What each casts where all others of the proposal leave the sun, over the "
+                       "days of the rule; shadow that two of them share is in neither row"),
+        std::move(table)};
 }
 
 TextBlocks methodOf(const ReviewScene& scene) {
@@ -183,7 +206,7 @@ TextBlocks sourcesOf(const ReviewScene& scene) {
 
 std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
     std::vector<NamedTable> tables;
-    for (auto& table : {sumTable(scene), criteriaTable(scene), ruleTable(scene)})
+    for (auto& table : {sumTable(scene), contributionTable(scene), criteriaTable(scene), ruleTable(scene)})
         if (table) tables.push_back(table.value());
     if (tables.empty()) return {};
     return makeTablePages(scene.settings.setup, chapter(QStringLiteral("Tables"), {}), std::move(tables));

@@ -1,0 +1,148 @@
+#include "core/study/prepare_review.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/measures/place_run.h"
+#include "core/receivers/line_belts.h"
+#include "core/receivers/plane_receivers.h"
+
+namespace noonmark {
+
+namespace {
+
+double highestM(const City& city) {
+    double highest = 0;
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts) highest = std::max(highest, double(part.topM));
+    return highest;
+}
+
+/// The least limit of the rule's criteria beyond the outer line, minutes.
+double leastLimitBeyond(const Rule& rule) {
+    double least = 1440;
+    for (const Criterion& criterion : rule.criteria)
+        for (const Limit& limit : criterion.limits)
+            if (criterion.belt == LineBelt::beyondLines && !limit.ofFormer)
+                least = std::min(least, limit.value);
+    return least;
+}
+
+/// How far from the parcel a point can be in shadow for longer than the limit. Such a point is in shadow at
+/// one of the steps that are left when as many of the lowest suns as the limit has are taken away.
+double reachOfLimitM(const Rule& rule, const SunSteps& sun, double heightM) {
+    std::vector<float> altitudes;
+    for (const SunStep& step : sun.steps) altitudes.push_back(step.altitudeDeg);
+    std::ranges::sort(altitudes);
+    const auto skipped = std::size_t(leastLimitBeyond(rule) / sun.stepMinutes);
+    if (skipped >= altitudes.size()) return 0;
+    const double tangent = std::tan(Degrees{altitudes[skipped]}.radians().value);
+    constexpr double farthestM = 2000;
+    return std::min(farthestM, std::max(0.0, heightM - rule.receivers.planeM) / tangent);
+}
+
+Result<RulePlaces> placesToMeasure(const Rule& rule, const std::vector<Place>& places, const City& scenario,
+                                   const SunSteps& sun) {
+    if (!rule.receivers.hasLines()) return RulePlaces{places, std::vector(places.size(), LineBelt::none)};
+    const auto& [inner, outer] = std::pair{rule.receivers.innerLineM, rule.receivers.outerLineM};
+    const double reach = std::max(outer + 10, reachOfLimitM(rule, sun, highestM(scenario)));
+    RulePlaces measured;
+    for (const Place& place : places)
+        for (const LineBelt belt : {LineBelt::betweenLines, LineBelt::beyondLines}) {
+            const bool between = belt == LineBelt::betweenLines;
+            auto polygons = cutBelt(place.polygons, between ? inner : outer, between ? outer : reach);
+            if (!polygons) return tl::make_unexpected(polygons.error());
+            const std::string name = between ? fmt::format("{}, {:g} to {:g} m", place.name, inner, outer)
+                                             : fmt::format("{}, beyond {:g} m", place.name, outer);
+            measured.places.push_back({name, place.kind, *std::move(polygons), place.source});
+            measured.belts.push_back(belt);
+        }
+    return measured;
+}
+
+/// The part of a building above a plane, as seen from that plane; none where all of it is below.
+std::shared_ptr<const Building> lowered(const Building& building, float byM) {
+    Building above = building;
+    std::erase_if(above.parts, [&](const Part& part) { return part.topM <= byM; });
+    for (Part& part : above.parts) {
+        part.topM -= byM;
+        part.bottomM = std::max(0.0F, part.bottomM - byM);
+        part.isOverhanging = part.isOverhanging && part.bottomM > 0;
+    }
+    return above.parts.empty() ? nullptr : std::make_shared<const Building>(std::move(above));
+}
+
+/// The city above a plane, so that the plane becomes level ground, which the exact engines take. Nothing
+/// where there is terrain or a mesh: then the receivers are raised instead.
+std::optional<City> loweredCity(const City& city, float byM) {
+    City above{city.frame, {}, nullptr};
+    for (const auto& building : city.buildings) {
+        if (std::ranges::any_of(building->parts, [](const Part& part) { return part.mesh != nullptr; }))
+            return std::nullopt;
+        if (auto part = lowered(*building, byM)) above.buildings.push_back(std::move(part));
+    }
+    return city.terrain ? std::nullopt : std::optional(std::move(above));
+}
+
+Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const std::vector<Place>& places,
+                                double cellM, const std::stop_token& stop) {
+    const bool plane = rule.receivers.surface == RuleSurface::plane;
+    const auto height = float(rule.receivers.planeM);
+    auto beforeAbove = plane ? loweredCity(before, height) : std::nullopt;
+    auto afterAbove = plane ? loweredCity(after, height) : std::nullopt;
+    const bool isLowered = beforeAbove && afterAbove;
+    if (isLowered) before = *std::move(beforeAbove), after = *std::move(afterAbove);
+    const std::array<const City*, 2> cities{&before, &after};
+    auto receivers = placeReceiversOnPlaces(cities, places, {.cellM = cellM}, stop);
+    if (!receivers) return tl::make_unexpected(receivers.error());
+    if (plane && !isLowered) raiseToPlane(receivers->receivers, rule.receivers.planeM);
+    return RuleScene{std::move(before), std::move(after), *std::move(receivers)};
+}
+
+}  // namespace
+
+City keepOwnBuildings(const City& city, const City& other) {
+    std::set<const Building*> shared;
+    std::multimap<std::string, const Building*> byId;
+    for (const auto& building : other.buildings) {
+        shared.insert(building.get());
+        byId.emplace(building->sourceId, building.get());
+    }
+    const auto isIn = [&](const std::shared_ptr<const Building>& building) {
+        if (shared.contains(building.get())) return true;
+        const auto [from, to] = byId.equal_range(building->sourceId);
+        return std::any_of(from, to, [&](const auto& same) { return *same.second == *building; });
+    };
+    City own = city;
+    std::erase_if(own.buildings, isIn);
+    return own;
+}
+
+Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, const City& scenario,
+                                     const std::vector<Place>& places, const ReviewSettings& settings,
+                                     const std::stop_token& stop) {
+    if (rule.receivers.surface == RuleSurface::windows)
+        return unsupported("The rule is about windows, which are not measured", rule.key,
+                           "Choose another rule");
+    const bool alone = rule.occluders.casters == RuleCasters::proposal;
+    City before = alone ? keepOwnBuildings(baseline, scenario) : baseline;
+    City after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
+    auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
+    if (!days) return tl::make_unexpected(days.error());
+    if (days->sun.steps.empty())
+        return failure("The sun is below the horizon in all hours of the rule", rule.key,
+                       "Check place and year");
+    auto measured = placesToMeasure(rule, places, after, days->sun);
+    if (!measured) return tl::make_unexpected(measured.error());
+    auto scene =
+        makeRuleScene(rule, std::move(before), std::move(after), measured->places, settings.cellM, stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    return PreparedReview{*std::move(days), *std::move(measured), *std::move(scene)};
+}
+
+}  // namespace noonmark
