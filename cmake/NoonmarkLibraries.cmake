@@ -21,6 +21,8 @@ pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
 pkg_check_modules(POPPLER REQUIRED IMPORTED_TARGET poppler-qt6)
 # Bookmarks, language and page labels of PDFs.
 pkg_check_modules(QPDF REQUIRED IMPORTED_TARGET libqpdf)
+# Writes movies as MP4 and GIF.
+pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCL REQUIRED)
 # Cities with their time zones; without it the window guesses a zone from the tz database's cities alone.

@@ -3,8 +3,9 @@
 // The folder core/city is the model of a city: City holds Buildings, Buildings hold Parts (building.h), and a
 // part is a prism over a footprint or a mesh. Footprints are polygons in plan (footprints/), meshes are
 // triangles (meshes/), the ground is in terrain/. settle_parts.h decides which raised parts are overhangs,
-// height_counts.h counts the sources of heights, and city_observer.h places the observer who sees the sun.
-// Readers of files are in core/io.
+// height_counts.h counts the sources of heights, map_context.h holds streets, parks and water, which are
+// drawn and not measured, and city_observer.h places the observer who sees the sun. Readers of files are in
+// core/io.
 
 #include <cstdint>
 #include <memory>
@@ -17,12 +18,15 @@
 
 namespace noonmark {
 
+struct MapContext;  // map_context.h
+
 /// An immutable city: cheap to copy; copies share what an edit did not change. A building is identified by
 /// its index.
 struct City {
     Frame frame;
     std::vector<std::shared_ptr<const Building>> buildings;  ///< none null
     std::shared_ptr<const Terrain> terrain;                  ///< null: the ground is flat at z = 0
+    std::shared_ptr<const MapContext> context;               ///< drawn on the ground; null: none is known
 };
 
 /// Every part of every building as triangles, each with the index of its building.

@@ -113,4 +113,8 @@ Box2 bounds(const Place& place) {
     return box;
 }
 
+bool hasOwnName(const Place& place) {
+    return !place.name.starts_with(std::string(nameOf(place.kind)) + " (" + place.source);
+}
+
 }  // namespace noonmark

@@ -27,4 +27,7 @@ Region regionOf(const Place& place);
 double area(const Place& place);
 Box2 bounds(const Place& place);
 
+/// Whether the data names the place; else its name was made from its kind and source ("park (OSM way 12)").
+bool hasOwnName(const Place& place);
+
 }  // namespace noonmark

@@ -53,20 +53,26 @@ GroundPicture noPicture() {
     return nothing;
 }
 
-// Puts a picture onto a material. `texture` is replaced by the new one; the old one is deleted.
-void lay(const GroundPicture& given, bool soFar, ShaderMaterial& material, Qt3DCore::QNode*& texture,
-         Qt3DCore::QNode* parent) {
+// Puts a picture onto a material, as the uniforms `name` and `name`Box. `texture` is replaced by the new one;
+// the old one is deleted.
+void layAs(const QString& name, const GroundPicture& given, ShaderMaterial& material,
+           Qt3DCore::QNode*& texture, Qt3DCore::QNode* parent) {
     const GroundPicture picture = fitPicture(given);
     const Grid& grid = picture.grid;
     Qt3DCore::QNode* const previous = texture;
     Qt3DRender::QAbstractTexture* made = makeTexture(picture, parent);
     texture = made;
-    material.set(QStringLiteral("picture"), QVariant::fromValue(made));
-    material.set(QStringLiteral("pictureBox"),
+    material.set(name, QVariant::fromValue(made));
+    material.set(name + QStringLiteral("Box"),
                  QVector4D(float(grid.westM), float(grid.southM), float(grid.eastM() - grid.westM),
                            float(grid.northM() - grid.southM)));
-    material.set(QStringLiteral("pictureSoFar"), soFar ? 1.0F : 0.0F);
     delete previous;
+}
+
+void lay(const GroundPicture& picture, bool soFar, ShaderMaterial& material, Qt3DCore::QNode*& texture,
+         Qt3DCore::QNode* parent) {
+    layAs(QStringLiteral("picture"), picture, material, texture, parent);
+    material.set(QStringLiteral("pictureSoFar"), soFar ? 1.0F : 0.0F);
 }
 
 }  // namespace
@@ -142,6 +148,7 @@ void CityView::makeMaterials() {
     ribbon_->bothSides();
     lay(noPicture(), false, *building_, roofTexture_, root_);
     clearPicture();
+    clearMap();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
     overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
@@ -212,6 +219,15 @@ void CityView::showPicture(const GroundPicture& picture, bool soFar) {
 
 void CityView::showRoofPicture(const GroundPicture& picture) {
     lay(picture, false, *building_, roofTexture_, root_);
+}
+
+void CityView::showMap(const GroundPicture& picture) {
+    layAs(QStringLiteral("map"), picture, *ground_, mapTexture_, root_);
+}
+
+void CityView::clearMap() {
+    showMap(noPicture());
+    ground_->set(QStringLiteral("mapBox"), QVector4D());
 }
 
 void CityView::clearPicture() { showPicture(noPicture()); }

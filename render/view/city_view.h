@@ -55,6 +55,9 @@ public:
     /// remove it.
     void showRoofPicture(const GroundPicture& picture);
     void clearPicture();
+    /// Shows a map on the ground, below the other pictures; it stays until the next one or clearMap().
+    void showMap(const GroundPicture& picture);
+    void clearMap();
     /// Pictures on ground, roofs and facades; they cover the picture on the ground.
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
@@ -105,6 +108,7 @@ private:
     ShaderMaterial* ribbon_ = nullptr;
     Qt3DCore::QNode* texture_ = nullptr;
     Qt3DCore::QNode* roofTexture_ = nullptr;
+    Qt3DCore::QNode* mapTexture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;

@@ -6,15 +6,25 @@ in vec3 eyeSpace;
 out vec4 colour;
 uniform mat4 inverseViewMatrix;
 uniform vec3 groundColour;
+uniform sampler2D map;  // streets, parks and water, or an aerial picture: premultiplied colour
+uniform vec4 mapBox;    // west, south, width, height in metres; width 0: no map
 uniform vec3 haze;
 uniform float hazeDistance;
 #pragma include explored.inc
 #pragma include pictured.inc
 
+vec3 mappedGround() {
+    if (mapBox.z <= 0.0) return groundColour;
+    vec2 within = (place.xy - mapBox.xy) / mapBox.zw;
+    if (any(lessThan(within, vec2(0.0))) || any(greaterThan(within, vec2(1.0)))) return groundColour;
+    vec4 drawn = texture(map, within);
+    return drawn.rgb + groundColour * (1.0 - drawn.a);
+}
+
 void main() {
     vec3 normal = mat3(inverseViewMatrix) * normalize(cross(dFdx(eyeSpace), dFdy(eyeSpace)));
     float light = 0.72 + 0.28 * clamp(dot(normal, normalize(vec3(-0.55, -0.70, 0.62))) / 0.57, 0.0, 1.3);
-    vec3 ground = mix(groundColour * light, haze, smoothstep(0.35, 1.0, length(eyeSpace) / hazeDistance));
+    vec3 ground = mix(mappedGround() * light, haze, smoothstep(0.35, 1.0, length(eyeSpace) / hazeDistance));
     vec4 field = pictured(place);
     vec4 seen = explored(place, normal);
     vec3 shown = field.rgb + ground * (1.0 - field.a);

@@ -13,5 +13,6 @@ std::shared_ptr<const City> readCityTables(Database& database);
 std::shared_ptr<const CityReading> readReading(Database& database);
 std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database);
 SheetSettings readSheetSettings(Database& database);
+std::shared_ptr<const MapContext> readContext(Database& database);  ///< null where there is none
 
 }  // namespace noonmark

@@ -17,6 +17,7 @@ void writeScenarios(Database& database, const std::vector<Scenario>& before,
                     const std::vector<Scenario>& after);
 void writeResult(Database& database, const SavedResult& result);
 void removeResult(Database& database, const std::string& name);
+void writeContext(Database& database, const MapContext* context);  ///< null: removes it
 void writeSheetSettings(Database& database, const SheetSettings& settings);
 
 /// Inserts or updates a row of the table `noonmark`.

@@ -45,11 +45,19 @@ protected:
     TemporaryFolder folder_;
 };
 
+// Version 3 stored no map context.
+Project asVersion3Holds(Project project) {
+    City city = *project.city;
+    city.context = nullptr;
+    project.city = std::make_shared<const City>(std::move(city));
+    return project;
+}
+
 // Version 2 stored no places and no title block.
 Project asVersion2Holds(Project project) {
     project.places.clear();
     project.sheets = {};
-    return project;
+    return asVersion3Holds(std::move(project));
 }
 
 // The part of a project that version 1 stored: no warnings of reading and no terrain source.
@@ -193,7 +201,28 @@ TEST_F(ProjectFileTest, AFileOfVersion2IsOpenedAndSaved) {
 
 TEST_F(ProjectFileTest, AFileOfVersion3IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-3.noonmark.gpkg"), file());
+    expectSame(opened(), asVersion3Holds(sampleProject()));
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion4IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-4.noonmark.gpkg"), file());
     expectSame(opened(), sampleProject());
+}
+
+TEST_F(ProjectFileTest, ContextThatIsNoShapeIsDamage) {
+    made();
+    Database(file(), Database::Access::write)
+        .execute("UPDATE context SET geom = x'0102' WHERE kind = 'street'");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("context"));
+}
+
+TEST_F(ProjectFileTest, ContextOfAKindFromALaterVersionIsIgnored) {
+    made();
+    Database(file(), Database::Access::write)
+        .execute("UPDATE context SET kind = 'airport' WHERE kind = 'tree'");
+    const Project project = opened();
+    EXPECT_TRUE(project.city->context->trees.empty());
+    EXPECT_EQ(project.city->context->lines.size(), 2U);
 }
 
 TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {

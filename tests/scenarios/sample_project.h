@@ -3,6 +3,7 @@
 #include <chrono>
 #include <limits>
 
+#include "core/city/map_context.h"
 #include "scenarios/project/project.h"
 #include "tests/scenarios/small_town.h"
 
@@ -38,6 +39,12 @@ inline Project sampleProject() {
     court.name = "Cour d'Été";
     city.buildings.push_back(shared(court));
     city.terrain = slope();
+    city.context = std::make_shared<const MapContext>(MapContext{
+        {{ContextKind::park, "Cour d'Été", {{{{0.1F, 0}, {9.7F, 0}, {4, 8}}, {}}, court.parts[0].footprint}}},
+        {{ContextKind::street, "Main", 7.5F, {{0.3F, 1}, {2, 3}, {-4, 5.1F}}},
+         {ContextKind::path, "", 2, {{0, 1}, {2, 3}}}},
+        {{1, 2}, {3.3F, 4}},
+        "(c) map"});
     Project project;
     project.city = std::make_shared<const City>(city);
     project.attribution = "(c) OpenStreetMap contributors, ODbL";
@@ -91,6 +98,7 @@ inline Project sampleProject() {
 inline bool sameCity(const City& a, const City& b) {
     if (a.frame != b.frame || a.buildings.size() != b.buildings.size()) return false;
     if (bool(a.terrain) != bool(b.terrain) || (a.terrain && *a.terrain != *b.terrain)) return false;
+    if (bool(a.context) != bool(b.context) || (a.context && *a.context != *b.context)) return false;
     for (std::size_t i = 0; i < a.buildings.size(); ++i) {
         Building x = *a.buildings[i], y = *b.buildings[i];
         if (x.parts.size() != y.parts.size()) return false;

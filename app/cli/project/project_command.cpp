@@ -22,11 +22,13 @@ void addProjectCommand(CLI::App& app, Run& run) {
     addProjectRegion(*project, run);
     addProjectPlace(*project, run);
     addProjectPeriod(*project, run);
+    addProjectContext(*project, run);
     addProjectWeights(*project, run);
     addProjectSheets(*project, run);
     addProjectResult(*project, run);
     addProjectExport(*project, run);
     addProjectShadows(*project, run);
+    addProjectAnimate(*project, run);
     project->footer(
         "A first project:\n"
         "  noonmark-cli project new park.noonmark.gpkg sample:central-park-south\n"

@@ -23,11 +23,13 @@ void addProjectVariant(CLI::App& project, Run& run);
 void addProjectLot(CLI::App& project, Run& run);
 void addProjectRegion(CLI::App& project, Run& run);
 void addProjectPlace(CLI::App& project, Run& run);
+void addProjectContext(CLI::App& project, Run& run);
 void addProjectWeights(CLI::App& project, Run& run);
 void addProjectPeriod(CLI::App& project, Run& run);
 void addProjectSheets(CLI::App& project, Run& run);
 void addProjectResult(CLI::App& project, Run& run);
 void addProjectExport(CLI::App& project, Run& run);
+void addProjectAnimate(CLI::App& project, Run& run);
 void addProjectShadows(CLI::App& project, Run& run);
 
 }  // namespace noonmark::cli

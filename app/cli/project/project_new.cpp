@@ -8,6 +8,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
+#include "app/input/load_context.h"
 #include "app/input/load_places.h"
 #include "app/input/output_rules.h"
 #include "app/input/project_of.h"
@@ -24,6 +25,7 @@ struct NewOptions {
     std::vector<std::string> regions;  // NAME=W,S,E,N or NAME=FILE
     std::vector<std::string> lots;
     bool noPlaces = false;
+    bool noContext = false;
     bool streets = false;
     bool overwrite = false;
 };
@@ -76,6 +78,14 @@ Result<PlacesRead> placesOf(const NewOptions& options, const Frame& frame, const
                           interrupt.token());
 }
 
+/// What OpenStreetMap's files draw on the ground.
+Result<ContextRead> contextOf(const NewOptions& options, const Frame& frame, const Console& console) {
+    if (options.noContext) return ContextRead{};
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return loadCityContext(options.read.files, frame, progress, interrupt.token());
+}
+
 // Protects the city's files and those of the places: "Park=park.geojson".
 OutputRules rulesOf(const NewOptions& options) {
     OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
@@ -94,6 +104,11 @@ int runNew(const NewOptions& options, const Console& console) {
     auto places = placesOf(options, project->city->frame, console);
     if (!places) return fail(console, places.error(), exitUsage);
     project->places = std::move(places->places);
+    auto context = contextOf(options, project->city->frame, console);
+    if (!context) return fail(console, context.error(), exitUsage);
+    City city = *project->city;
+    city.context = joinContext(nullptr, std::move(context->context));
+    project->city = std::make_shared<const City>(std::move(city));
     const auto made =
         ProjectFile::create(options.file, *project,
                             options.overwrite ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
@@ -104,6 +119,7 @@ int runNew(const NewOptions& options, const Console& console) {
                                project->lots.size());
     printWarnings(console.out, loaded->read.warnings);
     printWarnings(console.out, places->warnings);
+    printWarnings(console.out, context->warnings);
     return exitOk;
 }
 
@@ -122,6 +138,8 @@ void addProjectNew(CLI::App& project, Run& run) {
         ->type_name("NAME=W,S,E,N|FILE");
     CLI::Option* without =
         command->add_flag("--no-places", options->noPlaces, "Do not read the places of OpenStreetMap files");
+    command->add_flag("--no-context", options->noContext,
+                      "Do not read the streets, parks and water that are drawn on the ground");
     command->add_flag("--streets", options->streets, "Read streets as places too")->excludes(without);
     command->add_flag(
         "--overwrite,--replace", options->overwrite,

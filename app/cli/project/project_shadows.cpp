@@ -11,8 +11,8 @@
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/project/change_project.h"
+#include "app/cli/project/drawn_times.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/project/project_question.h"
 #include "app/cli/table.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/shadow_files.h"
@@ -20,7 +20,6 @@
 #include "core/measures/place_run.h"
 #include "core/study/shadow_drawings.h"
 #include "core/study/text/warnings_json.h"
-#include "core/sun/window_steps.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -30,10 +29,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ShadowOptions {
-    std::string file, from, to, zone, region, out;
-    std::vector<std::string> days, times, places;
+    std::string file, from, to, out;
+    DrawnTimeOptions when;
+    DrawnAreaOptions where;
     std::vector<double> isochroneHours;
-    int everyMin = 0;
     ShadowFileSettings files;
     DrawingSettings drawing;
     bool overwrite = false;
@@ -47,97 +46,6 @@ const std::map<std::string, ShadowFormat> formatNames{{"dxf", ShadowFormat::dxf}
 const std::map<std::string, DrawingPlane> planeNames{{"local", DrawingPlane::local},
                                                      {"utm", DrawingPlane::utm}};
 
-/// Minutes since midnight, in order.
-Result<std::vector<std::chrono::minutes>> timesOfDay(const ShadowOptions& options) {
-    std::vector<std::chrono::minutes> times;
-    for (const std::string& text : options.times) {
-        const auto time = parseTimeOfDay(text);
-        if (!time) return tl::make_unexpected(time.error());
-        times.push_back(*time);
-    }
-    for (int minute = 0; options.everyMin > 0 && minute < 24 * 60; minute += options.everyMin)
-        times.emplace_back(minute);
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    if (times.empty())
-        return failure("The times are missing", "times", "Give --times 09:00,12:00 or --every 60");
-    return times;
-}
-
-struct NamedWindow {
-    DayWindow window;
-    std::string clock;  // "09:00"
-};
-
-Result<std::vector<NamedWindow>> windowsOf(const ShadowOptions& options, const Zone& zone) {
-    const auto times = timesOfDay(options);
-    if (!times) return tl::make_unexpected(times.error());
-    std::vector<NamedWindow> windows;
-    for (const std::string& text : options.days) {
-        const auto day = parseDate(text);
-        if (!day) return tl::make_unexpected(day.error());
-        for (const std::chrono::minutes time : *times)
-            windows.push_back({{*day, zone.instantAt(*day, time), 1}, formatText(time)});
-    }
-    std::ranges::stable_sort(windows, {}, [](const NamedWindow& named) { return named.window.from; });
-    return windows;
-}
-
-DrawnTime timeOf(const NamedWindow& named, const SunStep& sun, const Zone& zone) {
-    const std::string day = formatText(named.window.date);
-    std::string digits = named.clock;
-    std::erase(digits, ':');
-    return {day + "_" + digits, day, fmt::format("{} {} {}", day, named.clock, zone.name()), sun};
-}
-
-/// The times with the sun up. A time that was asked for by name and has no sun gives a warning.
-Result<std::vector<DrawnTime>> drawnTimes(const ShadowOptions& options, const City& city,
-                                          Warnings& warnings) {
-    const auto zone = Zone::named(options.zone);
-    if (!zone) return tl::make_unexpected(zone.error());
-    const auto named = windowsOf(options, *zone);
-    if (!named) return tl::make_unexpected(named.error());
-    std::vector<DayWindow> windows;
-    for (const NamedWindow& one : *named) windows.push_back(one.window);
-    const auto sun = computeSunSteps(windows, {.stepMinutes = 1}, observerOfPlaces(city));
-    if (!sun) return tl::make_unexpected(sun.error());
-    std::vector<DrawnTime> times;
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-        if (sun->days[i].count > 0)
-            times.push_back(timeOf((*named)[i], sun->steps[sun->days[i].first], *zone));
-        else if (options.everyMin == 0)
-            warnings.push_back({WarningKind::leftOut, "a time with the sun below the horizon",
-                                formatText(windows[i].date) + " " + (*named)[i].clock});
-    }
-    if (!times.empty()) return times;
-    return failure("The sun is below the horizon at all times", "times", "Choose other times or days");
-}
-
-Result<Box2> boxOfPlaces(const std::vector<std::string>& names, const Project& project) {
-    Box2 box;
-    for (const std::string& name : names) {
-        const auto place = findPlace(project, name);
-        if (!place) return tl::make_unexpected(place.error());
-        for (const Footprint& polygon : place->polygons) box.add(bounds(polygon));
-    }
-    return box;
-}
-
-Result<DrawingSettings> drawingSettings(const ShadowOptions& options, const Project& project,
-                                        const City& city) {
-    DrawingSettings settings = options.drawing;
-    if (!options.region.empty()) {
-        const auto region = regionIn(project, city, options.region);
-        if (!region) return tl::make_unexpected(region.error());
-        settings.area = bounds(*region);
-    } else if (!options.places.empty()) {
-        const auto box = boxOfPlaces(options.places, project);
-        if (!box) return tl::make_unexpected(box.error());
-        settings.area = *box;
-    }
-    return settings;
-}
-
 struct ShadowAnswer {
     ShadowDrawing drawing;
     Warnings warnings;
@@ -149,7 +57,7 @@ Result<void> addIsochrones(const ShadowOptions& options, const City& city, Shado
     IsochroneSettings settings{drawing.area, {}, {}};
     for (const double hours : options.isochroneHours) settings.levelsMin.push_back(hours * 60);
     std::ranges::sort(settings.levelsMin);
-    for (const std::string& day : options.days) {
+    for (const std::string& day : options.when.days) {
         const auto start = parseDate(day);
         if (!start) return tl::make_unexpected(start.error());
         Period period;
@@ -157,7 +65,7 @@ Result<void> addIsochrones(const ShadowOptions& options, const City& city, Shado
         period.days = 1;
         period.from = std::chrono::minutes(0);
         period.hours = 24;
-        period.zone = options.zone;
+        period.zone = options.when.zone;
         const auto sun = computeDaylightSteps(period, observerOfPlaces(city), stop);
         if (!sun) return tl::make_unexpected(sun.error());
         auto lines = traceDayIsochrones(city, *sun, settings, progress, stop);
@@ -177,16 +85,18 @@ Result<ShadowAnswer> computeDrawing(const ShadowOptions& options, const ProjectF
     const auto after = cityOf(project, options.to.empty() ? options.from : options.to);
     if (!after) return tl::make_unexpected(after.error());
     ShadowAnswer answer;
-    const auto times = drawnTimes(options, before->city, answer.warnings);
+    const auto times = listDrawnTimes(options.when, before->city, answer.warnings);
     if (!times) return tl::make_unexpected(times.error());
-    const auto settings = drawingSettings(options, project, before->city);
-    if (!settings) return tl::make_unexpected(settings.error());
+    const auto area = findDrawnArea(options.where, project, before->city);
+    if (!area) return tl::make_unexpected(area.error());
+    DrawingSettings settings = options.drawing;
+    settings.area = *area;
     if (const auto may = checkOutputs(options.out, shadowFileNames(*times, options.files), outputs); !may)
         return tl::make_unexpected(may.error());
     const Interrupt interrupt;
     ProgressLine progress(console);
     auto drawing = drawShadows(before->city, options.to.empty() ? nullptr : &after->city, project.places,
-                               *times, *settings, progress, interrupt.token());
+                               *times, settings, progress, interrupt.token());
     if (!drawing) return tl::make_unexpected(drawing.error());
     answer.drawing = *std::move(drawing);
     if (!options.isochroneHours.empty()) {
@@ -261,32 +171,14 @@ void addQuestion(CLI::App& command, ShadowOptions& options) {
         ->type_name("NAME");
     command.add_option("--to", options.to, "The scenario to draw (default: the baseline alone)")
         ->type_name("NAME");
-    command.add_option("--day", options.days, "A day; may be repeated")
-        ->required()
-        ->delimiter(',')
-        ->type_name("YYYY-MM-DD");
-    CLI::Option* times =
-        command.add_option("--times", options.times, "Times of day")->delimiter(',')->type_name("HH:MM,...");
-    command.add_option("--every", options.everyMin, "Every so many minutes while the sun is up")
-        ->check(within(1, 720))
-        ->excludes(times)
-        ->type_name("MIN");
+    addDrawnTimeOptions(command, options.when)->required();
     command
         .add_option("--isochrones", options.isochroneHours,
                     "Add lines of so many hours of shadow, from sunrise to sunset of each day")
         ->delimiter(',')
         ->check(within(0.1, 24))
         ->type_name("HOURS,...");
-    command.add_option("--zone", options.zone, "Time zone of the times")->required()->type_name("ZONE");
-    CLI::Option* region = command.add_option(
-        "--region", options.region,
-        "Draw the box around this region or place, a box in degrees, a polygon or a file (default: as far as "
-        "the shadows of what changes reach)");
-    region->type_name("REGION");
-    command.add_option("--place", options.places, "Draw the box around this place; may be repeated")
-        ->allow_extra_args(false)
-        ->excludes(region)
-        ->type_name("NAME");
+    addDrawnAreaOptions(command, options.where);
 }
 
 void addOutputs(CLI::App& command, ShadowOptions& options) {

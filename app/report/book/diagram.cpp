@@ -9,6 +9,7 @@
 #include "app/report/book/paper.h"
 #include "app/report/book/street_name.h"
 #include "app/report/maps/city_painter.h"
+#include "app/report/maps/context_painter.h"
 #include "app/report/maps/map_view.h"
 #include "app/report/sheets/study_words.h"
 
@@ -69,6 +70,8 @@ private:
     }
 
     void paintGround() {
+        if (scene_.city.context)
+            paintContext(canvas_.painter, *scene_.city.context, view_.transform(), 0.4 * canvas_.point);
         for (const Place& place : scene_.places) fill(pathOf(place.polygons, view_), shade::place);
         fill(pathOf(diagram_.shadows.baseline, view_), shade::baseline);
         fill(pathOf(diagram_.shadows.gained, view_), shade::gained);

@@ -50,7 +50,7 @@ struct Diagram {
 /// Legend, scale, scale bar and north arrow of the diagrams above it.
 struct DiagramFoot {
     double scale = 2000;
-    QString paper;  ///< "A3"; the scale holds on it
+    QString paper;  ///< "A3": the scale holds on it, and is printed; empty: only the scale bar
     QString note;   ///< the clock of the captions; may be empty
     double textScale = 1;
     enum class Subject { shadows, fan, valueLines };

@@ -73,6 +73,8 @@ void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoo
     const QRectF bar(area.right() - arrow - barRoom - 4 * unit, area.top() + 6 * unit, barRoom, 30 * unit);
     paintScaleBar(larger, bar, scaleBarWithin((barRoom - 30 * unit) / perMetre), perMetre);
     const QRectF scale(bar.left() - scaleWidth, area.top() + 4 * unit, scaleWidth, 14 * unit);
+    if (foot.paper.isEmpty())
+        return paintEntries(canvas, {area.left(), area.top(), bar.left() - area.left(), area.height()}, foot);
     paintFitted(canvas, scale, QStringLiteral("1:%1").arg(std::llround(foot.scale)), 11 * foot.textScale, 6,
                 QFont::Bold);
     paintFitted(canvas, scale.translated(0, 14 * unit), QStringLiteral("on %1").arg(foot.paper),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/report/maps/city_painter.h"
+#include "app/report/maps/context_painter.h"
 #include "app/report/maps/map_furniture.h"
 
 namespace noonmark {
@@ -97,6 +98,8 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) 
     canvas.painter.save();
     canvas.painter.setClipRect(view.target());
     canvas.painter.fillRect(view.target(), ink::paper);
+    if (scene.city.context)
+        paintContext(canvas.painter, *scene.city.context, view.transform(), 0.4 * canvas.point);
     paintField(canvas, view, scene);
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     paintCity(canvas, view, scene.city, region);

@@ -25,6 +25,11 @@ QPointF MapView::at(glm::dvec2 local) const {
     return target_.center() + QPointF(offset.x, -offset.y);
 }
 
+QTransform MapView::transform() const {
+    const QPointF origin = at({0, 0});
+    return {unitsPerM_, 0, 0, -unitsPerM_, origin.x(), origin.y()};
+}
+
 QRectF MapView::rectOf(const Grid& grid) const {
     return {at({grid.westM, grid.northM()}), at({grid.eastM(), grid.southM})};
 }

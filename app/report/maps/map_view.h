@@ -2,6 +2,7 @@
 
 #include <QPainterPath>
 #include <QRectF>
+#include <QTransform>
 
 #include "core/city/footprints/footprint.h"
 #include "core/geo/grid.h"
@@ -22,6 +23,7 @@ public:
     [[nodiscard]] const QRectF& target() const { return target_; }
     [[nodiscard]] double unitsPerM() const { return unitsPerM_; }
     [[nodiscard]] QPointF at(glm::dvec2 local) const;
+    [[nodiscard]] QTransform transform() const;           ///< at() of all points
     [[nodiscard]] QRectF rectOf(const Grid& grid) const;  ///< the cells, from edge to edge
     [[nodiscard]] bool sees(const Box2& box) const;
 

@@ -56,7 +56,7 @@ std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
     figures.push_back({QStringLiteral("Mean change"), describeSigned(first.gross.meanMin, 2, " min/day")});
     figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
     figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
-    figures.push_back({QStringLiteral("Now ground"), describeArea(first.becameGroundM2)});
+    figures.push_back({QStringLiteral("Became ground"), describeArea(first.becameGroundM2)});
     return figures;
 }
 

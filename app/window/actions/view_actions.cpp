@@ -14,7 +14,8 @@ QString mouseAndKeys() {
     return QObject::tr(
         "Left or middle drag rotates, right drag or Shift pans, the wheel zooms to the cursor. Arrow keys "
         "pan, + and - zoom. Home: whole city. N: north up. T: top view. R: region. B: solid buildings or "
-        "wireframe. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to "
+        "wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. "
+        "Click a building to "
         "select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M "
         "moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): "
         "click corners, with Shift at right angles to the last side; double click, Enter or right click "
@@ -40,6 +41,8 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
       region_(makeAction(this, tr("Zoom to &region"), Qt::Key_R, tr("The study region seen from above"))),
       faces_(makeSwitch(this, tr("&Solid buildings"), Qt::Key_B,
                         tr("Off: wireframe, so that the ground behind buildings is visible"), true)),
+      map_(makeSwitch(this, tr("&Map on the ground"), Qt::Key_G,
+                      tr("Streets, paths, parks, water and trees, drawn for orientation"), true)),
       byMaps_(makeSwitch(this, tr("&Explore by shadow accrual maps"), {},
                          tr("As in the paper, instead of rays: inexact at shadow edges, but hours that "
                             "look alike are computed once"),
@@ -51,6 +54,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
     connect(fromAbove_, &QAction::triggered, &navigator, &ViewNavigator::lookFromAbove);
     connect(region_, &QAction::triggered, this, &ViewActions::showRegion);
     connect(faces_, &QAction::toggled, &panel_.view(), &CityView::showFaces);
+    connect(map_, &QAction::toggled, &panel_.map(), &MapLayer::setShown);
     connect(byMaps_, &QAction::toggled, &exploration, &Exploration::setByMaps);
     connect(keys_, &QAction::triggered, this, [this] { panel_.messages().showHelp(mouseAndKeys()); });
     connect(&tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {

@@ -24,6 +24,7 @@ public:
         return {wholeCity_, northUp_, fromAbove_, region_};
     }
     [[nodiscard]] QAction* solidBuildings() const { return faces_; }  ///< checkable
+    [[nodiscard]] QAction* mapOnGround() const { return map_; }       ///< checkable
     [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
     [[nodiscard]] QAction* help() const { return keys_; }             ///< mouse and keys
 
@@ -37,6 +38,7 @@ private:
     QAction* fromAbove_;
     QAction* region_;
     QAction* faces_;
+    QAction* map_;
     QAction* byMaps_;
     QAction* keys_;
 };

@@ -15,6 +15,7 @@
 #include "app/window/review/review_dock.h"
 #include "app/window/scenarios/scenario_bar.h"
 #include "app/window/scenarios/scenarios_dock.h"
+#include "app/window/search/search_field.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/view/view_panel.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(QSettings& settings)
       scenarios_(workbench_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
+      search_(workbench_, tools_, *panel_),
       time_(workbench_, mode_, *panel_, horizons_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
@@ -98,7 +100,8 @@ void MainWindow::fitScreen() {
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
     QAction* quit =
         noonmark::fillMenus(*menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_, region_,
-                                         places_, reviews_, camera_, mode_.actions(), docks});
+                                         places_, reviews_, camera_, search_, mode_.actions(), docks});
+    menuBar()->setCornerWidget(search_.field());
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
 

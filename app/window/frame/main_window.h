@@ -19,6 +19,7 @@
 #include "app/window/actions/review_actions.h"
 #include "app/window/actions/saving_actions.h"
 #include "app/window/actions/scenario_actions.h"
+#include "app/window/actions/search_actions.h"
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/view_actions.h"
 #include "app/window/editing/edit_tools.h"
@@ -105,6 +106,7 @@ private:
     ScenarioActions scenarios_;
     EditActions edits_;
     ViewActions camera_;
+    SearchActions search_;
     TimeDisplay time_;
 };
 

@@ -11,6 +11,7 @@
 #include "app/window/actions/review_actions.h"
 #include "app/window/actions/saving_actions.h"
 #include "app/window/actions/scenario_actions.h"
+#include "app/window/actions/search_actions.h"
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/view_actions.h"
 
@@ -36,6 +37,8 @@ void fillEditMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.edits.undoActions());
     menu.addSeparator();
     menu.addActions(actions.edits.toolActions());
+    menu.addSeparator();
+    menu.addAction(actions.search.action());
 }
 
 void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
@@ -53,6 +56,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.view.cameraActions());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
+    menu.addAction(actions.view.mapOnGround());
     menu.addAction(actions.places.showAction());
     menu.addMenu(tr("&Mode"))->addActions(actions.modes);
     menu.addAction(actions.view.exploreByMaps());

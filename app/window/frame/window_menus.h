@@ -15,6 +15,7 @@ class ResultActions;
 class ReviewActions;
 class SavingActions;
 class ScenarioActions;
+class SearchActions;
 class StudyActions;
 class ViewActions;
 
@@ -30,6 +31,7 @@ struct WindowActions {
     const PlaceActions& places;
     const ReviewActions& review;
     const ViewActions& view;
+    const SearchActions& search;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock
 };

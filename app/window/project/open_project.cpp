@@ -1,5 +1,6 @@
 #include "app/window/project/open_project.h"
 
+#include "app/input/load_context.h"
 #include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/input/project_of.h"
@@ -41,13 +42,30 @@ Result<void> readMapPlaces(const std::vector<std::string>& files, OpenProject& o
     return {};
 }
 
+/// Streets, parks and water of the map; a map without them is still a city.
+Result<void> readMapContext(const std::vector<std::string>& files, OpenProject& opened, Progress& progress,
+                            const std::stop_token& stop) {
+    auto read = loadCityContext(files, opened.project.city->frame, progress, stop);
+    if (!read && isCancelled(read.error())) return tl::make_unexpected(read.error());
+    if (!read) {
+        opened.placeWarnings.push_back({WarningKind::leftOut, read.error().what, read.error().where});
+        return {};
+    }
+    City city = *opened.project.city;
+    city.context = joinContext(nullptr, std::move(read->context));
+    opened.project.city = std::make_shared<const City>(std::move(city));
+    return {};
+}
+
 Result<LoadedCity> readCityFiles(const std::vector<std::string>& files, const ReadSettings& settings,
                                  OpenProject& opened, Progress& progress, const std::stop_token& stop) {
     return loadCity(files, settings, progress, stop).and_then([&](LoadedCity loaded) -> Result<LoadedCity> {
         opened.project = projectOf(loaded);
-        loaded.read.city = *opened.project.city;
         if (auto read = readMapPlaces(files, opened, progress, stop); !read)
             return tl::make_unexpected(read.error());
+        if (auto read = readMapContext(files, opened, progress, stop); !read)
+            return tl::make_unexpected(read.error());
+        loaded.read.city = *opened.project.city;
         return loaded;
     });
 }

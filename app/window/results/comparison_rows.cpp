@@ -35,7 +35,7 @@ void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures
 }  // namespace
 
 QString describeChangedArea(const ChangeFigures& figures) {
-    if (figures.gainedM2 == 0 && figures.lostM2 == 0) return tr("nowhere");
+    if (figures.gainedM2 == 0 && figures.lostM2 == 0) return tr("no change");
     QStringList words;
     if (figures.gainedM2 > 0) words << tr("%1 more").arg(describeArea(figures.gainedM2));
     if (figures.lostM2 > 0) words << tr("%1 less").arg(describeArea(figures.lostM2));

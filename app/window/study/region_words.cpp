@@ -35,10 +35,6 @@ QString describeKind(PlaceKind kind) {
     return {};
 }
 
-bool hasOwnName(const Place& place) {
-    return !place.name.starts_with(std::string(nameOf(place.kind)) + " (" + place.source);
-}
-
 QString describeDrawn(const PolygonTool& tool) {
     if (tool.sideM() == 0) return {};
     const QString side = QStringLiteral("%1 m").arg(tool.sideM(), 0, 'f', 1);

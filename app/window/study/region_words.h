@@ -14,9 +14,6 @@ QString describeArea(double areaM2);
 /// "park", "school grounds", ...: the kind of a place in the window.
 QString describeKind(PlaceKind kind);
 
-/// Whether a place has a name of its own, not one by kind and source: "plaza (OSM way 123)".
-bool hasOwnName(const Place& place);
-
 /// Describes a region: name, size in metres, area, and the approximate number of cells in its bounding box.
 QString describeRegion(const Region& region, double cellM);
 

@@ -39,7 +39,8 @@ ViewPanel::ViewPanel(QWidget* parent)
       messages_(new MessageBar),
       time_(new TimeStrip),
       legend_(new LegendStrip),
-      results_(std::make_unique<ResultLayer>(*view_, *legend_)) {
+      results_(std::make_unique<ResultLayer>(*view_, *legend_)),
+      map_(std::make_unique<MapLayer>(*view_)) {
     QWidget* container = QWidget::createWindowContainer(view_, this);
     container->setMinimumSize(240, 160);
     container->setFocusPolicy(Qt::StrongFocus);
@@ -117,6 +118,7 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     }
     view_->showChanges(computeDifference(*city_->arrays, city_->city()));
     results_->forget();
+    map_->showCity(city_->city());
     markPlaces();
 }
 

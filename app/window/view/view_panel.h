@@ -11,6 +11,7 @@
 
 #include "app/window/results/result_layer.h"
 #include "app/window/study/open_city.h"
+#include "app/window/view/map_layer.h"
 #include "app/window/view/polygon_tool.h"
 #include "app/window/widgets/cursor_label.h"
 #include "app/window/widgets/legend_strip.h"
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] TimeStrip& time() { return *time_; }  ///< hidden at first
     [[nodiscard]] LegendStrip& legend() { return *legend_; }
     [[nodiscard]] ResultLayer& results() { return *results_; }
+    [[nodiscard]] MapLayer& map() { return *map_; }
 
     /// The visible ground, cut to the neighbourhood of the city; without polygons if there is none.
     [[nodiscard]] Region visibleGround() const;
@@ -86,6 +88,7 @@ private:
     LegendStrip* legend_;
     std::shared_ptr<const OpenCity> city_;
     std::unique_ptr<ResultLayer> results_;
+    std::unique_ptr<MapLayer> map_;
     Region region_;
     std::vector<Place> places_;
     std::string highlighted_;  ///< name of a place

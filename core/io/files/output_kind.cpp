@@ -25,6 +25,7 @@ constexpr std::array kindsOfEndings{
     KindOfEnding{".tif", OutputKind::geoTiff},     KindOfEnding{".png", OutputKind::picture},
     KindOfEnding{".pdf", OutputKind::pdf},         KindOfEnding{".json", OutputKind::json},
     KindOfEnding{".dxf", OutputKind::dxf},         KindOfEnding{".svg", OutputKind::svg},
+    KindOfEnding{".mp4", OutputKind::movie},       KindOfEnding{".gif", OutputKind::movie},
 };
 
 bool beginsWithOneOf(std::string_view head, std::initializer_list<std::string_view> magics) {
@@ -88,6 +89,8 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
         case OutputKind::svg:
             return beginsWithOneOf(withoutMarkAndBlanks(head), {"<svg", "<?xml"}) &&
                    head.find("<svg") != head.npos;
+        case OutputKind::movie:
+            return head.starts_with("GIF8") || (head.size() >= 8 && head.substr(4, 4) == "ftyp");
     }
     return false;
 }
@@ -122,6 +125,8 @@ std::string_view describe(OutputKind kind) {
             return "a DXF drawing";
         case OutputKind::svg:
             return "an SVG picture";
+        case OutputKind::movie:
+            return "a movie (MP4, GIF)";
         case OutputKind::project:
             return "a Noonmark project";
     }

@@ -16,6 +16,7 @@ enum class OutputKind {
     json,   ///< numbers; neither GeoJSON nor CityJSON nor glTF
     dxf,    ///< text DXF, not the binary form
     svg,
+    movie,    ///< MP4 or GIF
     project,  ///< a Noonmark project
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/place_advice.h"
+#include "core/io/layers/feature_stream.h"
 #include "core/io/osm/other_tags.h"
 
 namespace noonmark {
@@ -17,33 +18,6 @@ std::vector<std::string> listFieldNames(const OGRFeatureDefn& definition) {
     for (int i = 0; i < definition.GetFieldCount(); ++i)
         names.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
     return names;
-}
-
-// GeoPackage defines systems that mean "unknown".
-bool isKnown(const OGRSpatialReference* system) {
-    if (system == nullptr || system->GetName() == nullptr) return false;
-    return !std::string_view(system->GetName()).starts_with("Undefined");
-}
-
-std::string wktOf(const OGRSpatialReference& system) {
-    char* text = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-    system.exportToWkt(&text, options);
-    std::string wkt = text != nullptr ? text : "";
-    CPLFree(text);
-    return wkt;
-}
-
-Result<CrsToLonLat> transformOf(OGRLayer& layer, const ReadSettings& settings, const std::string& where) {
-    if (settings.crs) return CrsToLonLat::of(*settings.crs);
-    const OGRSpatialReference* system = layer.GetSpatialRef();
-    if (!isKnown(system))
-        return failure("It does not state its coordinate reference system", where, crsAdvice);
-    auto transform = CrsToLonLat::of(wktOf(*system));
-    if (!transform)
-        return failure(fmt::format("Its coordinate reference system, {}, is not known", system->GetName()),
-                       where, crsAdvice);
-    return transform;
 }
 
 // The system to use: the user's, else the layer's.
@@ -62,13 +36,6 @@ bool isInFeet(const OGRSpatialReference& system) {
 }
 
 bool isNumber(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
-
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == text.npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField& field) {
     if (feature.IsFieldSetAndNotNull(field.index) == FALSE) return std::nullopt;
@@ -150,7 +117,7 @@ std::optional<std::vector<LonLatPolygon>> shapedLike(const std::vector<CrsPolygo
 
 Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& settings,
                                           const LayerSource& source, Warnings& warnings) {
-    auto transform = transformOf(layer, settings, source.file);
+    auto transform = findLayerCrs(layer, settings.crs, source.file);
     if (!transform) return tl::make_unexpected(transform.error());
     FootprintLayer made(layer, *std::move(transform), settings, source);
     const std::vector<std::string> names = listFieldNames(*layer.GetLayerDefn());

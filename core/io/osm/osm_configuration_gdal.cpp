@@ -56,6 +56,29 @@ osm_id=yes
 other_tags=no
 )";
 
+constexpr const char* contextConfiguration =
+    R"(closed_ways_are_polygons=leisure,landuse,amenity,natural,place,water,building
+attribute_name_laundering=no
+[points]
+osm_id=yes
+attributes=natural
+other_tags=no
+[lines]
+osm_id=yes
+attributes=name,highway,railway,waterway,width,lanes,area,tunnel,layer,location
+other_tags=no
+[multipolygons]
+osm_id=yes
+attributes=name,leisure,landuse,amenity,natural,place,highway,waterway,building,location,layer,tunnel
+other_tags=no
+[multilinestrings]
+osm_id=yes
+other_tags=no
+[other_relations]
+osm_id=yes
+other_tags=no
+)";
+
 // A separate path for every reader, so that two can read at the same time.
 std::string freshPath() {
     static std::atomic<unsigned> count = 0;
@@ -76,6 +99,10 @@ OsmConfiguration::OsmConfiguration(const std::string& heightTag, const std::stri
     : OsmConfiguration(fmt::format(configuration, columnFor(heightTag), columnFor(levelsTag))) {}
 
 OsmConfiguration OsmConfiguration::forPlaces() { return OsmConfiguration(std::string(placeConfiguration)); }
+
+OsmConfiguration OsmConfiguration::forContext() {
+    return OsmConfiguration(std::string(contextConfiguration));
+}
 
 OsmConfiguration::OsmConfiguration(const std::string& text) : path_(freshPath()) {
     if (VSILFILE* file = VSIFOpenL(path_.c_str(), "wb")) {

@@ -8,7 +8,7 @@
 
 #include "core/geo/distance.h"
 #include "core/io/footprints/ogr_polygons.h"
-#include "core/io/footprints/place_advice.h"
+#include "core/io/layers/feature_stream.h"
 #include "core/io/places/place_layer.h"
 #include "core/receivers/place_names.h"
 
@@ -35,30 +35,6 @@ Result<int> findNameField(OGRLayer& layer, const std::string& asked, const std::
                    fmt::format("Its fields are: {}", fmt::join(names, ", ")));
 }
 
-Result<CrsToLonLat> transformOf(OGRLayer& layer, const PlaceSettings& settings, const std::string& file) {
-    if (settings.crs) return CrsToLonLat::of(*settings.crs);
-    const OGRSpatialReference* system = layer.GetSpatialRef();
-    const bool known = system != nullptr && system->GetName() != nullptr &&
-                       !std::string_view(system->GetName()).starts_with("Undefined");
-    if (!known) return failure("It does not state its coordinate reference system", file, crsAdvice);
-    char* text = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-    system->exportToWkt(&text, options);
-    const std::string wkt = text != nullptr ? text : "";
-    CPLFree(text);
-    auto transform = CrsToLonLat::of(wkt);
-    if (transform) return transform;
-    return failure(fmt::format("Its coordinate reference system, {}, is not known", system->GetName()), file,
-                   crsAdvice);
-}
-
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == text.npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
-
 bool isSomewhere(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }
 
 }  // namespace
@@ -68,7 +44,7 @@ PlaceLayer::PlaceLayer(CrsToLonLat toLonLat, const PlaceSettings& settings, std:
 
 Result<PlaceLayer> PlaceLayer::of(OGRLayer& layer, const PlaceSettings& settings, const std::string& file,
                                   bool fromOsm) {
-    auto transform = transformOf(layer, settings, file);
+    auto transform = findLayerCrs(layer, settings.crs, file);
     if (!transform) return tl::make_unexpected(transform.error());
     const auto name = findNameField(layer, fromOsm ? "" : settings.nameField, file);
     if (!name) return tl::make_unexpected(name.error());

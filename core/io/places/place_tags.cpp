@@ -14,12 +14,6 @@ std::string_view valueOf(const PlaceTags& tags, std::string_view key) {
     return found == tags.end() ? std::string_view{} : std::string_view(found->second);
 }
 
-bool isUnderground(const PlaceTags& tags) {
-    const std::string_view tunnel = valueOf(tags, "tunnel"), layer = valueOf(tags, "layer");
-    return (!tunnel.empty() && tunnel != "no") || layer.starts_with('-') ||
-           valueOf(tags, "location") == "underground";
-}
-
 struct AreaRule {
     std::string_view key, value;
     PlaceKind kind;
@@ -80,6 +74,12 @@ std::optional<double> taggedWidth(const PlaceTags& tags) {
 }
 
 }  // namespace
+
+bool isUnderground(const PlaceTags& tags) {
+    const std::string_view tunnel = valueOf(tags, "tunnel"), layer = valueOf(tags, "layer");
+    return (!tunnel.empty() && tunnel != "no") || layer.starts_with('-') ||
+           valueOf(tags, "location") == "underground";
+}
 
 std::optional<PlaceKind> classifyArea(const PlaceTags& tags) {
     const std::string_view building = valueOf(tags, "building");

@@ -20,6 +20,9 @@ using PlaceTags = std::map<std::string, std::string, std::less<>>;
 inline constexpr std::array placeKeys{"leisure", "landuse", "amenity", "historic",
                                       "natural", "place",   "highway", "tourism"};
 
+/// Whether the tags say that it lies under the ground: a tunnel, a negative layer, an underground location.
+bool isUnderground(const PlaceTags& tags);
+
 /// The kind of an area by its OpenStreetMap tags (https://wiki.openstreetmap.org/wiki/Map_features); nothing
 /// for an area that is not a place: a building, water, a car park, residential land, anything underground.
 std::optional<PlaceKind> classifyArea(const PlaceTags& tags);

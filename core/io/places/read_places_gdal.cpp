@@ -10,6 +10,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_configuration.h"
 #include "core/io/places/place_layer.h"
 #include "core/io/places/read_places.h"
@@ -20,10 +21,6 @@ namespace noonmark {
 namespace {
 
 using Path = std::filesystem::path;
-
-constexpr const char* credit = "(c) OpenStreetMap contributors, ODbL";
-
-bool isFromOsm(GDALDataset& dataset) { return std::string_view(dataset.GetDriverName()) == "OSM"; }
 
 // The layer of places in a project file, or in a GeoPackage that was made from one.
 bool isOurPlaces(OGRLayer& layer) {
@@ -59,11 +56,6 @@ Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSet
                    fmt::format("Its layers are: {}", fmt::join(names, ", ")));
 }
 
-// GDAL calls this between blocks of the file, which may contain no usable feature.
-int CPL_STDCALL goOnReading(double, const char*, void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
-}
-
 class PlaceFile {
 public:
     PlaceFile(GDALDataset& dataset, const Path& file, const PlaceSettings& settings, Progress& progress,
@@ -83,11 +75,15 @@ public:
             layers_.push_back(layer);
             readers_.push_back(*std::move(reader));
         }
-        return isFromOsm(dataset_) ? readTogether(calls) : readApart(calls);
+        return readFeatures(
+                   dataset_, layers_, {file_, "places of " + file_}, calls,
+                   [&](std::size_t layer, const OGRFeature& feature) { return take(layer, feature); },
+                   progress_, stop_)
+            .map([&](std::size_t features) { features_ = features; });
     }
 
     Result<PlacesRead> place(const Frame& frame) {
-        PlacesRead read{.features = features_, .attribution = isFromOsm(dataset_) ? credit : ""};
+        PlacesRead read{.features = features_, .attribution = isFromOsm(dataset_) ? osmCredit : ""};
         std::vector<Place> areas;
         std::vector<StreetPiece> streets;
         std::size_t polygons = 0;
@@ -111,52 +107,11 @@ public:
     }
 
 private:
-    Result<void> readApart(const GdalCalls& calls) {
-        for (std::size_t i = 0; i < layers_.size(); ++i) {
-            layers_[i]->ResetReading();
-            if (auto done = readAll(calls,
-                                    [&](double&) {
-                                        return std::pair(OGRFeatureUniquePtr(layers_[i]->GetNextFeature()),
-                                                         &readers_[i]);
-                                    });
-                !done)
-                return done;
-        }
-        return {};
-    }
-
-    // OpenStreetMap's layers are filled side by side, in the order of the file.
-    Result<void> readTogether(const GdalCalls& calls) {
-        return readAll(calls, [&](double& share) -> std::pair<OGRFeatureUniquePtr, PlaceLayer*> {
-            while (true) {
-                OGRLayer* from = nullptr;
-                OGRFeatureUniquePtr feature(dataset_.GetNextFeature(&from, &share, goOnReading,
-                                                                    const_cast<std::stop_token*>(&stop_)));
-                if (!feature) return {nullptr, nullptr};
-                const auto layer = std::ranges::find(layers_, from);
-                if (layer != layers_.end())
-                    return {std::move(feature), &readers_[std::size_t(layer - layers_.begin())]};
-            }
-        });
-    }
-
-    Result<void> readAll(const GdalCalls& calls, const auto& next) {
-        double share = 0;
-        for (std::size_t failures = calls.failures();; failures = calls.failures()) {
-            const auto [feature, reader] = next(share);
-            if (!feature && stop_.stop_requested()) return cancelled();
-            if (!feature && calls.failures() > failures)
-                return failure("It is incomplete or damaged (" + calls.complaints().back() + ")", file_,
-                               "Download or export it again");
-            if (!feature) return {};
-            reader->read(*feature);
-            if (reader->kept() > PlaceSettings::mostPlaces)
-                return limitReached(fmt::format("It holds more than {} places", PlaceSettings::mostPlaces),
-                                    file_, "Cut out the part around the city");
-            if (++features_ % 256 != 0) continue;
-            if (stop_.stop_requested()) return cancelled();
-            progress_.report(0.8 * share, "reading places of " + file_);
-        }
+    Result<void> take(std::size_t layer, const OGRFeature& feature) {
+        readers_[layer].read(feature);
+        if (readers_[layer].kept() <= PlaceSettings::mostPlaces) return {};
+        return limitReached(fmt::format("It holds more than {} places", PlaceSettings::mostPlaces), file_,
+                            "Cut out the part around the city");
     }
 
     GDALDataset& dataset_;

@@ -12,7 +12,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
+constexpr std::uint32_t wkbPoint = 1;
+constexpr std::uint32_t wkbLineString = 2;
 constexpr std::uint32_t wkbPolygon = 3;
+constexpr std::uint32_t wkbMultiPoint = 4;
 constexpr std::uint32_t wkbMultiPolygon = 6;
 
 template <class T>
@@ -28,12 +31,20 @@ void putHeader(Bytes& bytes, const Box2& box) {
     for (const float value : {box.low.x, box.high.x, box.low.y, box.high.y}) put(bytes, double(value));
 }
 
+Box2 boxOf(const std::vector<glm::vec2>& points) {
+    Box2 box;
+    for (const glm::vec2 point : points) box.add(point);
+    return box;
+}
+
+void putPoint(Bytes& bytes, glm::vec2 point) {
+    put(bytes, double(point.x));
+    put(bytes, double(point.y));
+}
+
 void putRing(Bytes& bytes, const Ring& ring) {
     put(bytes, std::uint32_t(ring.size() + 1));
-    for (std::size_t i = 0; i <= ring.size(); ++i) {
-        put(bytes, double(ring[i % ring.size()].x));
-        put(bytes, double(ring[i % ring.size()].y));
-    }
+    for (std::size_t i = 0; i <= ring.size(); ++i) putPoint(bytes, ring[i % ring.size()]);
 }
 
 void putPolygon(Bytes& bytes, const Footprint& footprint) {
@@ -74,15 +85,18 @@ private:
     std::string_view bytes_;
 };
 
+glm::dvec2 takePoint(Reader& reader) {
+    const auto x = reader.take<double>();
+    const auto y = reader.take<double>();
+    reader.sound &= isWithin(x, placeLimitsM) && isWithin(y, placeLimitsM);
+    return {x, y};
+}
+
 RawRing takeRing(Reader& reader) {
     const auto count = reader.take<std::uint32_t>();
     RawRing ring;
     reader.sound &= reader.holds(count, 2 * sizeof(double)) && count >= 4;
-    for (std::uint32_t i = 0; reader.sound && i + 1 < count; ++i) {
-        const auto x = reader.take<double>();
-        ring.emplace_back(x, reader.take<double>());
-        reader.sound &= isWithin(x, placeLimitsM) && isWithin(ring.back().y, placeLimitsM);
-    }
+    for (std::uint32_t i = 0; reader.sound && i + 1 < count; ++i) ring.push_back(takePoint(reader));
     reader.skip(2 * sizeof(double));  // skips the closing point
     return ring;
 }
@@ -148,6 +162,30 @@ Bytes multiPolygonBlob(const std::vector<Footprint>& polygons) {
     return bytes;
 }
 
+Bytes lineBlob(const std::vector<glm::vec2>& points) {
+    Bytes bytes;
+    putHeader(bytes, boxOf(points));
+    put(bytes, std::uint8_t(1));
+    put(bytes, wkbLineString);
+    put(bytes, std::uint32_t(points.size()));
+    for (const glm::vec2 point : points) putPoint(bytes, point);
+    return bytes;
+}
+
+Bytes multiPointBlob(const std::vector<glm::vec2>& points) {
+    Bytes bytes;
+    putHeader(bytes, boxOf(points));
+    put(bytes, std::uint8_t(1));
+    put(bytes, wkbMultiPoint);
+    put(bytes, std::uint32_t(points.size()));
+    for (const glm::vec2 point : points) {
+        put(bytes, std::uint8_t(1));
+        put(bytes, wkbPoint);
+        putPoint(bytes, point);
+    }
+    return bytes;
+}
+
 std::optional<std::vector<Footprint>> toPolygons(std::string_view blob) {
     Reader reader(blob);
     skipHeader(reader);
@@ -162,6 +200,24 @@ std::optional<std::vector<Footprint>> toPolygons(std::string_view blob) {
     for (std::uint32_t i = 0; reader.sound && i < count; ++i) takePolygon(reader, polygons);
     if (!reader.sound) return std::nullopt;
     return polygons;
+}
+
+std::optional<std::vector<glm::vec2>> toPoints(std::string_view blob) {
+    Reader reader(blob);
+    skipHeader(reader);
+    reader.sound &= reader.take<std::uint8_t>() == 1;
+    const auto type = reader.take<std::uint32_t>();
+    reader.sound &= type == wkbPoint || type == wkbLineString || type == wkbMultiPoint;
+    const std::uint32_t count = type == wkbPoint ? 1 : reader.take<std::uint32_t>();
+    reader.sound &= reader.holds(count, 2 * sizeof(double));
+    std::vector<glm::vec2> points;
+    for (std::uint32_t i = 0; reader.sound && i < count; ++i) {
+        if (type == wkbMultiPoint)
+            reader.sound &= reader.take<std::uint8_t>() == 1 && reader.take<std::uint32_t>() == wkbPoint;
+        points.emplace_back(takePoint(reader));
+    }
+    if (!reader.sound) return std::nullopt;
+    return points;
 }
 
 }  // namespace noonmark

@@ -17,8 +17,14 @@ inline constexpr int localSrsId = 100000;
 Bytes polygonBlob(const Footprint& footprint);
 Bytes multiPolygonBlob(const std::vector<Footprint>& polygons);
 
+/// A LINESTRING of two or more points.
+Bytes lineBlob(const std::vector<glm::vec2>& points);
+Bytes multiPointBlob(const std::vector<glm::vec2>& points);
+
 /// Parses a POLYGON or MULTIPOLYGON and repairs polygons that another program drew. Empty where the bytes are
 /// not such a geometry.
 std::optional<std::vector<Footprint>> toPolygons(std::string_view blob);
+/// The points of a LINESTRING, a POINT or a MULTIPOINT. Empty where the bytes are no such geometry.
+std::optional<std::vector<glm::vec2>> toPoints(std::string_view blob);
 
 }  // namespace noonmark

@@ -126,6 +126,7 @@ std::shared_ptr<const City> readCityTables(Database& database) {
     city->frame = Frame(origin, numberOf(database, "origin_elevation_m", elevationLimitsM));
     city->buildings = readBuildings(database);
     city->terrain = readTerrain(database);
+    city->context = readContext(database);
     return city;
 }
 

@@ -67,6 +67,11 @@ constexpr const char* sheetTable = R"sql(
 CREATE TABLE sheet_settings (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value BLOB NOT NULL);
 )sql";
 
+// Since version 4.
+constexpr const char* contextTable = R"sql(
+CREATE TABLE context (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, kind TEXT, name TEXT, width_m REAL);
+)sql";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -82,6 +87,8 @@ constexpr std::array featureTables{
     FeatureTable{"regions", "MULTIPOLYGON", "Regions", "Where shadow is measured"},
 };
 constexpr FeatureTable placeLayer{"places", "MULTIPOLYGON", "Places", "Areas whose sunlight matters"};
+constexpr FeatureTable contextLayer{"context", "GEOMETRY", "Context",
+                                    "Streets, paths, parks, water and trees, drawn for orientation"};
 constexpr std::array attributeTables{
     "noonmark",           "inputs",       "meshes",  "terrain", "scenarios",     "edits",
     "time_weight_tables", "time_weights", "periods", "results", "result_layers", "view_state"};
@@ -110,6 +117,11 @@ void addPlaceTable(Database& database) {
     registerLayer(database, placeLayer);
 }
 
+void addContextTable(Database& database) {
+    database.execute(contextTable);
+    registerLayer(database, contextLayer);
+}
+
 void addSheetTable(Database& database) {
     database.execute(sheetTable);
     contentsOf(database).run("sheet_settings", "attributes", "sheet_settings", "", std::optional<int>{});
@@ -131,6 +143,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         memory.execute(readingTables);
         memory.execute(placeTable);
         memory.execute(sheetTable);
+        memory.execute(contextTable);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
         while (table.step()) made[table.text(0)].push_back(table.text(1));
@@ -165,9 +178,14 @@ void toVersion3(Database& database) {
         addPlaceStyle(database);
 }
 
+void toVersion4(Database& database) {
+    refuseForeignTable(database, "context");
+    addContextTable(database);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3};
+    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4};
     return steps;
 }
 
@@ -180,6 +198,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     addReadingTables(database);
     addPlaceTable(database);
     addSheetTable(database);
+    addContextTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/city/footprints/footprint.h"
+
+namespace noonmark {
+
+/// What a feature of the map is. The order is that in which areas and lines are drawn.
+enum class ContextKind : std::uint8_t {
+    wood,
+    grass,
+    park,
+    cemetery,
+    sports,
+    plaza,
+    water,     ///< areas
+    waterway,  ///< streams, as lines
+    path,
+    rail,
+    street,
+    tree,
+};
+inline constexpr std::array contextKinds{
+    ContextKind::wood,   ContextKind::grass, ContextKind::park,   ContextKind::cemetery,
+    ContextKind::sports, ContextKind::plaza, ContextKind::water,  ContextKind::waterway,
+    ContextKind::path,   ContextKind::rail,  ContextKind::street, ContextKind::tree,
+};
+
+/// "wood", "grass", ...: the names in files.
+std::string_view nameOf(ContextKind kind);
+/// The kind of that name; nothing for any other text.
+std::optional<ContextKind> parseContextKind(std::string_view name);
+
+struct ContextArea {
+    ContextKind kind = ContextKind::park;
+    std::string name;                 ///< may be empty
+    std::vector<Footprint> polygons;  ///< local metres; as in the file: they may cross themselves
+    bool operator==(const ContextArea&) const = default;
+};
+
+struct ContextLine {
+    ContextKind kind = ContextKind::street;
+    std::string name;               ///< may be empty
+    float widthM = 0;               ///< on the ground
+    std::vector<glm::vec2> points;  ///< local metres, two or more
+    bool operator==(const ContextLine&) const = default;
+};
+
+/// What maps and views draw on the ground for orientation: streets, paths, rails, parks, water and trees. It
+/// casts no shadow and nothing is measured on it.
+struct MapContext {
+    std::vector<ContextArea> areas;
+    std::vector<ContextLine> lines;
+    std::vector<glm::vec2> trees;  ///< local metres
+    std::string attribution;       ///< of the data; empty if unknown
+
+    [[nodiscard]] bool empty() const { return areas.empty() && lines.empty() && trees.empty(); }
+    bool operator==(const MapContext&) const = default;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,127 @@
+#include "core/io/context/read_context.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/io/context/context_tags.h"
+#include "tests/core/io/osm_text.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+const Frame manhattan({-73.98, 40.75});
+
+Result<ContextRead> readFrom(const std::filesystem::path& file) {
+    NoProgress quiet;
+    return readContext(file, {}, manhattan, quiet, {});
+}
+
+TEST(ContextTags, SayWhatIsDrawn) {
+    EXPECT_EQ(classifyContextArea({{"natural", "water"}}), ContextKind::water);
+    EXPECT_EQ(classifyContextArea({{"leisure", "park"}, {"landuse", "grass"}}), ContextKind::park);
+    EXPECT_FALSE(classifyContextArea({{"leisure", "park"}, {"layer", "-1"}}));
+    EXPECT_FALSE(classifyContextArea({{"leisure", "park"}, {"building", "yes"}}));
+    EXPECT_EQ(classifyContextLine({{"highway", "residential"}}), ContextKind::street);
+    EXPECT_EQ(classifyContextLine({{"highway", "footway"}}), ContextKind::path);
+    EXPECT_EQ(classifyContextLine({{"railway", "rail"}}), ContextKind::rail);
+    EXPECT_FALSE(classifyContextLine({{"railway", "subway"}, {"tunnel", "yes"}}));
+    EXPECT_FALSE(classifyContextLine({{"highway", "proposed"}}));
+    EXPECT_EQ(classifyContextPoint({{"natural", "tree"}}), ContextKind::tree);
+    EXPECT_EQ(widthOfLine(ContextKind::street, {{"highway", "primary"}, {"width", "18.5"}}), 18.5);
+}
+
+TEST(ContextKinds, HaveNamesOfTheirOwn) {
+    for (const ContextKind kind : contextKinds) EXPECT_EQ(parseContextKind(nameOf(kind)), kind);
+    EXPECT_FALSE(parseContextKind("lawn"));
+}
+
+TEST(ReadContext, TakesAreasOfAnOpenStreetMapFileWithTheirHoles) {
+    const tests::TemporaryFolder folder;
+    tests::OsmText osm;
+    osm.relation(tests::sizedRectangle(0, 0, 200, 100), {tests::sizedRectangle(50, 20, 40, 30)},
+                 {{"leisure", "park"}, {"name", "Square"}});
+    osm.way(tests::sizedRectangle(300, 0, 20, 20), {{"building", "yes"}});
+    osm.way(tests::sizedRectangle(-100, 0, 60, 40), {{"natural", "water"}});
+    const auto file = folder.path("map.osm");
+    std::ofstream(file) << osm.xml();
+    const auto read = readFrom(file);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->context.areas.size(), 2U);
+    EXPECT_THAT(read->context.attribution, HasSubstr("OpenStreetMap"));
+    const auto park = std::ranges::find(read->context.areas, "Square", &ContextArea::name);
+    ASSERT_NE(park, read->context.areas.end());
+    EXPECT_EQ(park->kind, ContextKind::park);
+    ASSERT_EQ(park->polygons.size(), 1U);
+    EXPECT_EQ(park->polygons[0].holes.size(), 1U);
+    EXPECT_NEAR(area(park->polygons[0]), 200 * 100 - 40 * 30, 1);
+}
+
+TEST(ReadContext, TakesKindsAndWidthsOfOtherFiles) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("map.geojson");
+    std::ofstream(file) << R"({"type":"FeatureCollection","features":[
+        {"type":"Feature","properties":{"kind":"street","name":"Main","width_m":9},
+         "geometry":{"type":"LineString","coordinates":[[-73.98,40.75],[-73.979,40.75]]}},
+        {"type":"Feature","properties":{"kind":"tree"},
+         "geometry":{"type":"MultiPoint","coordinates":[[-73.98,40.75],[-73.979,40.75]]}},
+        {"type":"Feature","properties":{"kind":"chimney"},
+         "geometry":{"type":"Point","coordinates":[-73.98,40.75]}},
+        {"type":"Feature","properties":{"kind":"street"},
+         "geometry":{"type":"LineString","coordinates":[[10,40],[10,41]]}}]})";
+    const auto read = readFrom(file);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->context.lines.size(), 1U);
+    const ContextLine& street = read->context.lines[0];
+    EXPECT_EQ(street.name, "Main");
+    EXPECT_EQ(street.widthM, 9);
+    // At 40.75 deg north a thousandth of a degree of longitude is 84.4 m.
+    EXPECT_NEAR(street.points[1].x - street.points[0].x, 84.4, 0.1);
+    EXPECT_EQ(read->context.trees.size(), 2U);
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_THAT(read->warnings[0].what, HasSubstr("too far"));
+}
+
+TEST(ReadContext, RefusesFilesWithNothingToDraw) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("map.geojson");
+    std::ofstream(file) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
+        "geometry":{"type":"Point","coordinates":[-73.98,40.75]}}]})";
+    const auto read = readFrom(file);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().what, HasSubstr("no streets"));
+    EXPECT_FALSE(readFrom(folder.path("none.osm")));
+}
+
+TEST(ReadContext, IsStopped) {
+    const tests::TemporaryFolder folder;
+    tests::OsmText osm;
+    osm.way(tests::sizedRectangle(0, 0, 10, 10), {{"leisure", "park"}});
+    std::ofstream(folder.path("map.osm")) << osm.xml();
+    std::stop_source stop;
+    stop.request_stop();
+    NoProgress quiet;
+    const auto read = readContext(folder.path("map.osm"), {}, manhattan, quiet, stop.get_token());
+    ASSERT_FALSE(read);
+    EXPECT_TRUE(isCancelled(read.error()));
+}
+
+TEST(ReadContext, FindsBryantParkAndFifthAvenue) {
+    const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    if (!file) GTEST_SKIP() << "no shared data";
+    const auto read = readFrom(*file);
+    ASSERT_TRUE(read) << read.error().text();
+    const MapContext& context = read->context;
+    EXPECT_NE(std::ranges::find(context.areas, "Bryant Park", &ContextArea::name), context.areas.end());
+    EXPECT_NE(std::ranges::find(context.lines, "5th Avenue", &ContextLine::name), context.lines.end());
+    EXPECT_GT(context.lines.size(), 1000U);
+}
+
+}  // namespace
+}  // namespace noonmark

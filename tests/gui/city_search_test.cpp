@@ -1,0 +1,77 @@
+#include "app/window/search/city_search.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/city/map_context.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark {
+namespace {
+
+const LonLat manhattan{-73.98, 40.75};
+
+CitySearch townSearch() {
+    City city = tests::threeHouses();
+    city.frame = Frame(manhattan);
+    Building named = *city.buildings[1];
+    named.name = "Café Tower";
+    city.buildings[1] = std::make_shared<const Building>(named);
+    city.context = std::make_shared<const MapContext>(
+        MapContext{{},
+                   {{ContextKind::street, "Tower Street", 8, {{0, 0}, {100, 0}}},
+                    {ContextKind::street, "Tower Street", 8, {{100, 0}, {250, 40}}}},
+                   {},
+                   {}});
+    return {city,
+            {{"Bryant Park", PlaceKind::park, {tests::box(0, 0, 50, 50)}, "drawn"}},
+            {{"Corner", tests::box(10, 10, 20, 20)}}};
+}
+
+std::vector<QString> titles(const std::vector<Found>& found) {
+    std::vector<QString> all;
+    for (const Found& one : found) all.push_back(one.title);
+    return all;
+}
+
+TEST(CitySearch, FindsNamesWhateverTheirAccentsAndCase) {
+    const CitySearch search = townSearch();
+    EXPECT_THAT(titles(search.find("cafe")), testing::ElementsAre(QString::fromUtf8("Café Tower")));
+    EXPECT_THAT(titles(search.find("TOWER")),
+                testing::ElementsAre("Tower Street", QString::fromUtf8("Café Tower")));
+    EXPECT_THAT(titles(search.find("park")), testing::ElementsAre("Bryant Park"));
+    EXPECT_THAT(titles(search.find("corner")), testing::ElementsAre("Corner"));
+    EXPECT_TRUE(search.find("").empty());
+    EXPECT_TRUE(search.find("nowhere").empty());
+}
+
+TEST(CitySearch, FindsABuildingByItsId) {
+    const auto found = townSearch().find("b");
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found.front().building, 1U);  // equal to the id, before names that begin with b
+}
+
+TEST(CitySearch, JoinsTheLinesOfAStreet) {
+    const auto found = townSearch().find("tower street");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, FoundKind::street);
+    EXPECT_EQ(found[0].box.high.x, 250);
+}
+
+TEST(CitySearch, ReadsPositionsInEitherOrder) {
+    for (const char* text :
+         {"40.7536, -73.9832", "-73.9832 40.7536", "40.7536N 73.9832W", "40.7536° N, 73.9832° W"}) {
+        const auto at = parsePosition(QString::fromUtf8(text), manhattan);
+        ASSERT_TRUE(at) << text;
+        EXPECT_NEAR(at->latDeg, 40.7536, 1e-9) << text;
+        EXPECT_NEAR(at->lonDeg, -73.9832, 1e-9) << text;
+    }
+    EXPECT_FALSE(parsePosition("5th Avenue", manhattan));
+    EXPECT_FALSE(parsePosition("400, 500", manhattan));
+    const auto found = townSearch().find("40.7536, -73.9832");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, FoundKind::coordinates);
+}
+
+}  // namespace
+}  // namespace noonmark
