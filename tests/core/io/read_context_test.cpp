@@ -16,11 +16,11 @@ namespace {
 
 using testing::HasSubstr;
 
-const Frame manhattan({-73.98, 40.75});
+const Frame contextFrame({-73.98, 40.75});
 
-Result<ContextRead> readFrom(const std::filesystem::path& file) {
+Result<ContextRead> readContextFrom(const std::filesystem::path& file) {
     NoProgress quiet;
-    return readContext(file, {}, manhattan, quiet, {});
+    return readContext(file, {}, contextFrame, quiet, {});
 }
 
 TEST(ContextTags, SayWhatIsDrawn) {
@@ -51,7 +51,7 @@ TEST(ReadContext, TakesAreasOfAnOpenStreetMapFileWithTheirHoles) {
     osm.way(tests::sizedRectangle(-100, 0, 60, 40), {{"natural", "water"}});
     const auto file = folder.path("map.osm");
     std::ofstream(file) << osm.xml();
-    const auto read = readFrom(file);
+    const auto read = readContextFrom(file);
     ASSERT_TRUE(read) << read.error().text();
     ASSERT_EQ(read->context.areas.size(), 2U);
     EXPECT_THAT(read->context.attribution, HasSubstr("OpenStreetMap"));
@@ -75,7 +75,7 @@ TEST(ReadContext, TakesKindsAndWidthsOfOtherFiles) {
          "geometry":{"type":"Point","coordinates":[-73.98,40.75]}},
         {"type":"Feature","properties":{"kind":"street"},
          "geometry":{"type":"LineString","coordinates":[[10,40],[10,41]]}}]})";
-    const auto read = readFrom(file);
+    const auto read = readContextFrom(file);
     ASSERT_TRUE(read) << read.error().text();
     ASSERT_EQ(read->context.lines.size(), 1U);
     const ContextLine& street = read->context.lines[0];
@@ -93,10 +93,10 @@ TEST(ReadContext, RefusesFilesWithNothingToDraw) {
     const auto file = folder.path("map.geojson");
     std::ofstream(file) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
         "geometry":{"type":"Point","coordinates":[-73.98,40.75]}}]})";
-    const auto read = readFrom(file);
+    const auto read = readContextFrom(file);
     ASSERT_FALSE(read);
     EXPECT_THAT(read.error().what, HasSubstr("no streets"));
-    EXPECT_FALSE(readFrom(folder.path("none.osm")));
+    EXPECT_FALSE(readContextFrom(folder.path("none.osm")));
 }
 
 TEST(ReadContext, IsStopped) {
@@ -107,15 +107,15 @@ TEST(ReadContext, IsStopped) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress quiet;
-    const auto read = readContext(folder.path("map.osm"), {}, manhattan, quiet, stop.get_token());
+    const auto read = readContext(folder.path("map.osm"), {}, contextFrame, quiet, stop.get_token());
     ASSERT_FALSE(read);
     EXPECT_TRUE(isCancelled(read.error()));
 }
 
 TEST(ReadContext, FindsBryantParkAndFifthAvenue) {
-    const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "no shared data";
-    const auto read = readFrom(*file);
+    const auto read = readContextFrom(*file);
     ASSERT_TRUE(read) << read.error().text();
     const MapContext& context = read->context;
     EXPECT_NE(std::ranges::find(context.areas, "Bryant Park", &ContextArea::name), context.areas.end());
