@@ -44,8 +44,8 @@ TEST(DayIsochrones, LinesOfMoreMinutesAreNearerToTheWall) {
 TEST(DayIsochrones, OnAPlaneHalfUpShadowsReachHalfAsFar) {
     NoProgress progress;
     const auto farthest = [&](std::optional<double> planeM) {
-        const auto day = traceDayIsochrones(cityWithWall(), december(),
-                                            {{{-20, 1}, {20, 60}}, {300}, planeM}, progress, {});
+        const auto day = traceDayIsochrones(cityWithWall(), december(), {{{-20, 1}, {20, 60}}, {300}, planeM},
+                                            progress, {});
         double north = 0;
         for (const Isochrone& line : day.value().lines)
             for (const glm::vec2 point : line.points) north = std::max(north, double(point.y));

@@ -110,9 +110,9 @@ TEST(ReviewStudy, ContributionsAreSole) {
     EXPECT_GT(same.places[0].totals.incrementalM2h, 100);
     EXPECT_EQ(same.contributions[0].incrementalM2h[0], 0);
     EXPECT_EQ(same.contributions[1].incrementalM2h[0], 0);
-    EXPECT_TRUE(reviewed(shippedRule("ceqr"), before, before, {placeOf("A", -50, 0, 50, 60)},
-                         "America/New_York")
-                    .contributions.empty());
+    EXPECT_TRUE(
+        reviewed(shippedRule("ceqr"), before, before, {placeOf("A", -50, 0, 50, 60)}, "America/New_York")
+            .contributions.empty());
 }
 
 TEST(ReviewStudy, OnlyTheProposalCastsWhereTheRuleSaysSo) {
