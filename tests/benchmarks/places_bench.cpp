@@ -15,7 +15,6 @@
 #include "core/measures/place_screening.h"
 #include "core/measures/place_sums.h"
 #include "core/receivers/place_names.h"
-#include "core/review/verdict_text.h"
 #include "core/sun/chosen_days.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -156,7 +155,7 @@ int main(int argc, char** argv) {
                           .value();
                   for (const ScreenedPlace& place : screened)
                       fmt::print("  {:<34} {}: {}\n", bench.places[place.place].name, nameOf(place.result),
-                                 describeReason(place));
+                                 place.reason);
               }));
     if (asked("year"))
         bench.runDays(
