@@ -33,6 +33,15 @@ function(noonmark_check_headers target)
   set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 endfunction()
 
+# Precompiles what most sources of `target` include: the standard library and core's own libraries, and the headers in ARGN.
+function(noonmark_precompile_headers target)
+  if(NOONMARK_PCH)
+    target_precompile_headers(${target} PRIVATE
+      <algorithm> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <string> <vector>
+      <fmt/format.h> <glm/glm.hpp> <nlohmann/json.hpp> <tl/expected.hpp> ${ARGN})
+  endif()
+endfunction()
+
 # A unity build compiles some ten neighbouring sources together: the whole project in a third of the time. The files listed in
 # unity_exclusions.txt have names in their anonymous namespaces that others have too, and compile alone.
 if(CMAKE_UNITY_BUILD)
