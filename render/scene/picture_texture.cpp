@@ -1,5 +1,6 @@
 #include "render/scene/picture_texture.h"
 
+#include "core/engines/accrual/sun_depth_map.h"
 #include "render/scene/texture_bytes.h"
 
 namespace noonmark {
@@ -32,6 +33,10 @@ Qt3DRender::QAbstractTexture* makeTexture(const GroundPicture& picture, Qt3DCore
 Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCore::QNode* parent) {
     return unfiltered(makeByteTexture(bytesOf(picture.samples), PixelKind::floats, picture.camera.widthPx,
                                       picture.camera.heightPx, parent));
+}
+
+Qt3DRender::QAbstractTexture* makeTexture(const SunDepthMap& map, Qt3DCore::QNode* parent) {
+    return unfiltered(makeByteTexture(bytesOf(map.depth), PixelKind::depths, map.size, map.size, parent));
 }
 
 Qt3DRender::QAbstractTexture* makeTexture(const std::vector<GroundPicture::Pixel>& palette,

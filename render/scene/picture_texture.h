@@ -7,12 +7,17 @@
 
 namespace noonmark {
 
+struct SunDepthMap;
+
 /// Makes a texture of a picture; its first row is at v = 0. Cells are sharp at close range and averaged at a
 /// distance.
 Qt3DRender::QAbstractTexture* makeTexture(const GroundPicture& picture, Qt3DCore::QNode* parent);
 
 /// A texture of unfiltered samples, which the shaders look up one by one.
 Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCore::QNode* parent);
+
+/// Heights towards the sun, looked up one by one.
+Qt3DRender::QAbstractTexture* makeTexture(const SunDepthMap& map, Qt3DCore::QNode* parent);
 
 /// A texture of one row of colours.
 Qt3DRender::QAbstractTexture* makeTexture(const std::vector<GroundPicture::Pixel>& palette,

@@ -3,6 +3,7 @@
 #include <QUrl>
 #include <Qt3DRender/QBlendEquation>
 #include <Qt3DRender/QBlendEquationArguments>
+#include <Qt3DRender/QColorMask>
 #include <Qt3DRender/QCullFace>
 #include <Qt3DRender/QDepthTest>
 #include <Qt3DRender/QEffect>
@@ -43,13 +44,29 @@ Qt3DRender::QTechnique* forwardTechnique(Qt3DRender::QRenderPass* pass) {
     return technique;
 }
 
+// The key by which the frame graph chooses among the passes of a material.
+void name(Qt3DRender::QRenderPass* pass, const char* kind) {
+    auto* key = new Qt3DRender::QFilterKey;
+    key->setName(QStringLiteral("pass"));
+    key->setValue(QString::fromLatin1(kind));
+    pass->addFilterKey(key);
+}
+
+Qt3DRender::QDepthTest* depthTest(Qt3DRender::QDepthTest::DepthFunction function) {
+    auto* test = new Qt3DRender::QDepthTest;
+    test->setDepthFunction(function);
+    return test;
+}
+
 }  // namespace
 
 ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment, Qt3DCore::QNode* parent)
-    : QMaterial(parent), pass_(new Qt3DRender::QRenderPass) {
+    : QMaterial(parent), vertex_(vertex), pass_(new Qt3DRender::QRenderPass) {
     pass_->setShaderProgram(programOf(vertex, fragment));
+    name(pass_, colourPass);
     auto* effect = new Qt3DRender::QEffect(this);
-    effect->addTechnique(forwardTechnique(pass_));
+    technique_ = forwardTechnique(pass_);
+    effect->addTechnique(technique_);
     setEffect(effect);
 }
 
@@ -72,10 +89,20 @@ void ShaderMaterial::blend() {
     pass_->addRenderState(new Qt3DRender::QNoDepthMask);
 }
 
-void ShaderMaterial::alwaysVisible() {
-    auto* test = new Qt3DRender::QDepthTest;
-    test->setDepthFunction(Qt3DRender::QDepthTest::Always);
-    pass_->addRenderState(test);
+void ShaderMaterial::alwaysVisible() { pass_->addRenderState(depthTest(Qt3DRender::QDepthTest::Always)); }
+
+void ShaderMaterial::drawDepthFirst() {
+    auto* depth = new Qt3DRender::QRenderPass;
+    depth->setShaderProgram(programOf(vertex_, QStringLiteral("depth")));
+    name(depth, depthPass);
+    auto* noColour = new Qt3DRender::QColorMask;
+    noColour->setRedMasked(false);
+    noColour->setGreenMasked(false);
+    noColour->setBlueMasked(false);
+    noColour->setAlphaMasked(false);
+    depth->addRenderState(noColour);
+    technique_->addRenderPass(depth);
+    pass_->addRenderState(depthTest(Qt3DRender::QDepthTest::LessOrEqual));
 }
 
 void ShaderMaterial::bothSides() {

@@ -5,7 +5,8 @@
 
 namespace Qt3DRender {
 class QRenderPass;
-}
+class QTechnique;
+}  // namespace Qt3DRender
 
 namespace noonmark {
 
@@ -23,9 +24,18 @@ public:
     void blend();          ///< alpha blending, without writing depth
     void alwaysVisible();  ///< ignores depth: drawn over nearer objects
     void bothSides();      ///< disables culling
+    /// Draws depth alone before colour, so that hidden surfaces cost no colour: where the processor draws, a
+    /// city has ten layers of buildings behind each other.
+    void drawDepthFirst();
+
+    /// Values of the key "pass", by which a frame graph draws first depths and then colours.
+    static constexpr const char* depthPass = "depth";
+    static constexpr const char* colourPass = "colour";
 
 private:
+    QString vertex_;
     Qt3DRender::QRenderPass* pass_;
+    Qt3DRender::QTechnique* technique_;
 };
 
 }  // namespace noonmark

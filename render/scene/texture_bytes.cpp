@@ -8,7 +8,20 @@ namespace noonmark {
 
 namespace {
 
-int bytesAPixel(PixelKind kind) { return kind == PixelKind::bytes ? 4 : 16; }
+struct PixelFormat {
+    Qt3DRender::QAbstractTexture::TextureFormat texture;
+    QOpenGLTexture::PixelFormat pixel;
+    QOpenGLTexture::PixelType type;
+    int bytes;
+};
+
+PixelFormat formatOf(PixelKind kind) {
+    using Texture = Qt3DRender::QAbstractTexture;
+    if (kind == PixelKind::bytes)
+        return {Texture::RGBA8_UNorm, QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, 4};
+    if (kind == PixelKind::depths) return {Texture::R32F, QOpenGLTexture::Red, QOpenGLTexture::Float32, 4};
+    return {Texture::RGBA32F, QOpenGLTexture::RGBA, QOpenGLTexture::Float32, 16};
+}
 
 // Supplies the pixels to Qt3D, which asks for them from its own thread. Two sources are equal if they share
 // their bytes.
@@ -18,19 +31,19 @@ public:
         : bytes_(std::move(bytes)), kind_(kind), columns_(columns), rows_(rows) {}
 
     Qt3DRender::QTextureImageDataPtr operator()() override {
-        const bool bytes = kind_ == PixelKind::bytes;
+        const PixelFormat format = formatOf(kind_);
         auto data = Qt3DRender::QTextureImageDataPtr::create();
         data->setTarget(QOpenGLTexture::Target2D);
-        data->setFormat(bytes ? QOpenGLTexture::RGBA8_UNorm : QOpenGLTexture::RGBA32F);
-        data->setPixelFormat(QOpenGLTexture::RGBA);
-        data->setPixelType(bytes ? QOpenGLTexture::UInt8 : QOpenGLTexture::Float32);
+        data->setFormat(QOpenGLTexture::TextureFormat(format.texture));
+        data->setPixelFormat(format.pixel);
+        data->setPixelType(format.type);
         data->setWidth(columns_);
         data->setHeight(rows_);
         data->setDepth(1);
         data->setLayers(1);
         data->setFaces(1);
         data->setMipLevels(1);
-        data->setData(bytes_, bytesAPixel(kind_));
+        data->setData(bytes_, format.bytes);
         return data;
     }
 
@@ -66,8 +79,7 @@ private:
 Qt3DRender::QAbstractTexture* makeByteTexture(const QByteArray& pixels, PixelKind kind, int columns, int rows,
                                               Qt3DCore::QNode* parent) {
     auto* texture = new Qt3DRender::QTexture2D(parent);
-    texture->setFormat(kind == PixelKind::bytes ? Qt3DRender::QAbstractTexture::RGBA8_UNorm
-                                                : Qt3DRender::QAbstractTexture::RGBA32F);
+    texture->setFormat(formatOf(kind).texture);
     texture->setSize(columns, rows);
     texture->setWrapMode(Qt3DRender::QTextureWrapMode(Qt3DRender::QTextureWrapMode::ClampToEdge));
     texture->addTextureImage(

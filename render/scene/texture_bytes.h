@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// Four numbers per pixel.
-enum class PixelKind { bytes, floats };
+/// Four bytes, four floats or one float per pixel.
+enum class PixelKind { bytes, floats, depths };
 
 /// A texture of `columns` x `rows` pixels, row by row; the first row is at v = 0. The caller sets the
 /// filters.

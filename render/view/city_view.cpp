@@ -1,5 +1,6 @@
 #include "render/view/city_view.h"
 
+#include <QSurfaceFormat>
 #include <QTimer>
 #include <QVector2D>
 #include <QVector4D>
@@ -11,6 +12,7 @@
 #include <Qt3DRender/QLayer>
 #include <Qt3DRender/QLayerFilter>
 #include <Qt3DRender/QRenderCapture>
+#include <Qt3DRender/QRenderPassFilter>
 #include <Qt3DRender/QRenderSettings>
 #include <Qt3DRender/QRenderSurfaceSelector>
 #include <Qt3DRender/QTechniqueFilter>
@@ -20,6 +22,7 @@
 #include "render/scene/picture_texture.h"
 #include "render/scene/shader_material.h"
 #include "render/view/camera_control.h"
+#include "render/view/software_drawing.h"
 
 namespace noonmark {
 
@@ -83,6 +86,12 @@ CityView::CityView()
       blended_(new Qt3DRender::QLayer(root_)),
       rest_(new QTimer(this)),
       names_(new QTimer(this)) {
+    // A processor has no time for four samples per pixel.
+    if (drawsInSoftware()) {
+        QSurfaceFormat plain = format();
+        plain.setSamples(0);
+        setFormat(plain);
+    }
     rest_->setSingleShot(true);
     rest_->setInterval(restMs);
     connect(rest_, &QTimer::timeout, this, [this] { showEdges(true); });
@@ -104,13 +113,26 @@ void CityView::makeFrameGraph() {
     auto* viewport = new Qt3DRender::QViewport(forwardFilter(surface));
     auto* camera = new Qt3DRender::QCameraSelector(viewport);
     camera->setCamera(this->camera());
-    auto* clear = new Qt3DRender::QClearBuffers(drawn(false, false, camera));
+    auto* clear =
+        new Qt3DRender::QClearBuffers(drawn(false, false, passes(ShaderMaterial::depthPass, camera)));
     clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
     clear->setClearColor(background);
-    drawn(false, true, camera);
-    drawn(true, false, camera);
-    capture_ = new Qt3DRender::QRenderCapture(drawn(true, true, camera));
+    Qt3DRender::QFrameGraphNode* colour = passes(ShaderMaterial::colourPass, camera);
+    drawn(false, false, colour);
+    drawn(false, true, colour);
+    drawn(true, false, colour);
+    capture_ = new Qt3DRender::QRenderCapture(drawn(true, true, colour));
     setActiveFrameGraph(surface);
+}
+
+// Only the passes of materials with this value of the key "pass".
+Qt3DRender::QFrameGraphNode* CityView::passes(const char* pass, Qt3DRender::QFrameGraphNode* parent) {
+    auto* filter = new Qt3DRender::QRenderPassFilter(parent);
+    auto* key = new Qt3DRender::QFilterKey(filter);
+    key->setName(QStringLiteral("pass"));
+    key->setValue(QString::fromLatin1(pass));
+    filter->addMatch(key);
+    return filter;
 }
 
 // One branch of the frame graph: the city or the overlay, and within it the faces or the blended nodes.
@@ -140,6 +162,7 @@ void CityView::makeMaterials() {
     ground_ = made("ground");
     ground_->set(QStringLiteral("groundColour"), vectorOf(groundColour));
     ground_->set(QStringLiteral("haze"), vectorOf(background));
+    for (ShaderMaterial* material : {building_, ground_}) material->drawDepthFirst();
     ribbon_ = made("ribbon");
     ribbon_->set(QStringLiteral("lineColour"), QVector4D(vectorOf(lineColour), 0.9F));
     ribbon_->set(QStringLiteral("widthPx"), 2.5F);
@@ -150,6 +173,7 @@ void CityView::makeMaterials() {
     clearPicture();
     clearMap();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
+    sun_ = std::make_unique<SunLayer>(std::vector{building_, ground_}, root_);
     overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
     places_->onChange([this] { names_->start(); });

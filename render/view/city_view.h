@@ -14,6 +14,7 @@
 #include "render/scene/ground_picture.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
+#include "render/scene/sun_layer.h"
 #include "render/scene/surface_layer.h"
 #include "render/view/view_ray.h"
 
@@ -60,6 +61,8 @@ public:
     void clearMap();
     /// Pictures on ground, roofs and facades; they cover the picture on the ground.
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
+    /// Sun and shadow of one moment on ground, roofs and facades.
+    [[nodiscard]] SunLayer& sun() { return *sun_; }
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
@@ -81,6 +84,7 @@ protected:
 
 private:
     void makeFrameGraph();
+    Qt3DRender::QFrameGraphNode* passes(const char* pass, Qt3DRender::QFrameGraphNode* parent);
     Qt3DRender::QLayerFilter* drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
     void makeMaterials();
     void applyCamera();
@@ -110,6 +114,7 @@ private:
     Qt3DCore::QNode* roofTexture_ = nullptr;
     Qt3DCore::QNode* mapTexture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
+    std::unique_ptr<SunLayer> sun_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;

@@ -88,7 +88,9 @@ void ViewNavigator::drag(const QMouseEvent& event) {
     const QPointF far = here - pressedAt_;
     if (!dragging_ && std::hypot(far.x(), far.y()) < dragThresholdPx) return;
     dragging_ = true;
-    if (pans(event))
+    if (event.modifiers().testFlag(Qt::ControlModifier))
+        Q_EMIT sunDragged(here - last_);
+    else if (pans(event))
         go(pan(view_.pose(), of(last_), of(here), view_.lens()));
     else
         go(orbit(view_.pose(), of(here - last_), view_.lens()));

@@ -23,9 +23,9 @@ public:
     virtual void drop() = 0;
 };
 
-/// Mouse and keyboard control of a CityView. Left or middle drag rotates, right drag (or shift) moves, the
-/// wheel zooms at the cursor; arrow keys move, + and - zoom, Home shows the whole city, N turns north up, T
-/// looks from above. The eye never goes below the ground.
+/// Mouse and keyboard control of a CityView. Left or middle drag rotates, right drag (or shift) moves, a drag
+/// with Ctrl asks for the sun to be turned, the wheel zooms at the cursor; arrow keys move, + and - zoom,
+/// Home shows the whole city, N turns north up, T looks from above. The eye never goes below the ground.
 class ViewNavigator final : public QObject {
     Q_OBJECT
 public:
@@ -55,7 +55,8 @@ Q_SIGNALS:
     void clicked(QPointF pixel);  ///< left button, without a drag
     void doubleClicked(QPointF pixel);
     void rightClicked(QPointF pixel);
-    void keyPressed(int key);  ///< a key that does not move the camera
+    void sunDragged(QPointF byPx);  ///< a drag with Ctrl
+    void keyPressed(int key);       ///< a key that does not move the camera
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

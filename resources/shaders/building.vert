@@ -4,6 +4,7 @@ out vec3 eyeSpace;
 out vec3 place;
 uniform mat4 modelView;
 uniform mat4 mvp;
+invariant gl_Position;  // the same in the pass that draws depth alone
 
 void main() {
     place = vertexPosition;

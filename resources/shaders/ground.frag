@@ -12,6 +12,7 @@ uniform vec3 haze;
 uniform float hazeDistance;
 #pragma include explored.inc
 #pragma include pictured.inc
+#pragma include sunlit.inc
 
 vec3 mappedGround() {
     if (mapBox.z <= 0.0) return groundColour;
@@ -24,7 +25,8 @@ vec3 mappedGround() {
 void main() {
     vec3 normal = mat3(inverseViewMatrix) * normalize(cross(dFdx(eyeSpace), dFdy(eyeSpace)));
     float light = 0.72 + 0.28 * clamp(dot(normal, normalize(vec3(-0.55, -0.70, 0.62))) / 0.57, 0.0, 1.3);
-    vec3 ground = mix(mappedGround() * light, haze, smoothstep(0.35, 1.0, length(eyeSpace) / hazeDistance));
+    vec3 tint = sunShown > 0.0 ? mix(vec3(0.52, 0.55, 0.63), vec3(1.06, 1.04, 1.0), sunlit(place, normal)) : vec3(light);
+    vec3 ground = mix(mappedGround() * tint, haze, smoothstep(0.35, 1.0, length(eyeSpace) / hazeDistance));
     vec4 field = pictured(place);
     vec4 seen = explored(place, normal);
     vec3 shown = field.rgb + ground * (1.0 - field.a);

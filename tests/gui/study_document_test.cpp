@@ -1,5 +1,6 @@
 #include "app/window/study/study_document.h"
 #include "app/input/all_engines.h"
+#include "app/window/study_form/study_dock.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,6 @@
 #include <QDateEdit>
 #include <QDoubleSpinBox>
 #include <QSpinBox>
-
-#include "app/window/study/study_dock.h"
 
 namespace noonmark {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/window/actions/make_action.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
-#include "app/window/study/study_dock.h"
+#include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/widgets/file_dialogs.h"
 #include "core/io/read_region.h"
@@ -80,6 +80,18 @@ void RegionActions::takeWholeCity() {
     Region all = makeRegionFromLocalBox(panel_.view().viewBounds().box);
     all.name = "the whole city";
     change(all);
+}
+
+void RegionActions::takeSurroundings(std::uint32_t building) {
+    const City& city = workbench_.city()->city();
+    if (building >= city.buildings.size()) return;
+    const Building& middle = *city.buildings[building];
+    const Box2 box = bounds(middle);
+    const double ground = groundAt(city, glm::dvec2(box.low + box.high) / 2.0);
+    const auto reach = float(std::max(50.0, 4 * (double(topM(middle)) - ground)));
+    Region around = makeRegionFromLocalBox({box.low - glm::vec2(reach), box.high + glm::vec2(reach)});
+    around.name = middle.name.empty() ? "around the building" : "around " + middle.name;
+    change(around);
 }
 
 // A region of the project, or a place; the error suggests names that are spelled alike.

@@ -25,6 +25,10 @@ public:
 
     [[nodiscard]] QList<QAction*> actions() const { return {draw_, fromFile_}; }
 
+    /// The surroundings of a building (index in the displayed city) as the region: its box, widened by four
+    /// times its height, and by 50 m at least.
+    void takeSurroundings(std::uint32_t building);
+
 private:
     void connectDocks(ProjectDock& tree);
     void draw(bool on);

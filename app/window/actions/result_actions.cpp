@@ -5,6 +5,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/result_display.h"
+#include "app/window/time/time_strip.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/widgets/file_dialogs.h"
@@ -49,7 +50,9 @@ void ResultActions::savePicture(const QString& file) {
     const Period& period = mode_.mode() == ViewMode::exploration || !display_.anyShown()
                                ? workbench_.document().settings().period
                                : display_.settings().period;
-    panel_.takePicture(title, describePeriod(period), [this, file](const QImage& image) {
+    const TimeLook& look = panel_.time().look();
+    const QString when = look.span == LookSpan::moment ? describe(look) : describePeriod(period);
+    panel_.takePicture(title, when, [this, file](const QImage& image) {
         if (image.save(file)) return panel_.messages().showNote(tr("Picture saved as %1").arg(file));
         panel_.messages().showError(
             {"The picture could not be written", file.toStdString(), "Choose another folder"});

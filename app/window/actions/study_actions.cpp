@@ -4,7 +4,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/result_display.h"
-#include "app/window/study/study_dock.h"
+#include "app/window/study_form/study_dock.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/weights/weights_dock.h"
@@ -87,12 +87,19 @@ void StudyActions::repeatSaved() {
 
 void StudyActions::announceLongRun(const RunEstimate& estimate) {
     MessageBar& bar = panel_.messages();
-    bar.showHelp(tr("The ray reference takes %1 (%2 rays). The automatic engine takes %3 and reports its "
-                    "error against the ray reference.")
-                     .arg(describeAbout(estimate.seconds), QString::number(estimate.rays, 'g', 2),
-                          describeAbout(estimate.quickerSeconds)));
-    bar.offer(tr("Use automatic engine"), [this] { workbench_.runQuicker(); });
-    bar.offerToo(tr("Run ray reference"), [this] { workbench_.runAnyway(); });
+    if (estimate.quickerSeconds < estimate.seconds / 2) {
+        bar.showHelp(
+            tr("This study takes %1 (%2). The accuracy Quick takes %3 and measures its error against "
+               "rays.")
+                .arg(describeAbout(estimate.seconds), estimate.engine,
+                     describeAbout(estimate.quickerSeconds)));
+        bar.offer(tr("Run quickly"), [this] { workbench_.runQuicker(); });
+        bar.offerToo(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
+        return;
+    }
+    bar.showHelp(tr("This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.")
+                     .arg(describeAbout(estimate.seconds), estimate.engine));
+    bar.offer(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
 }
 
 void StudyActions::showStopped(bool cancelled) {

@@ -7,6 +7,7 @@
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 
 #include "app/window/frame/window_menus.h"
@@ -16,20 +17,23 @@
 #include "app/window/scenarios/scenario_bar.h"
 #include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/search/search_field.h"
-#include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
+#include "app/window/study_form/accuracy_choice.h"
+#include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/weights/weights_dock.h"
 #include "app/window/widgets/progress_strip.h"
+#include "render/view/software_drawing.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 5;
+constexpr int layoutVersion = 6;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
+constexpr int cameraRestMs = 150;
 
 QString unsavedFolder(const QSettings& settings) {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -98,9 +102,9 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    QAction* quit =
-        noonmark::fillMenus(*menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_, region_,
-                                         places_, reviews_, camera_, search_, mode_.actions(), docks});
+    QAction* quit = noonmark::fillMenus(
+        *menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_, region_, places_, reviews_,
+                     camera_, search_, mode_.actions(), docks, time_.actions()});
     menuBar()->setCornerWidget(search_.field());
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
@@ -167,25 +171,69 @@ void MainWindow::connectDocks() {
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
+    connectStudyForm();
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+void MainWindow::connectStudyForm() {
+    StudyDock& form = *docks_.study;
+    form.setRules(review_.library().rules());
+    connect(&form, &StudyDock::kindChosen, this, &MainWindow::chooseKind);
+    connect(&form, &StudyDock::paperRequested, this, [this] {
+        camera_.exploreByMaps()->setChecked(true);
+        workbench_.document().change(asInPaper(workbench_.document().settings()), tr("as in the paper"));
+    });
+    BuildingEditing& building = tools_.building();
+    connect(&building, &BuildingEditing::selectionChanged, &form,
+            [&form, &building] { form.setBuilding(building.selected().has_value()); });
+    connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
+        if (building.selected()) region_.takeSurroundings(*building.selected());
+    });
+    connect(&workbench_.session(), &ProjectSession::changed, &form,
+            [this, &form] { form.setComparing(workbench_.comparing()); });
+}
+
+// The panels that a kind of study needs, or the baseline of a comparison.
+void MainWindow::chooseKind(StudyKind kind) {
+    ProjectSession& session = workbench_.session();
+    if (kind == StudyKind::review) return showReview();
+    if (kind == StudyKind::score) return raiseDock(docks_.weights);
+    if (kind == StudyKind::shadow) return session.compareWith({});
+    if (session.scenario() != existingCity) return session.compareWith(existingCity);
+    panel_->messages().showNote(tr(
+        "Choose a scenario at the top first. A change to a building begins one: click a building, and drag "
+        "its arrow or replace it by a tower (Ctrl+T)."));
 }
 
 void MainWindow::connectModes() {
     connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
         panel_->results().setMode(mode);
-        exploration_.setActive(mode == ViewMode::exploration);
+        activateExploration();
     });
+    connect(&time_, &TimeDisplay::momentChanged, this, &MainWindow::activateExploration);
     connect(&exploration_, &Exploration::changed, this,
             [this] { panel_->results().setExplored(exploration_.answer()); });
     connect(&exploration_, &Exploration::failed, &panel_->messages(), &MessageBar::showError);
-    connect(&panel_->view(), &CityView::poseChanged, this, [this] {
-        ViewLens lens = panel_->view().lens();
-        lens.widthPx *= panel_->view().devicePixelRatio();
-        lens.heightPx *= panel_->view().devicePixelRatio();
-        exploration_.look(panel_->view().pose(), lens);
-    });
+    // Where the processor draws, a moving camera leaves no time to explore.
+    auto* rest = new QTimer(this);
+    rest->setSingleShot(true);
+    rest->setInterval(drawsInSoftware() ? cameraRestMs : 0);
+    connect(rest, &QTimer::timeout, this, &MainWindow::explore);
+    connect(&panel_->view(), &CityView::poseChanged, rest, qOverload<>(&QTimer::start));
     panel_->results().setMode(mode_.mode());
-    exploration_.setActive(mode_.mode() == ViewMode::exploration);
+    activateExploration();
+}
+
+void MainWindow::explore() {
+    ViewLens lens = panel_->view().lens();
+    lens.widthPx *= panel_->view().devicePixelRatio();
+    lens.heightPx *= panel_->view().devicePixelRatio();
+    exploration_.look(panel_->view().pose(), lens);
+}
+
+// A moment has its own shadows, which cost nothing while the camera moves.
+void MainWindow::activateExploration() {
+    exploration_.setActive(mode_.mode() == ViewMode::exploration && !time_.showsMoment());
 }
 
 // Raises the dock among its tabs. A dock that the user closed stays closed.
@@ -209,7 +257,7 @@ void MainWindow::showCity() {
     panel_->view().setPose(pose);
     edits_.showCity();
     exploration_.setCity(workbench_.city());
-    docks_.study->setTerrain(workbench_.city()->city().terrain != nullptr);
+    docks_.study->setCity(workbench_.session().city());
     display_.showCity();
     time_.offer();
     showDocument();

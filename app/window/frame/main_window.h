@@ -29,6 +29,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/results/result_display.h"
 #include "app/window/review/review_session.h"
+#include "app/window/study_form/what_form.h"
 #include "app/window/time/time_display.h"
 #include "app/window/view/mode_switch.h"
 
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] ModeSwitch& mode() { return mode_; }
     [[nodiscard]] const Exploration& exploration() const { return exploration_; }
     [[nodiscard]] const TimeLooking& looking() const { return time_.looking(); }
+    [[nodiscard]] const SunShadow& shadow() const { return time_.shadow(); }
 
     [[nodiscard]] SavingActions& saving() { return saving_; }
     [[nodiscard]] OpeningActions& opening() { return opening_; }
@@ -73,7 +75,11 @@ private:
     void connectJobs();
     void connectWorkbench();
     void connectDocks();
+    void connectStudyForm();
     void connectModes();
+    void activateExploration();
+    void explore();
+    void chooseKind(StudyKind kind);
     void raiseDock(const QWidget* content);
     void showReview();
     void showCity();

@@ -8,8 +8,8 @@
 #include "app/window/results/results_dock.h"
 #include "app/window/review/review_dock.h"
 #include "app/window/scenarios/scenarios_dock.h"
-#include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
+#include "app/window/study_form/study_dock.h"
 #include "app/window/weights/weights_dock.h"
 
 namespace noonmark {
@@ -43,7 +43,7 @@ QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
 
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     const int studyWidth = docks.study->minimumSizeHint().width() + 22;
-    QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", scrolled(docks.study, studyWidth));
+    QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", docks.study);
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);

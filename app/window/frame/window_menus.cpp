@@ -58,6 +58,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());
     menu.addAction(actions.places.showAction());
+    menu.addMenu(tr("S&un"))->addActions(actions.sun);
     menu.addMenu(tr("&Mode"))->addActions(actions.modes);
     menu.addAction(actions.view.exploreByMaps());
     menu.addMenu(tr("&Panels"))->addActions(actions.docks);

@@ -34,6 +34,7 @@ struct WindowActions {
     const SearchActions& search;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock
+    QList<QAction*> sun;    ///< plays and moves the sun
 };
 
 /// Creates the menus and arranges the entries in them. Returns the entry that quits, for the window to

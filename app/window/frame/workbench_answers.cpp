@@ -38,20 +38,22 @@ bool Workbench::comparing() const {
     return !session_.baseline().empty() && session_.baseline() != session_.scenario();
 }
 
-// Only the ray reference can take days unexpectedly, so only its runs are estimated first.
+// Estimating takes up to a second, so only runs that may be long are estimated first.
 void Workbench::startUnlessLong(double fields, Start start) {
-    if (document_.settings().engine != referenceEngine) return start();
+    if (!mayBeLong(document_.settings())) return start();
     running_.start<RunEstimate>(
         tr("Estimating"),
         [city = session_.city(), settings = document_.settings()](Progress&, const std::stop_token& stop) {
-            return estimateRays(*city, settings, stop);
+            return estimateRun(*city, settings, stop);
         },
         [this, fields, start = std::move(start)](const Result<RunEstimate>& one) {
             if (!one && isCancelled(one.error())) return Q_EMIT studyStopped(true);
             if (!one || one->seconds * fields < longRunSeconds) return start();
             long_ = start;
             Q_EMIT studyStopped(false);
-            Q_EMIT longRun({one->rays * fields, one->seconds * fields, one->quickerSeconds * fields});
+            RunEstimate all = *one;
+            for (double* seconds : {&all.seconds, &all.raySeconds, &all.quickerSeconds}) *seconds *= fields;
+            Q_EMIT longRun(all);
         });
 }
 

@@ -32,14 +32,21 @@ ShadowMeasure chooseShownMeasure(const GroundAnswer& answer, ShadowMeasure wante
 
 QString nameOf(const std::string& name) { return QString::fromStdString(name); }
 
+// Beside the legend, so that nobody takes an approximate map for an exact one.
+QString describeError(const Study& study) {
+    if (!study.error) return {};
+    return QObject::tr("Measured error against rays: %1 % of the area, %2 % of the minutes of a cell")
+        .arg(QString::number(study.error->areaPct, 'f', 2),
+             QString::number(study.error->gross.percent(study.error->gross.meanMin), 'f', 2));
+}
+
 QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }
 
 }  // namespace
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
     return runsLookedFor({std::shared_ptr<const ShadowField>(study, &study->field),
-                          std::shared_ptr<const Receivers>(study, &study->receivers),
-                          {}});
+                          std::shared_ptr<const Receivers>(study, &study->receivers), describeError(*study)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {

@@ -68,6 +68,12 @@ void ResultLayer::setTime(const std::shared_ptr<const TimeAnswer>& answer) {
     if (mode_ != ViewMode::exploration) show();
 }
 
+void ResultLayer::setMoment(const QString& words) {
+    if (words == moment_) return;
+    moment_ = words;
+    show();
+}
+
 void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
     explored_ = std::move(answer);
     if (mode_ == ViewMode::exploration) show();
@@ -84,6 +90,7 @@ void ResultLayer::noteLive(const QString& note) {
 }
 
 void ResultLayer::show() {
+    if (!moment_.isEmpty() && !live_ && !(time_ && mode_ != ViewMode::exploration)) return showMoment();
     if (mode_ == ViewMode::exploration && !live_) {
         view_.clearPicture();
         return explored_ ? showExplored() : showNothing();
@@ -126,7 +133,16 @@ void ResultLayer::showNothing() {
     strip_.setNote({}, false);
 }
 
+void ResultLayer::showMoment() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    strip_.setHint(moment_);
+    strip_.setLegend(std::nullopt);
+    strip_.setNote({}, false);
+}
+
 QString ResultLayer::minutesAt(const Pick& pick) const {
+    if (!moment_.isEmpty() && !live_ && !time_) return {};
     if (mode_ == ViewMode::exploration && !live_) {
         const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
         if (!point) return {};

@@ -28,6 +28,9 @@ public:
     void setPartial(std::shared_ptr<const PartialField> partial);
     /// A day or moment of the study, displayed instead of it; null: none, shows the study again.
     void setTime(const std::shared_ptr<const TimeAnswer>& answer);
+    /// Sun and shadow of a moment are shown, in these words: only a study's cells of that moment are shown
+    /// with them. Empty: no moment is shown.
+    void setMoment(const QString& words);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
 
     /// The live shadow, displayed in any mode until it is none.
@@ -44,6 +47,7 @@ private:
     void showGround();
     [[nodiscard]] const GroundAnswer* ground() const;
     void showNothing();
+    void showMoment();
 
     CityView& view_;
     LegendStrip& strip_;
@@ -53,6 +57,7 @@ private:
     std::optional<GroundAnswer> partial_;
     std::optional<GroundAnswer> time_;
     std::optional<GroundAnswer> live_;
+    QString moment_;
     std::shared_ptr<const ViewAnswer> explored_;
 };
 

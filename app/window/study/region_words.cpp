@@ -42,13 +42,13 @@ QString describeDrawn(const PolygonTool& tool) {
 }
 
 QString describeRegion(const Region& region, double cellM) {
-    if (region.polygons.empty()) return QStringLiteral("No region yet");
+    if (region.polygons.empty()) return QObject::tr("No region yet");
     double areaM2 = 0;
     for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
     const Box2 box = bounds(region);
     const QString name =
         region.name.empty() ? QStringLiteral("Polygon") : QString::fromStdString(region.name);
-    return QStringLiteral("%1\n%2 × %3 m, %4, %5 cells")
+    return QObject::tr("%1\n%2 × %3 m, %4, %5 cells")
         .arg(name.at(0).toUpper() + name.mid(1))
         .arg(double(box.high.x - box.low.x), 0, 'f', 0)
         .arg(double(box.high.y - box.low.y), 0, 'f', 0)

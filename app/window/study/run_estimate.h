@@ -7,23 +7,34 @@
 
 namespace noonmark {
 
-/// The expected cost of one field by the ray reference, and the time of the automatic engine, by the model
-/// that chooses it (auto_engine.h).
+/// The expected cost of one field, on two cores, by the model that the automatic engine chooses with
+/// (auto_engine.h). For accrual maps and the direction graph scaled from rays by the ratios of
+/// docs/benchmarks.md, within a factor of about two.
 struct RunEstimate {
-    double rays = 0;
-    double seconds = 0;
-    double quickerSeconds = 0;
+    double receivers = 0;
+    double steps = 0;           ///< positions of the sun
+    double seconds = 0;         ///< by the engine of the settings
+    double raySeconds = 0;      ///< by the ray reference
+    double quickerSeconds = 0;  ///< by the automatic engine
+    QString engine;             ///< in words; the automatic choice is resolved
+    [[nodiscard]] double rays() const { return receivers * steps; }
 };
 
 /// A run expected to take at least this many seconds is announced before it starts.
-constexpr double longRunSeconds = 120;
+constexpr double longRunSeconds = 600;
 
 /// Uses the receivers and steps of the study: takes about 0.1 s, or a second for a year in steps of a minute.
 /// Error: the study's own refusal, or stopped.
-Result<RunEstimate> estimateRays(const City& city, const StudySettings& settings,
-                                 const std::stop_token& stop);
+Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings, const std::stop_token& stop);
+
+/// Whether a run can be long enough to be worth an estimate before it starts: any by rays, and large ones by
+/// other engines. Without receivers or sun, so it takes no time.
+bool mayBeLong(const StudySettings& settings);
 
 /// "about 40 s", "about 3 h", "about 12 days".
 QString describeAbout(double seconds);
+
+/// "1.6 million cells, 540 positions of the sun. Horizon sweep: about 50 s. Rays would take about 9 h."
+QString describe(const RunEstimate& estimate);
 
 }  // namespace noonmark

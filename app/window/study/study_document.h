@@ -1,10 +1,10 @@
 #pragma once
 
-// The study: its settings, the jobs that run it and the docks beside it. StudyDocument holds the settings
-// with undo; StudyDock edits them; WarningsDock shows the warnings of reading (warning_place finds the
+// The study: its settings, the jobs that run it and what it reports. StudyDocument holds the settings
+// with undo; study_form/ edits them; WarningsDock shows the warnings of reading (warning_place finds the
 // building that one names). Job and JobSlot run work on another thread for the whole window; open_city
-// prepares a city for display; OpenOptions asks how to read files; run_estimate predicts how long a run by
-// the ray reference takes.
+// prepares a city for display; OpenOptions asks how to read files; run_estimate predicts how long a run
+// takes.
 
 #include <QObject>
 #include <QUndoStack>

@@ -1,8 +1,14 @@
 #pragma once
 
 #include <QObject>
+#include <QPointF>
 
+#include "app/window/time/sun_at_moment.h"
+#include "app/window/time/sun_shadow.h"
 #include "app/window/time/time_looking.h"
+
+class QAction;
+class QTimer;
 
 namespace noonmark {
 
@@ -10,8 +16,8 @@ class ModeSwitch;
 class ViewPanel;
 class Workbench;
 
-/// Offers the time strip while the study of one scenario is displayed, and shows the day or moment chosen
-/// there; a study of just that time runs on request.
+/// Connects the time strip with the view. At one moment it shows sun and shadow on everything; for the study
+/// of one scenario also its day or moment, with figures, and a study of just that time runs on request.
 class TimeDisplay final : public QObject {
     Q_OBJECT
 public:
@@ -19,18 +25,38 @@ public:
     TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
                 std::shared_ptr<SharedHorizonCache> horizons);
 
-    void offer();  ///< shows or hides the strip for the displayed result
+    void offer();  ///< after another city, period or result is shown
+    [[nodiscard]] bool showsMoment() const;
     [[nodiscard]] TimeLooking& looking() { return looking_; }
     [[nodiscard]] const TimeLooking& looking() const { return looking_; }
+    [[nodiscard]] const SunShadow& shadow() const { return shadow_; }
+    /// Plays and moves the sun, for a menu.
+    [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
+
+Q_SIGNALS:
+    void momentChanged();  ///< showsMoment() may have changed
 
 private:
+    void connectWorkbench();
+    void connectView();
+    void makeActions();
+    void look(const TimeLook& look);
     void show();
+    void showSun();
+    void drawShadow();
+    [[nodiscard]] LitSpace seenSpace() const;
+    void turnSun(QPointF byPx);
     void study(const TimeLook& look);
 
     Workbench& workbench_;
     const ModeSwitch& mode_;
     ViewPanel& panel_;
     TimeLooking looking_;
+    SunShadow shadow_;
+    SunAtMoment sun_;
+    QTimer* rest_;    // then the shadow is drawn finely
+    QPointF turned_;  // minutes and days of a drag that are not whole yet
+    QList<QAction*> actions_;
 };
 
 }  // namespace noonmark

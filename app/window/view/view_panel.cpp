@@ -51,10 +51,13 @@ ViewPanel::ViewPanel(QWidget* parent)
     column->addWidget(container, 1);
     column->addWidget(time_);
     column->addWidget(legend_);
-    time_->hide();
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window inside the container receives the drops
-    connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });
+    connect(view_, &CityView::poseChanged, this, [this] {
+        const double heightAtOneMetre = 2 * std::tan(glm::radians(view_->lens().verticalDeg) / 2);
+        legend_->setHeading(view_->pose().headingDeg);
+        legend_->setScale(view_->lens().heightPx / (heightAtOneMetre * view_->pose().distanceM));
+    });
     for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
         connect(legend_, signal, this, [this] { results_->show(); });
     connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] bool drawing() const { return activeTool() != nullptr; }
     [[nodiscard]] CursorLabel& cursorLabel() { return *label_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
-    [[nodiscard]] TimeStrip& time() { return *time_; }  ///< hidden at first
+    [[nodiscard]] TimeStrip& time() { return *time_; }
     [[nodiscard]] LegendStrip& legend() { return *legend_; }
     [[nodiscard]] ResultLayer& results() { return *results_; }
     [[nodiscard]] MapLayer& map() { return *map_; }

@@ -55,22 +55,14 @@ QDoubleSpinBox* numberFieldOf(const EngineOption& option) {
 }  // namespace
 
 AccuracyForm::AccuracyForm(const EngineList& engines, QWidget* parent)
-    : QWidget(parent),
-      engines_(engines),
-      cell_(numberField(ReceiverSettings::minCellM, ReceiverSettings::maxCellM, 2, 0.25, tr(" m"))),
-      engine_(new QComboBox),
-      form_(new QFormLayout(this)) {
-    cell_->setObjectName(QStringLiteral("cell"));
-    cell_->setToolTip(tr("Side of a ground cell, metres, 0.25 to 10"));
+    : QWidget(parent), engines_(engines), engine_(new QComboBox), form_(new QFormLayout(this)) {
     fillEngines();
     form_->setContentsMargins(0, 0, 0, 0);
-    form_->addRow(tr("Cell size"), cell_);
-    form_->addRow(tr("Engine"), engine_);
+    form_->addRow(tr("Method"), engine_);
     fixedRows_ = form_->rowCount();
-    connect(cell_, &QDoubleSpinBox::valueChanged, this, [this] { Q_EMIT edited(tr("cell size")); });
     connect(engine_, &QComboBox::currentIndexChanged, this, [this] {
         chooseEngine();
-        Q_EMIT edited(tr("engine"));
+        Q_EMIT edited(tr("method"));
     });
     chooseEngine();
 }
@@ -130,7 +122,6 @@ void AccuracyForm::setValue(const Field& field, double value) {
 
 void AccuracyForm::show(const StudySettings& settings) {
     const QSignalBlocker quiet(this);
-    cell_->setValue(settings.receivers.cellM);
     engine_->setCurrentIndex(engine_->findData(QString::fromStdString(settings.engine)));
     for (const Field& field : fields_) {
         const auto set = settings.engineSettings.find(field.option.key);
@@ -139,7 +130,6 @@ void AccuracyForm::show(const StudySettings& settings) {
 }
 
 StudySettings AccuracyForm::applied(StudySettings settings) const {
-    settings.receivers.cellM = cell_->value();
     settings.engine = shown_;
     settings.engineSettings.clear();
     for (const Field& field : fields_) {

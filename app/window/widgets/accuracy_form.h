@@ -12,7 +12,7 @@ class QFormLayout;
 
 namespace noonmark {
 
-/// Cell size, engine, and a field for each of the engine's options, built from its EngineInfo.
+/// Engine, and a field for each of its options, built from its EngineInfo.
 class AccuracyForm final : public QWidget {
     Q_OBJECT
 public:
@@ -38,7 +38,6 @@ private:
     void addField(const EngineOption& option);
     static void setValue(const Field& field, double value);
     const EngineList& engines_;
-    QDoubleSpinBox* cell_;
     QComboBox* engine_;
     QFormLayout* form_;
     int fixedRows_ = 0;  // the rows before the options

@@ -8,6 +8,8 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "app/report/maps/map_furniture.h"
+
 namespace noonmark {
 
 namespace {
@@ -19,7 +21,10 @@ constexpr int leastLegendWidth = 250;
 constexpr int mostLegendWidth = 640;
 constexpr int measureWidth = 190;
 constexpr int margin = 10;
-constexpr int compassWidth = 56;
+constexpr int needleRoom = 56;
+constexpr int scaleRoom = 104;       // of the scale bar left of the needle
+constexpr int leastWithScale = 560;  // a narrower strip has no scale bar
+constexpr int longestBarPx = 72;
 constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
 void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
@@ -43,6 +48,8 @@ void paintCompass(QPainter& painter, QPointF centre, double headingDeg) {
     painter.drawText(QRectF(-8, -29, 16, 12), Qt::AlignCenter, QStringLiteral("N"));
     painter.restore();
 }
+
+int compassWidth(int stripWidth) { return needleRoom + (stripWidth < leastWithScale ? 0 : scaleRoom); }
 
 QSizeF sizeOf(const QString& words, const QFont& font, double width) {
     return QFontMetricsF(font).boundingRect({0, 0, width, 1e4}, Qt::TextWordWrap, words).size();
@@ -140,6 +147,18 @@ void LegendStrip::setHeading(double degrees) {
     update();
 }
 
+void LegendStrip::setScale(double pixelsPerM) {
+    pixelsPerM_ = pixelsPerM;
+    update();
+}
+
+// Distances in a slanting view shrink with depth; the bar holds for its middle.
+void LegendStrip::paintScale(QPainter& painter) const {
+    if (pixelsPerM_ <= 0 || width() < leastWithScale) return;
+    const QRectF area(width() - compassWidth(width()) + 8.0, 16, scaleRoom - 8.0, stripHeight - 24.0);
+    paintScaleBar({painter, 1.0}, area, scaleBarWithin(longestBarPx / pixelsPerM_), pixelsPerM_);
+}
+
 ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->currentIndex()); }
 
 void LegendStrip::setMeasure(ShadowMeasure measure) { measure_->setCurrentIndex(int(measure)); }
@@ -155,7 +174,7 @@ QFont LegendStrip::noteFont() const {
 
 // The room between measure and compass, without that of a legend beside the note.
 QSizeF LegendStrip::noteRoom() const {
-    const double between = width() - measureWidth - compassWidth - 4 * margin;
+    const double between = width() - measureWidth - compassWidth(width()) - 4 * margin;
     const double most = narrow() ? between : std::min(between / 2, between - leastLegendWidth);
     return {std::max(0.0, most), stripHeight - 12.0};
 }
@@ -173,12 +192,12 @@ QRectF LegendStrip::noteArea() const {
     const QSizeF room = noteRoom(), words = sizeOf(paintedNote(), noteFont(), room.width());
     const double wide = std::min(words.width(), room.width()) + 16,
                  high = std::min(words.height(), room.height()) + 8;
-    return {width() - compassWidth - wide, (stripHeight - high) / 2, wide, high};
+    return {width() - compassWidth(width()) - wide, (stripHeight - high) / 2, wide, high};
 }
 
 QRectF LegendStrip::legendArea() const {
     if (narrow()) return {12, stripHeight - 2.0, width() - 24.0, legendRowHeight - 2.0};
-    const double right = note_.isEmpty() ? width() - compassWidth : noteArea().left();
+    const double right = note_.isEmpty() ? width() - compassWidth(width()) : noteArea().left();
     const double left = measureWidth + margin;
     return {left, 8, std::min(double(mostLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
 }
@@ -208,7 +227,8 @@ void LegendStrip::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), ink::paper);
     painter.fillRect(QRect(0, 0, width(), 1), ink::line);
-    paintCompass(painter, {width() - compassWidth / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
+    paintCompass(painter, {width() - needleRoom / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
+    paintScale(painter);
     paintNote(painter);
     const QRectF area = legendArea();
     if (legend_) return paintLegend({painter, area.height() / legendHeightPt}, area, *legend_);

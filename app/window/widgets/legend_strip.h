@@ -17,8 +17,8 @@ class QSpinBox;
 
 namespace noonmark {
 
-/// The strip below the view: choice of the measure, its legend, and a compass. In a narrow window the legend
-/// has its own row.
+/// The strip below the view: choice of the measure, its legend, a scale bar and a compass. In a narrow window
+/// the legend has its own row.
 class LegendStrip final : public QWidget {
     Q_OBJECT
 public:
@@ -31,6 +31,8 @@ public:
     [[nodiscard]] const QString& note() const { return note_; }
     [[nodiscard]] const std::optional<Legend>& legend() const { return legend_; }
     void setHeading(double degrees);  ///< azimuth of the view, clockwise from north
+    /// Device-independent pixels per metre in the middle of the view, for the scale bar; 0: none.
+    void setScale(double pixelsPerM);
 
     [[nodiscard]] ShadowMeasure measure() const;
     void setMeasure(ShadowMeasure measure);
@@ -57,6 +59,7 @@ private:
     [[nodiscard]] QSizeF noteRoom() const;
     void placeNote();
     void paintNote(QPainter& painter) const;
+    void paintScale(QPainter& painter) const;
 
     QComboBox* measure_;
     QSpinBox* scale_;  ///< 0: fitted to each
@@ -66,6 +69,7 @@ private:
     bool partial_ = false;
     std::optional<Legend> legend_;
     double headingDeg_ = 0;
+    double pixelsPerM_ = 0;
 };
 
 }  // namespace noonmark

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "app/window/frame/qt_dates.h"
+#include "app/window/widgets/folded_section.h"
 #include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
@@ -57,25 +58,29 @@ void PeriodForm::makeFields() {
     afterSunrise_ = numberField(0, 12, 2, 0.25, tr(" h"));
     beforeSunset_ = numberField(0, 12, 2, 0.25, tr(" h"));
     rule_ = new QComboBox;
-    rule_->addItems({tr("upper limb (-0.833°)"), tr("centre (0°)")});
-    refraction_ = new QCheckBox(tr("Atmospheric refraction"));
+    rule_->addItems({tr("first light of the disc (-0.833°)"), tr("middle of the disc (0°)")});
+    refraction_ = new QCheckBox(tr("Sun as seen through the air"));
 }
 
 void PeriodForm::placeFields() {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    form->addRow(tr("Start date"), start_);
+    form->addRow(tr("First day"), start_);
     form->addRow(tr("Days"), days_);
-    form->addRow(tr("From"), from_);
-    form->addRow(tr("Hours per day"), hours_);
-    form->addRow(tr("Step"), step_);
-    form->addRow(tr("Time zone"), zone_);
     form->addRow(QString(), window_);
     form->addRow(tr("After sunrise"), afterSunrise_);
     form->addRow(tr("Before sunset"), beforeSunset_);
-    form->addRow(tr("Sunrise at"), rule_);
-    form->addRow(QString(), refraction_);
+    form->addRow(tr("From"), from_);
+    form->addRow(tr("Hours per day"), hours_);
+    auto* details = new QWidget;
+    auto* more = new QFormLayout(details);
+    more->setContentsMargins(12, 0, 0, 0);
+    more->addRow(tr("Time zone"), zone_);
+    more->addRow(tr("Sun every"), step_);
+    more->addRow(tr("Sunrise at"), rule_);
+    more->addRow(QString(), refraction_);
+    form->addRow(new FoldedSection(tr("Time zone and sun"), "periodDetails", details));
 }
 
 void PeriodForm::follow(QWidget* field, const char* name) {
@@ -105,7 +110,7 @@ void PeriodForm::tell() {
     add(days_, "days", "days", tr("Number of days, 1 to 3660"));
     add(from_, "start time", "from", tr("Wall-clock time at which each day's window begins, hours:minutes"));
     add(hours_, "hours", "hours", tr("Hours per day, 0 to 24; 0 is a single moment"));
-    add(step_, "step", "step", tr("Minutes between sun positions, 1/60 to 240"));
+    add(step_, "step", "step", tr("Minutes from one position of the sun to the next, 1/60 to 240"));
     add(zone_, "time zone", "zone",
         tr("IANA time zone of the wall clock, daylight saving included.\nSet to that of the nearest city "
            "when a file is opened: check it near borders."));
@@ -114,21 +119,24 @@ void PeriodForm::tell() {
         tr("The window begins this many hours after sunrise"));
     add(beforeSunset_, "before sunset", "beforeSunset", tr("The window ends this many hours before sunset"));
     add(rule_, "sunrise rule", "sunriseRule",
-        tr("Altitude of the sun's centre at sunrise and sunset, degrees"));
+        tr("Which moment counts as sunrise and sunset: the altitude of the sun's centre"));
     add(refraction_, "refraction", "refraction",
-        tr("On: apparent position of the sun. Off: geometric position, as rules often require"));
+        tr("On: the air lifts the sun a little near the horizon (refraction).\nOff: the sun's geometric "
+           "position, as some rules require"));
 }
 
 void PeriodForm::enableFields() {
     const bool solar = window_->isChecked();
-    from_->setEnabled(!solar);
-    hours_->setEnabled(!solar);
     auto* form = static_cast<QFormLayout*>(layout());
-    for (QWidget* field : {static_cast<QWidget*>(afterSunrise_), static_cast<QWidget*>(beforeSunset_),
-                           static_cast<QWidget*>(rule_)}) {
-        field->setVisible(solar);
-        form->labelForField(field)->setVisible(solar);
-    }
+    const auto setShown = [form](QWidget* field, bool shown) {
+        field->setVisible(shown);
+        form->labelForField(field)->setVisible(shown);
+    };
+    setShown(from_, !solar);
+    setShown(hours_, !solar);
+    setShown(afterSunrise_, solar);
+    setShown(beforeSunset_, solar);
+    rule_->setEnabled(solar);
 }
 
 Period PeriodForm::period() const {

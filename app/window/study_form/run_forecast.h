@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/window/study/job_slot.h"
+#include "app/window/study/run_estimate.h"
+
+class QTimer;
+
+namespace noonmark {
+
+/// How long the study would take, computed in the background once its settings rest for a moment.
+class RunForecast final : public QObject {
+    Q_OBJECT
+public:
+    explicit RunForecast(QObject* parent = nullptr);
+
+    void setCity(std::shared_ptr<const City> city);  ///< null: no forecast
+    void setSettings(const StudySettings& settings);
+
+    /// Nothing while it is being computed, without a city, or where the study would be refused.
+    [[nodiscard]] const std::optional<RunEstimate>& estimate() const { return estimate_; }
+    [[nodiscard]] const QString& refusal() const { return refusal_; }  ///< why the study cannot run; or empty
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void askSoon();
+    void ask();
+
+    QTimer* rest_;
+    std::shared_ptr<const City> city_;
+    StudySettings settings_;
+    std::optional<RunEstimate> estimate_;
+    QString refusal_;
+    JobSlot slot_;
+};
+
+}  // namespace noonmark

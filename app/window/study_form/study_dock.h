@@ -1,0 +1,78 @@
+#pragma once
+
+// The study's form. StudyDock is the dock: WhatForm, WhenForm, WhereForm and AccuracySection, one for each
+// question that a planner answers, and RunForecast, which states how long the study will take. period_preset,
+// rule_period and accuracy_choice turn the plain choices into settings.
+
+#include <QWidget>
+
+#include "app/window/study_form/what_form.h"
+#include "core/review/rule.h"
+#include "core/study/study.h"
+
+class QLabel;
+class QPushButton;
+
+namespace noonmark {
+
+class AccuracySection;
+class ProgressStrip;
+class RunForecast;
+class StudyDocument;
+class WhenForm;
+class WhereForm;
+
+/// The dock for the study: what, when, where, how exactly, and the run button. Shows and changes a
+/// StudyDocument.
+class StudyDock final : public QWidget {
+    Q_OBJECT
+public:
+    explicit StudyDock(StudyDocument& document, QWidget* parent = nullptr);  ///< `document` must outlive it
+
+    [[nodiscard]] ProgressStrip& progress() { return *progress_; }
+    [[nodiscard]] const RunForecast& forecast() const { return *forecast_; }
+    void setDrawing(bool drawing);  ///< while a region is being drawn
+    void setRunning(bool running);
+    /// The names of regions and places that can be chosen.
+    void setRegions(const QStringList& names);
+    void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
+    void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
+    void setBuilding(bool selected);                 ///< a building is selected
+    void setComparing(bool comparing);               ///< run() compares the scenario with a baseline
+
+Q_SIGNALS:
+    void runRequested();
+    void drawRequested(bool draw);
+    void viewRegionRequested();
+    void wholeCityRequested();
+    void surroundingsRequested();           ///< of the selected building, as the region
+    void regionNamed(const QString& name);  ///< of the list, or typed
+    void kindChosen(noonmark::StudyKind kind);
+    void paperRequested();
+
+private:
+    void placeForms();
+    void connectForms();
+    void connectRegion();
+    void run();
+    void showDocument();
+    void showKind();
+    void showForecast();
+    void showRefusal();
+
+    StudyDocument& document_;
+    WhatForm* what_;
+    WhenForm* when_;
+    WhereForm* where_;
+    AccuracySection* accuracy_;
+    RunForecast* forecast_;
+    QLabel* forecastLine_;
+    QLabel* refusal_;  ///< why the engine cannot run this study
+    bool terrain_ = false;
+    bool comparing_ = false;
+    bool running_ = false;
+    QPushButton* run_;
+    ProgressStrip* progress_;
+};
+
+}  // namespace noonmark

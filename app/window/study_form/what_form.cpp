@@ -1,0 +1,99 @@
+#include "app/window/study_form/what_form.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/receivers/roof_receivers.h"
+
+namespace noonmark {
+
+namespace {
+
+QString aboutOf(StudyKind kind) {
+    switch (kind) {
+        case StudyKind::shadow:
+            return QObject::tr(
+                "How many minutes each spot is in shadow on a mean day of the period, and the longest time "
+                "without a break");
+        case StudyKind::change:
+            return QObject::tr(
+                "Minutes of shadow that the scenario adds or takes away, against the city chosen under "
+                "\"compare with\"");
+        case StudyKind::score:
+            return QObject::tr(
+                "Shadow weighed by hour and month: wanted in summer, unwanted in winter. Choose the weights "
+                "in "
+                "the panel Weights");
+        case StudyKind::review:
+            return QObject::tr(
+                "Pass or fail of parks and other places by a board's rule. Choose it in the panel Review");
+    }
+    return {};
+}
+
+QString placesText(ReceiverPlaces places) {
+    switch (places) {
+        case ReceiverPlaces::ground:
+            return QObject::tr("on the ground");
+        case ReceiverPlaces::roofs:
+            return QObject::tr("on roofs");
+        case ReceiverPlaces::both:
+            return QObject::tr("on the ground and roofs");
+    }
+    return {};
+}
+
+}  // namespace
+
+WhatForm::WhatForm(QWidget* parent)
+    : QWidget(parent), kind_(new QComboBox), places_(new QComboBox), about_(new QLabel) {
+    kind_->setObjectName(QStringLiteral("studyKind"));
+    places_->setObjectName(QStringLiteral("places"));
+    places_->setToolTip(tr(
+        "Where shadow is measured. Changes and scores are measured on the ground only.\nShadow on facades is "
+        "shown in the mode Exploration."));
+    about_->setWordWrap(true);
+    about_->setForegroundRole(QPalette::PlaceholderText);
+    fill();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(kind_), static_cast<QWidget*>(places_), static_cast<QWidget*>(about_)})
+        column->addWidget(widget);
+    connect(kind_, &QComboBox::activated, this, [this](int chosen) {
+        explain();
+        Q_EMIT kindChosen(StudyKind(chosen));
+    });
+    connect(places_, &QComboBox::activated, this,
+            [this](int chosen) { Q_EMIT placesChosen(allReceiverPlaces[std::size_t(chosen)]); });
+    explain();
+}
+
+void WhatForm::fill() {
+    kind_->addItems({tr("Hours of shadow"), tr("Change by a scenario"), tr("Score of wanted shadow"),
+                     tr("Review by a rule")});
+    for (const ReceiverPlaces places : allReceiverPlaces) places_->addItem(placesText(places));
+    for (QComboBox* list : {kind_, places_}) {
+        list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        list->setMinimumContentsLength(14);
+    }
+}
+
+StudyKind WhatForm::kind() const { return StudyKind(kind_->currentIndex()); }
+
+void WhatForm::show(StudyKind kind, ReceiverPlaces places) {
+    const QSignalBlocker kinds(kind_), surfaces(places_);
+    kind_->setCurrentIndex(int(kind));
+    places_->setCurrentIndex(int(std::ranges::find(allReceiverPlaces, places) - allReceiverPlaces.begin()));
+    explain();
+}
+
+void WhatForm::explain() {
+    about_->setText(aboutOf(kind()));
+    places_->setVisible(kind() == StudyKind::shadow);
+}
+
+}  // namespace noonmark

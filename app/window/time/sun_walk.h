@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/window/time/sun_at_moment.h"
+
+namespace noonmark {
+
+/// What play repeats.
+enum class SunLoop { day, year };
+
+/// The look a little later, when the sun is played: over the day's light, or over the dates of the year at
+/// the same time of day. Wraps around. `hurry`: hours of the day or weeks of the year in a second.
+TimeLook advanced(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double hurry);
+
+/// The look moved by minutes and days, within its year and its day.
+TimeLook nudged(TimeLook look, int minutes, int days);
+
+}  // namespace noonmark

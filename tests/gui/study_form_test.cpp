@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <algorithm>
+
+#include "app/window/study/study_document.h"
+#include "app/window/study_form/accuracy_choice.h"
+#include "app/window/study_form/period_preset.h"
+#include "app/window/study_form/rule_period.h"
+#include "app/window/study_form/run_forecast.h"
+#include "app/window/study_form/study_dock.h"
+#include "core/review/rule_library.h"
+#include "tests/gui/small_city.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::December;
+using std::chrono::January;
+using std::chrono::March;
+using std::chrono::October;
+using test::waitFor;
+
+constexpr CivilDate anyDay{2026y, std::chrono::August, 3d};
+
+Period inLeapYear() { return {.start = {2028y, std::chrono::May, 4d}, .days = 3, .from = 8h, .hours = 4}; }
+
+TEST(PeriodPresets, SetTheDaysAndLeaveTheHours) {
+    const Period year = applied(PeriodPreset::year, inLeapYear(), anyDay, 40);
+    EXPECT_EQ(year.start, CivilDate(2028y, January, 1d));
+    EXPECT_EQ(year.days, 366);
+    EXPECT_EQ(year.from, 8h);
+    EXPECT_EQ(year.hours, 4);
+    EXPECT_EQ(applied(PeriodPreset::today, inLeapYear(), anyDay, 40).start, anyDay);
+    EXPECT_EQ(applied(PeriodPreset::december, inLeapYear(), anyDay, 40).start,
+              CivilDate(2028y, December, 21d));
+    EXPECT_EQ(applied(PeriodPreset::own, inLeapYear(), anyDay, 40), inLeapYear());
+}
+
+TEST(PeriodPresets, TheGrowingSeasonIsThatOfTheHemisphere) {
+    EXPECT_EQ(applied(PeriodPreset::growingSeason, inLeapYear(), anyDay, 40).days, 214) << "April to October";
+    const Period south = applied(PeriodPreset::growingSeason, inLeapYear(), anyDay, -34);
+    EXPECT_EQ(south.start, CivilDate(2028y, October, 1d));
+    EXPECT_EQ(south.days, 212) << "October to April 2029";
+    EXPECT_TRUE(nameOf(PeriodPreset::growingSeason, -34).contains(QStringLiteral("October to April")));
+}
+
+TEST(PeriodPresets, AreFoundAgain) {
+    for (const PeriodPreset preset : allPeriodPresets)
+        EXPECT_EQ(presetOf(applied(preset, inLeapYear(), anyDay, 40), anyDay, 40), preset);
+    EXPECT_EQ(presetOf(inLeapYear(), anyDay, 40), PeriodPreset::own);
+}
+
+TEST(RulePeriods, HaveTheDaysAndHoursOfTheRule) {
+    const RuleLibrary library = RuleLibrary::load().value();
+    const Rule ceqr = library.find("ceqr").value();
+    const auto day = periodOf(ceqr, December / 21, inLeapYear());
+    ASSERT_TRUE(day);
+    EXPECT_EQ(day->start, CivilDate(2028y, December, 21d));
+    EXPECT_EQ(day->days, 1);
+    ASSERT_TRUE(day->window) << "from 1.5 h after sunrise to 1.5 h before sunset";
+    EXPECT_EQ(day->window->afterSunrise, 90min);
+    EXPECT_EQ(day->window->beforeSunset, 90min);
+    EXPECT_FALSE(periodOf(ceqr, inLeapYear())) << "it has fixed days, no range";
+    const Rule zurich = library.find("zurich").value();
+    EXPECT_FALSE(periodOf(zurich, zurich.days.fixed.front().day, inLeapYear())) << "its steps are full hours";
+}
+
+TEST(AccuracyChoices, NameTheEngineThatSuitsTheGround) {
+    StudySettings settings;
+    EXPECT_EQ(choiceOf(settings, false), AccuracyChoice::quick);
+    EXPECT_EQ(applied(AccuracyChoice::exact, settings, false).engine, "projected");
+    EXPECT_EQ(applied(AccuracyChoice::exact, settings, true).engine, "ray") << "polygons take no terrain";
+    settings.receivers.places = ReceiverPlaces::roofs;
+    EXPECT_EQ(applied(AccuracyChoice::exact, settings, false).engine, "ray");
+    EXPECT_EQ(choiceOf(asInPaper(settings), false), AccuracyChoice::own);
+    settings.engineSettings["bin"] = 1;
+    EXPECT_EQ(choiceOf(settings, false), AccuracyChoice::own);
+    EXPECT_TRUE(applied(AccuracyChoice::quick, settings, false).engineSettings.empty());
+}
+
+/// The dock with its document.
+struct StudyForm : ::testing::Test {
+    StudyDocument document;
+    StudyDock dock{document};
+
+    void choose(const char* list, int entry) {
+        auto* combo = dock.findChild<QComboBox*>(QString::fromLatin1(list));
+        combo->setCurrentIndex(entry);
+        Q_EMIT combo->activated(entry);
+    }
+    [[nodiscard]] int chosen(const char* list) const {
+        return dock.findChild<QComboBox*>(QString::fromLatin1(list))->currentIndex();
+    }
+};
+
+TEST_F(StudyForm, AChoiceOfDaysIsOneUndoStepAndTheListFollows) {
+    const auto year = int(std::ranges::find(allPeriodPresets, PeriodPreset::year) - allPeriodPresets.begin());
+    const int before = chosen("periodPreset");
+    choose("periodPreset", year);
+    EXPECT_EQ(document.settings().period.days, 365);
+    EXPECT_EQ(document.undoStack().count(), 1);
+    document.undoStack().undo();
+    EXPECT_EQ(document.settings(), StudySettings());
+    EXPECT_EQ(chosen("periodPreset"), before);
+}
+
+TEST_F(StudyForm, TheAccuracyChoosesTheMethodThatIsFoldedAway) {
+    choose("accuracy", int(AccuracyChoice::reference));
+    EXPECT_EQ(document.settings().engine, "ray");
+    EXPECT_EQ(chosen("engine"), 0);
+    choose("engine", 1);
+    EXPECT_EQ(chosen("accuracy"), int(AccuracyChoice::exact)) << "projected shadows";
+    EXPECT_TRUE(dock.findChild<QComboBox*>(QStringLiteral("engine"))->isHidden() ||
+                !dock.findChild<QComboBox*>(QStringLiteral("engine"))->isVisibleTo(&dock));
+    dock.findChild<QToolButton*>(QStringLiteral("methodDetails"))->setChecked(true);
+    EXPECT_TRUE(dock.findChild<QComboBox*>(QStringLiteral("engine"))->isVisibleTo(&dock));
+}
+
+TEST_F(StudyForm, SaysBeforeTheRunWhatIsUsedAndHowLongItTakes) {
+    StudySettings settings;
+    settings.region = {"around", {test::square({-120, -120}, 240)}};
+    settings.receivers.cellM = 2;
+    settings.period.zone = "America/New_York";
+    document.reset(settings);
+    dock.setCity(std::make_shared<const City>(test::smallCity()));
+    ASSERT_TRUE(waitFor([this] { return dock.forecast().estimate().has_value(); }));
+    const RunEstimate estimate = *dock.forecast().estimate();
+    EXPECT_EQ(estimate.steps, 360) << "six hours by the minute";
+    EXPECT_GT(estimate.receivers, 10000);
+    EXPECT_LE(estimate.receivers, 14400) << "120 x 120 cells less the buildings";
+    EXPECT_GT(estimate.seconds, 0);
+    const auto* line = dock.findChild<QLabel*>(QStringLiteral("forecast"));
+    EXPECT_TRUE(line->text().contains(QStringLiteral("360 positions of the sun")))
+        << line->text().toStdString();
+    EXPECT_TRUE(line->text().contains(QStringLiteral("about a second"))) << line->text().toStdString();
+    document.change(asInPaper(settings), QStringLiteral("paper"));
+    EXPECT_FALSE(dock.forecast().estimate()) << "of other settings";
+    ASSERT_TRUE(waitFor([this] { return dock.forecast().estimate().has_value(); }));
+    EXPECT_EQ(dock.forecast().estimate()->engine, QStringLiteral("Inverse accrual map"));
+}
+
+TEST_F(StudyForm, ScoresAndReviewsLeadToTheirPanels) {
+    QSignalSpy kinds(&dock, &StudyDock::kindChosen), runs(&dock, &StudyDock::runRequested);
+    choose("studyKind", int(StudyKind::review));
+    ASSERT_EQ(kinds.count(), 1);
+    dock.findChild<QPushButton*>(QStringLiteral("run"))->click();
+    EXPECT_EQ(kinds.count(), 2);
+    EXPECT_EQ(runs.count(), 0);
+    choose("studyKind", int(StudyKind::shadow));
+    dock.findChild<QPushButton*>(QStringLiteral("run"))->click();
+    EXPECT_EQ(runs.count(), 1);
+    dock.setComparing(true);
+    EXPECT_EQ(chosen("studyKind"), int(StudyKind::change));
+}
+
+}  // namespace
+}  // namespace noonmark

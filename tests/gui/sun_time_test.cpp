@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QToolButton>
+#include <glm/geometric.hpp>
+
+#include "app/window/time/sun_shadow.h"
+#include "app/window/time/sun_walk.h"
+#include "app/window/time/time_strip.h"
+#include "app/window/widgets/marked_slider.h"
+#include "tests/gui/small_city.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::December;
+using std::chrono::January;
+using std::chrono::March;
+using test::waitFor;
+
+const Observer newYork{.place = {-73.98, 40.76}};
+const Period inNewYork{.zone = "America/New_York"};
+const TimeLook noon{LookSpan::moment, {2026y, March, 21d}, 13h};
+
+// Sunrise 6:58 and sunset 19:10 (timeanddate.com); at the equinox the noon sun is 90 - 40.8 + 0.2 degrees
+// high.
+TEST(SunAtMoment, IsThatOfTheAlmanac) {
+    const SunAtMoment sun = computeSunAt(newYork, inNewYork, noon).value();
+    EXPECT_NEAR(sun.altitudeDeg, 49.4, 0.4);
+    EXPECT_NEAR(sun.azimuthDeg, 180, 3);
+    EXPECT_NEAR(sun.sunriseMin.value(), 6 * 60 + 58, 2);
+    EXPECT_NEAR(sun.sunsetMin.value(), 19 * 60 + 10, 2);
+    EXPECT_NEAR(glm::length(sun.towards), 1, 1e-9);
+    EXPECT_LT(sun.towards.y, 0) << "in the south";
+    EXPECT_TRUE(describe(sun).contains(QStringLiteral(" S, "))) << describe(sun).toStdString();
+    const SunAtMoment night = computeSunAt(newYork, inNewYork, {LookSpan::moment, noon.date, 1h}).value();
+    EXPECT_FALSE(night.isUp());
+    EXPECT_EQ(describe(night), QStringLiteral("Sun below the horizon"));
+}
+
+TEST(SunAtMoment, PolarDaysHaveNeitherSunriseNorSunset) {
+    const SunAtMoment sun = computeSunAt({.place = {20, 75}}, {.zone = "Europe/Oslo"},
+                                         {LookSpan::moment, {2026y, std::chrono::June, 21d}, 12h})
+                                .value();
+    EXPECT_TRUE(sun.isUp());
+    EXPECT_FALSE(sun.sunriseMin);
+    EXPECT_FALSE(sun.sunsetMin);
+}
+
+TEST(SunWalk, GoesThroughTheLightOfADayAndTheDatesOfAYear) {
+    const SunAtMoment sun{.sunriseMin = 420, .sunsetMin = 1140};
+    EXPECT_EQ(advanced(noon, sun, SunLoop::day, 0.5, 1).at, 13h + 30min);
+    TimeLook late = noon;
+    late.at = 1139min;
+    EXPECT_EQ(advanced(late, sun, SunLoop::day, 0.5, 1).at, 420min) << "from sunset back to sunrise";
+    TimeLook newYearsEve = noon;
+    newYearsEve.date = {2026y, December, 31d};
+    const TimeLook next = advanced(newYearsEve, sun, SunLoop::year, 1.0 / 7, 1);
+    EXPECT_EQ(next.date, CivilDate(2026y, January, 1d)) << "the same year again";
+    EXPECT_EQ(next.at, noon.at);
+    EXPECT_EQ(nudged(newYearsEve, 0, 5).date, newYearsEve.date) << "dates stay in the year";
+    EXPECT_EQ(nudged(noon, -10, 1).at, 12h + 50min);
+    EXPECT_EQ(nudged(noon, -5000, 0).at, 0min);
+}
+
+TEST(TimeStrip, ATouchOfASliderShowsThatMoment) {
+    TimeStrip strip;
+    strip.setPeriod(inNewYork);
+    EXPECT_EQ(strip.look().span, LookSpan::period);
+    QSignalSpy looks(&strip, &TimeStrip::lookChanged);
+    strip.findChild<QSlider*>(QStringLiteral("lookTime"))->setValue(600);
+    EXPECT_EQ(looks.count(), 1);
+    EXPECT_EQ(strip.look().span, LookSpan::moment);
+    EXPECT_EQ(strip.look().at, 10h);
+    strip.move(10, 1);
+    EXPECT_EQ(strip.look(), (TimeLook{LookSpan::moment, {2026y, March, 22d}, 10h + 10min}));
+    EXPECT_EQ(strip.findChild<QSlider*>(QStringLiteral("lookTime"))->value(), 610);
+}
+
+TEST(TimeStrip, MarksSolsticesEquinoxesSunriseAndSunset) {
+    TimeStrip strip;
+    strip.setPeriod(inNewYork);
+    const auto* date = strip.findChild<MarkedSlider*>(QStringLiteral("lookDate"));
+    ASSERT_EQ(date->marks().size(), 4U);
+    EXPECT_EQ(date->marks()[0].value, 31 + 28 + 20) << "21 March";
+    strip.setSun({.sunriseMin = 418, .sunsetMin = 1150});
+    const auto* time = strip.findChild<MarkedSlider*>(QStringLiteral("lookTime"));
+    ASSERT_EQ(time->marks().size(), 2U);
+    EXPECT_EQ(time->marks()[0].label, QStringLiteral("06:58"));
+}
+
+TEST(TimeStrip, ADayIsOfferedOnlyForAStudy) {
+    TimeStrip strip;
+    strip.setPeriod(inNewYork);
+    strip.setDayOffered(true);
+    strip.setLook({LookSpan::day, noon.date, 13h});
+    strip.setDayOffered(false);
+    EXPECT_EQ(strip.look().span, LookSpan::period);
+}
+
+TEST(TimeStrip, PlaysUntilItIsStopped) {
+    TimeStrip strip;
+    strip.setPeriod(inNewYork);
+    strip.setSun({.sunriseMin = 400, .sunsetMin = 1100});
+    QSignalSpy looks(&strip, &TimeStrip::lookChanged);
+    auto* play = strip.findChild<QToolButton*>(QStringLiteral("playSun"));
+    play->click();
+    EXPECT_TRUE(strip.playing());
+    ASSERT_TRUE(waitFor([&looks] { return looks.count() > 3; }));
+    EXPECT_EQ(strip.look().span, LookSpan::moment);
+    play->click();
+    EXPECT_FALSE(strip.playing());
+}
+
+TEST(SunShadow, TheNewestViewIsDrawnLast) {
+    SunShadow shadow;
+    shadow.setCity(std::make_shared<const City>(test::smallCity()));
+    const LitSpace space{{{-200, -200}, {200, 200}}, 0, 100};
+    glm::dvec3 sun;
+    for (const double east : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+        sun = glm::normalize(glm::dvec3(east, -1, 1));
+        shadow.look(SunView{sun, space, 256});
+    }
+    ASSERT_TRUE(waitFor([&] { return shadow.map() && shadow.map()->towardsSun == sun; }));
+    EXPECT_EQ(shadow.map()->depth.size(), 256U * 256U);
+    shadow.look(std::nullopt);
+    EXPECT_EQ(shadow.map(), nullptr);
+}
+
+}  // namespace
+}  // namespace noonmark
