@@ -17,9 +17,9 @@ set(descriptions ${generated}/descriptions)
 find_program(GZIP gzip REQUIRED)
 file(MAKE_DIRECTORY ${descriptions})
 add_custom_command(OUTPUT ${descriptions}/written
-  COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:noonmark-cli> -D GZIP=${GZIP} -D OUT=${descriptions}
+  COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:noonmark-commands> -D GZIP=${GZIP} -D OUT=${descriptions}
           -P ${CMAKE_SOURCE_DIR}/cmake/write_descriptions.cmake
-  DEPENDS noonmark-cli ${CMAKE_SOURCE_DIR}/cmake/write_descriptions.cmake
+  DEPENDS noonmark-commands ${CMAKE_SOURCE_DIR}/cmake/write_descriptions.cmake
   COMMENT "Writing manual pages and completions")
 add_custom_target(noonmark_descriptions ALL DEPENDS ${descriptions}/written)
 
@@ -38,6 +38,8 @@ function(noonmark_install_program component target)
 endfunction()
 
 noonmark_install_program(command-line noonmark-cli)
+# noonmark-cli starts it.
+install(TARGETS noonmark-commands RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/noonmark COMPONENT command-line)
 noonmark_install_descriptions(command-line noonmark-cli "noonmark-cli(-[a-z-]+)?")
 
 if(NOONMARK_GUI)

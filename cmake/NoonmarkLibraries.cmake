@@ -17,6 +17,10 @@ find_package(date REQUIRED)
 pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib)
 pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
+# libosmium, which reads OpenStreetMap, consists of headers; these are the libraries that they need.
+find_path(OSMIUM_INCLUDE_DIR osmium/version.hpp REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(EXPAT REQUIRED)
 # Reads filed reports again.
 pkg_check_modules(POPPLER REQUIRED IMPORTED_TARGET poppler-qt6)
 # Bookmarks, language and page labels of PDFs.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/city/footprints/shared_area.h"
 #include "core/city/meshes/mesh_outline.h"
 
 namespace noonmark {
@@ -29,7 +30,12 @@ bool isCarried(const Part& part, const Parts& carriers) {
     if (carriers.empty()) return false;
     std::vector<Footprint> footprints;
     for (const Part* carrier : carriers) footprints.push_back(carrier->footprint);
-    return computeAreaOutside(part.footprint, footprints) <= std::max(0.5, 0.05 * area(part.footprint));
+    constexpr double roundingM2 = 1e-4;
+    const double openM2 = std::max(0.5, 0.05 * area(part.footprint));
+    const OutsideArea outside = boundAreaOutside({part.footprint}, footprints);
+    if (outside.mostM2 < openM2 - roundingM2) return true;
+    if (outside.leastM2 > openM2 + roundingM2) return false;
+    return computeAreaOutside(part.footprint, footprints) <= openM2;
 }
 
 float lowestTop(const Parts& carriers) {

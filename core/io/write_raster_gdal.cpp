@@ -31,7 +31,10 @@ GDALDatasetUniquePtr createDataset(const std::filesystem::path& file, const Grid
     options.SetNameValue("BLOCKXSIZE", block.c_str());
     options.SetNameValue("BLOCKYSIZE", block.c_str());
     options.SetNameValue("COMPRESS", "DEFLATE");
-    options.SetNameValue("PREDICTOR", "3");  // floating-point differences: half the size
+    // Differences of the bits of neighbours: smaller than floating-point differences at the usual level, and
+    // in half the time.
+    options.SetNameValue("PREDICTOR", "2");
+    options.SetNameValue("ZLEVEL", "3");
     options.SetNameValue("INTERLEAVE", "BAND");
     options.SetNameValue("BIGTIFF", "IF_SAFER");
     options.SetNameValue("NUM_THREADS", "ALL_CPUS");

@@ -8,12 +8,12 @@
 #include "core/simd/instruction_set.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
-#include "core/study/study.h"
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/error_json.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/text/warnings_json.h"
+#include "core/study/timed_study_json.h"
 
 namespace noonmark {
 
@@ -105,7 +105,7 @@ void addFigures(Json& json, const ShadowStatistics& statistics) {
 }
 
 // Buildings are used or skipped; each engine states in words what else it skipped.
-void addCost(Json& json, const Study& study) {
+void addCost(Json& json, const Study& study, const FileSeconds& writeSeconds) {
     const Cost& cost = study.field.cost;
     const std::size_t buildings = study.city.buildings.size();
     json["buildings"] = buildings;
@@ -119,6 +119,7 @@ void addCost(Json& json, const Study& study) {
     json["mega_rays_per_s"] = timed ? Json(double(cost.rays) * 1e-6 / trace->second) : Json();
     json["seconds"] = study.seconds;
     json["accumulate_seconds"] = cost.seconds;
+    if (!writeSeconds.empty()) json["write_seconds"] = writeSeconds;
 }
 
 Json monthsJson(const Study& study) {
@@ -164,7 +165,7 @@ Json definitions(bool runs) {
 
 }  // namespace
 
-std::string studyJson(const Study& study) {
+std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     Json json;
     json["program"] = std::string("Noonmark ") + std::string(version());
     json["instruction_set"] = nameOf(instructionSetInUse());
@@ -179,7 +180,7 @@ std::string studyJson(const Study& study) {
     json["receivers"] = study.statistics.receivers;
     addFigures(json, study.statistics);
     json["error"] = errorJson(study);
-    addCost(json, study);
+    addCost(json, study, writeSeconds);
     if (study.settings.byMonth) json["by_month"] = monthsJson(study);
     json["region"] = regionJson(study);
     json["cells"] = cellsJson(study);
@@ -194,5 +195,7 @@ std::string studyJson(const Study& study) {
     json["warnings"] = warningsJson(study.warnings);
     return toJsonText(json);
 }
+
+std::string studyJson(const Study& study) { return studyJson(study, {}); }
 
 }  // namespace noonmark

@@ -242,5 +242,18 @@ TEST(Usage, VersionStatesHowTheProgramWasBuilt) {
         EXPECT_THAT(text, HasSubstr(fact));
 }
 
+// noonmark-cli prints these texts in place of the program (app/launcher).
+TEST(HelpSource, HoldsWhatTheProgramPrints) {
+    const std::string source = noonmarkCli({"describe", "help"}).out;
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {}, {"study"}, {"project"}, {"project", "new"}, {"tiles", "run"}, {"review", "rules"}}) {
+        std::vector<std::string> asked = words;
+        asked.emplace_back("--help");
+        const std::string joined = joinWords(words, " ");
+        EXPECT_THAT(source, HasSubstr("{\"" + joined + "\", R\"help(" + noonmarkCli(asked).out + ")help\"}"))
+            << joined;
+    }
+}
+
 }  // namespace
 }  // namespace noonmark::cli::tests

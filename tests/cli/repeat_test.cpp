@@ -66,8 +66,8 @@ nlohmann::json jsonIn(const fs::path& file) {
 // chosen automatically.
 nlohmann::json figuresIn(const fs::path& file) {
     nlohmann::json json = jsonIn(file);
-    for (const char* key : {"seconds", "accumulate_seconds", "mega_rays_per_s", "inputs", "engine",
-                            "engine_settings", "region", "warnings"})
+    for (const char* key : {"seconds", "accumulate_seconds", "write_seconds", "mega_rays_per_s", "inputs",
+                            "engine", "engine_settings", "region", "warnings"})
         json.erase(key);
     if (json.contains("error") && json["error"].is_object()) json["error"].erase("seconds");
     return json;

@@ -37,6 +37,23 @@ TEST(OutputFolder, WritesAllOrNothing) {
     EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"d.txt"});
 }
 
+TEST(OutputFolder, WritesTheLastTextFromTheDurationsOfTheOthers) {
+    const tests::TemporaryFolder folder;
+    OutputFolder files(folder.path("out"));
+    files.addLast("last.txt", [](const OutputFolder::Durations& durations) {
+        std::string names;
+        for (const auto& [name, seconds] : durations) names += seconds >= 0 ? name : "negative";
+        return names;
+    });
+    files.add("b.txt", textContent("b"));
+    files.add("a.txt", textContent("a"));
+    ASSERT_TRUE(std::move(files).result());
+    std::ifstream stream(folder.path("out") / "last.txt");
+    std::string text;
+    stream >> text;
+    EXPECT_EQ(text, "a.txtb.txt");
+}
+
 // Simulates a full disk: no file may grow beyond 64 KiB.
 TEST(OutputFolderDeathTest, AFullDiskIsSaidAndLeavesNothing) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
 #include <ostream>
 
@@ -37,13 +38,18 @@ Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const 
         {.cellsCsv = options.cellsCsv, .rules = outputRulesOf(options, study.provenance.inputs)});
 }
 
+// As it was written: its times of writing are not known before.
+void printFile(const std::filesystem::path& folder, const char* name, std::ostream& out) {
+    if (std::ifstream file(folder / name); file) out << file.rdbuf() << '\n';
+}
+
 int runStudyCommand(const StudyOptions& options, const Console& console) {
     const auto study = computed(options, console);
     if (!study) return fail(console, study.error().error, study.error().code);
     const auto files = writeFiles(*study, options);
     if (!files) return fail(console, files.error(), exitFailed);
     if (options.json)
-        console.out << studyJson(*study) << '\n';
+        printFile(options.out, "study.json", console.out);
     else
         printStudy(*study, *files, console.out);
     return exitOk;

@@ -43,4 +43,8 @@ DescriptionFile writeBashCompletion(const CommandDescription& program);
 DescriptionFile writeZshCompletion(const CommandDescription& program);
 DescriptionFile writeFishCompletion(const CommandDescription& program);
 
+/// The help of each command as a C++ source, help_texts.cpp, from which noonmark-cli answers --help without
+/// loading the libraries of the program (app/launcher).
+DescriptionFile writeHelpSource(const CLI::App& program);
+
 }  // namespace noonmark::cli

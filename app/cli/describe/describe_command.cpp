@@ -76,8 +76,10 @@ int runDescribe(const DescribeOptions& options, const CLI::App& program, const C
     CLI::App window;
     WindowArguments arguments;
     addWindowArguments(window, arguments);
-    const auto files =
-        describePrograms(options.format, describeProgram(program, knownWords()), describeProgram(window));
+    const auto files = options.format == "help"
+                           ? std::vector{writeHelpSource(program)}
+                           : describePrograms(options.format, describeProgram(program, knownWords()),
+                                              describeProgram(window));
     for (const auto& [name, text] : files) {
         if (options.out.empty())
             console.out << text;
@@ -92,11 +94,12 @@ int runDescribe(const DescribeOptions& options, const CLI::App& program, const C
 // Hidden: it serves the build (cmake/NoonmarkInstall.cmake).
 void addDescribeCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<DescribeOptions>();
-    CLI::App* command = app.add_subcommand("describe", "Write manual pages, or completions for a shell");
+    CLI::App* command =
+        app.add_subcommand("describe", "Write manual pages, completions for a shell, or texts of help");
     command->group("");
-    command->add_option("format", options->format, "man, bash, zsh or fish")
+    command->add_option("format", options->format, "man, bash, zsh, fish or help")
         ->required()
-        ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}))
+        ->check(CLI::IsMember({"man", "bash", "zsh", "fish", "help"}))
         ->type_name("FORMAT");
     command
         ->add_option("--out", options->out,

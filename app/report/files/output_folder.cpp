@@ -3,7 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <QFile>
-#include <deque>
+
+#include "core/base/stopwatch.h"
 
 namespace noonmark {
 
@@ -60,21 +61,42 @@ void OutputFolder::add(const std::string& name, WriteFile write) {
     files_.push_back({name, std::move(write)});
 }
 
+void OutputFolder::addLast(const std::string& name, std::function<std::string(const Durations&)> makeText) {
+    add(name, [this, makeText = std::move(makeText)](QIODevice& device) {
+        Durations durations;
+        for (const File& file : files_)
+            if (!file.last) durations[file.name] = file.seconds;
+        return textContent(makeText(durations))(device);
+    });
+    files_.back().last = true;
+}
+
 Result<void> OutputFolder::writeFile(const File& file, const PendingFile& to) const {
     auto written = checkOutputs(folder_, {file.name}, rules_).and_then([&] { return file.write(to.path()); });
     if (!written && written.error().where == to.path()) written.error().where = folder_ / file.name;
     return written;
 }
 
+Result<void> OutputFolder::writeAll(std::deque<PendingFile>& pending, bool last) {
+    std::vector<Result<void>> written(files_.size());
+    tbb::parallel_for(std::size_t{0}, files_.size(), [&](std::size_t i) {
+        if (files_[i].last != last) return;
+        const Stopwatch watch;
+        written[i] = writeFile(files_[i], pending[i]);
+        files_[i].seconds = watch.seconds();
+    });
+    for (Result<void>& one : written)
+        if (!one) return std::move(one);
+    return {};
+}
+
 Result<std::vector<std::filesystem::path>> OutputFolder::result() && {
     if (!state_) return tl::make_unexpected(std::move(state_).error());
     std::deque<PendingFile> pending;  // files that get no name are removed
     for (const File& file : files_) pending.emplace_back(folder_ / file.name);
-    std::vector<Result<void>> written(files_.size());
-    tbb::parallel_for(std::size_t{0}, files_.size(),
-                      [&](std::size_t i) { written[i] = writeFile(files_[i], pending[i]); });
-    for (Result<void>& one : written)
-        if (!one) return tl::make_unexpected(std::move(one).error());
+    for (const bool last : {false, true})
+        if (auto written = writeAll(pending, last); !written)
+            return tl::make_unexpected(std::move(written).error());
     std::vector<std::filesystem::path> paths;
     for (std::size_t i = 0; i < files_.size(); ++i) {
         if (auto named = pending[i].commit(); !named) return tl::make_unexpected(std::move(named).error());

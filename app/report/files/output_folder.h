@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QIODevice>
+#include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,10 @@ public:
     /// For writers that create the file themselves.
     void add(const std::string& name, WriteFile write);
 
+    /// Adds a text that is written after all other files, made from the seconds that each of them took.
+    using Durations = std::map<std::string, double>;
+    void addLast(const std::string& name, std::function<std::string(const Durations&)> makeText);
+
     /// Writes the files side by side on all cores, under temporary names, and then gives them their own.
     /// Returns the paths in the order in which they were added, or the error of the first file that failed;
     /// then no file is left.
@@ -45,7 +51,10 @@ private:
     struct File {
         std::string name;
         WriteFile write;
+        bool last = false;
+        double seconds = 0;
     };
+    Result<void> writeAll(std::deque<PendingFile>& pending, bool last);
     [[nodiscard]] Result<void> writeFile(const File& file, const PendingFile& to) const;
 
     std::filesystem::path folder_;

@@ -14,6 +14,7 @@
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/tiles/map_bands.h"
+#include "core/study/timed_study_json.h"
 
 namespace noonmark {
 
@@ -69,7 +70,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                         device);
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
-    files.add("study.json", textContent(studyJson(study)));
+    files.addLast("study.json", [&](const FileSeconds& seconds) { return studyJson(study, seconds); });
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     if (study.breakdown && study.settings.byMonth) {

@@ -27,7 +27,8 @@ std::vector<Footprint> cutSharedPieces(const std::vector<Footprint>& a, const st
 /// The union, simple and oriented, without polygons and holes under 0.01 m2. Empty also if the overlay fails.
 std::vector<Footprint> unitePolygons(const std::vector<Footprint>& polygons);
 
-/// Area of the intersection, square metres; 0 if the overlay fails.
+/// Area of the intersection of two sets of footprints that do not overlap within a set, square metres; 0 if
+/// the overlay fails. Up to a million pairs of points without GEOS (shared_area.h).
 double computeSharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b);
 
 /// The share of an outline's length (holes included) that lies in `others` or within `besideM` of them, 0 to

@@ -4,6 +4,7 @@
 
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/plan_overlay.h"
+#include "core/city/footprints/shared_area.h"
 
 namespace noonmark {
 
@@ -69,6 +70,7 @@ Geometry sharedGeometry(const Geos& geos, const std::vector<Footprint>& a, const
 
 std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints,
                                         const std::vector<Footprint>& others, LeastPiece least) {
+    if (!others.empty() && boundAreaOutside(footprints, others).mostM2 < least.areaM2 / 2) return {};
     const Geos geos;
     const Geometry whole = uniteGeometry(geos, collection(geos, footprints));
     const Geometry cover = uniteGeometry(geos, collection(geos, others));
@@ -90,8 +92,15 @@ std::vector<Footprint> unitePolygons(const std::vector<Footprint>& polygons) {
 }
 
 double computeSharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
-    const Geos geos;
-    return computeArea(geos, sharedGeometry(geos, a, b));
+    constexpr std::size_t mostPairs = 1'000'000;
+    if (countPoints(a) * countPoints(b) > mostPairs) {
+        const Geos geos;
+        return computeArea(geos, sharedGeometry(geos, a, b));
+    }
+    double sum = 0;
+    for (const Footprint& one : a)
+        for (const Footprint& other : b) sum += computeSharedArea(one, other);
+    return sum;
 }
 
 double computeShareBeside(const std::vector<Footprint>& outline, const std::vector<Footprint>& others,

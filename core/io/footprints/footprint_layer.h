@@ -19,8 +19,7 @@ namespace noonmark {
 
 /// The source of a layer, which decides how its fields and ids are read.
 struct LayerSource {
-    std::string file;      ///< file name, for messages
-    bool fromOsm = false;  ///< GDAL's OpenStreetMap driver
+    std::string file;  ///< file name, for messages
     bool shapefile = false;
     bool oneOfSeveral = false;  ///< feature ids then include their layer
 };

@@ -50,10 +50,10 @@ std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField&
     return value;
 }
 
-// Whether the layer uses OpenStreetMap's tags: from GDAL's driver, from a converter, or because it has
+// Whether the layer uses OpenStreetMap's tags: from a converter, or because it has
 // building parts.
-bool isTagged(const std::vector<KnownField>& fields, const LayerSource& source, bool converted) {
-    if (source.fromOsm || hasRole(fields, FieldRole::buildingPart)) return true;
+bool isTagged(const std::vector<KnownField>& fields, bool converted) {
+    if (hasRole(fields, FieldRole::buildingPart)) return true;
     return converted && hasRole(fields, FieldRole::building);
 }
 
@@ -127,13 +127,13 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
             return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
                            fmt::format("Its fields are: {}", fmt::join(names, ", ")));
     warnOfElevationsAlone(names, made.fields_, source, warnings);
-    if (!source.fromOsm) made.unknownFields_ = unknownFields(names, made.fields_, source.shapefile);
+    made.unknownFields_ = unknownFields(names, made.fields_, source.shapefile);
     const OGRSpatialReference system = systemOf(layer, settings);
     made.publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
     settleUnits(made.fields_, {settings.heightUnit, isInFeet(system)}, source.file, warnings);
     const bool converted = made.otherTags_ >= 0 || made.osmWayId_ >= 0;
-    made.rules_.tagged = isTagged(made.fields_, source, converted);
-    made.rules_.sayNoBuilding = !source.fromOsm && !converted;
+    made.rules_.tagged = isTagged(made.fields_, converted);
+    made.rules_.sayNoBuilding = !converted;
     made.rules_.heights.decimalComma = !made.rules_.tagged;
     return made;
 }
@@ -203,10 +203,7 @@ void FootprintLayer::watchUnknown(const OGRFeature& feature) {
 }
 
 void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) const {
-    if (!source_.fromOsm)
-        return noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, warnings);
-    Warnings unheard;  // not reported: tags are known names, and a map without heights has none
-    noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, unheard);
+    noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, warnings);
 }
 
 // Transforms all points in one call: GDAL spends 0.1 ms on choosing a transformation for each call.

@@ -1,5 +1,7 @@
 #include "core/io/footprints/map_remarks.h"
 
+#include <fmt/format.h>
+
 namespace noonmark {
 
 std::string makeMapRemark(std::string_view words) {
@@ -12,6 +14,15 @@ std::string makeMapRemark(std::string_view words) {
         return "outer rings and holes of an outline could not be distinguished; each ring was taken as a "
                "polygon";
     return "message of the map library: " + std::string(words);
+}
+
+void addMapRemarks(const std::vector<std::string>& words, const std::string& file, Warnings& warnings) {
+    Warnings remarks;
+    for (const std::string& one : words)
+        if (std::string what = makeMapRemark(one); !what.empty())
+            remarks.push_back({WarningKind::repaired, std::move(what), file});
+    for (const WarningGroup& group : groupWarnings(remarks))
+        warnings.push_back({group.kind, group.what, fmt::format("{} ({})", file, group.where.size())});
 }
 
 }  // namespace noonmark

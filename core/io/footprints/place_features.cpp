@@ -1,9 +1,11 @@
 #include "core/io/footprints/place_features.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/meshes/mesh_outline.h"
@@ -77,6 +79,18 @@ std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame
     return pieces.size() > 1 ? disjoint(std::move(pieces), feature.facts.id, warnings) : pieces;
 }
 
+// Without pieces if it cannot be used.
+PlacedFeature place(UnplacedFeature& feature, const Frame& frame, double farAwayM, Warnings& warnings) {
+    if (isNear(feature, frame.origin(), farAwayM)) {
+        auto pieces = repair(feature, frame, warnings);
+        return {std::move(feature.facts), std::move(pieces)};
+    }
+    warnings.push_back({WarningKind::leftOut,
+                        fmt::format("lies more than {:g} km from the middle of the city", farAwayM / 1000),
+                        feature.facts.id});
+    return {};
+}
+
 }  // namespace
 
 void FeatureCentres::add(const UnplacedFeature& feature) {
@@ -100,18 +114,18 @@ Frame frameOf(const std::vector<UnplacedFeature>& features) {
 
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
                                          double farAwayM, Warnings& warnings, const std::stop_token& stop) {
+    struct Made {
+        PlacedFeature feature;
+        Warnings warnings;
+    };
+    std::vector<Made> all(features.size());
+    tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+        if (!stop.stop_requested()) all[i].feature = place(features[i], frame, farAwayM, all[i].warnings);
+    });
     std::vector<PlacedFeature> placed;
-    for (UnplacedFeature& feature : features) {
-        if (stop.stop_requested()) break;
-        if (!isNear(feature, frame.origin(), farAwayM)) {
-            warnings.push_back(
-                {WarningKind::leftOut,
-                 fmt::format("lies more than {:g} km from the middle of the city", farAwayM / 1000),
-                 feature.facts.id});
-            continue;
-        }
-        auto pieces = repair(feature, frame, warnings);
-        if (!pieces.empty()) placed.push_back({std::move(feature.facts), std::move(pieces)});
+    for (Made& made : all) {
+        std::ranges::move(made.warnings, std::back_inserter(warnings));
+        if (!made.feature.pieces.empty()) placed.push_back(std::move(made.feature));
     }
     return placed;
 }

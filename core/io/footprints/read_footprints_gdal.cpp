@@ -8,12 +8,14 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/footprints/build_footprints.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/footprints/layer_window.h"
 #include "core/io/footprints/map_remarks.h"
-#include "core/io/osm/osm_configuration.h"
-#include "core/io/osm/osm_semantics.h"
+#include "core/io/osm/read_osm_buildings.h"
+#include "core/io/osm/read_osm_footprints.h"
 #include "core/io/read_part.h"
 
 namespace noonmark {
@@ -22,26 +24,20 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr const char* osmLayer = "multipolygons";
-constexpr const char* osmCredit = "(c) OpenStreetMap contributors, ODbL";
-
 struct OpenFile {
     GDALDatasetUniquePtr dataset;
-    std::string driver;  // "OSM"
-    [[nodiscard]] bool isOsm() const { return driver == "OSM"; }
+    std::string driver;  // "GPKG"
 };
 
-Result<OpenFile> openFile(const Path& file, const OsmConfiguration& configuration) {
-    auto dataset = openDataset(file, DatasetContent::vectors, {"CONFIG_FILE=" + configuration.path()});
+Result<OpenFile> openFile(const Path& file) {
+    auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return tl::make_unexpected(dataset.error());
     OpenFile open{*std::move(dataset), {}};
     open.driver = open.dataset->GetDriverName();
-    if (open.isOsm()) open.dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
     return open;
 }
 
-std::string formatName(const OpenFile& open, const Path& file) {
-    if (open.isOsm()) return file.extension() == ".pbf" ? "OpenStreetMap PBF" : "OpenStreetMap XML";
+std::string formatName(const OpenFile& open) {
     if (open.driver == "GPKG") return "GeoPackage";
     if (open.driver == "ESRI Shapefile") return "Shapefile";
     return open.driver;
@@ -64,9 +60,7 @@ std::vector<OGRLayer*> polygonLayers(const OpenFile& open) {
     std::vector<OGRLayer*> layers;
     for (OGRLayer* layer : open.dataset->GetLayers()) {
         if (isOurOwn(*layer)) return {layer};
-        const bool wanted =
-            open.isOsm() ? std::string_view(layer->GetName()) == osmLayer : mayHavePolygons(*layer);
-        if (wanted) layers.push_back(layer);
+        if (mayHavePolygons(*layer)) layers.push_back(layer);
     }
     return layers;
 }
@@ -95,29 +89,6 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
     return layers;
 }
 
-constexpr double shareOfReading = 0.8;  // share of the progress; the rest is repair and semantics
-
-// GDAL calls this between blocks of the file, which may contain no usable feature.
-int CPL_STDCALL goOn(double, const char*, void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
-}
-
-// The most frequent warning, for an error; empty without warnings.
-std::string commonest(const Warnings& warnings) {
-    const auto groups = groupWarnings(warnings);
-    const auto most =
-        std::ranges::max_element(groups, {}, [](const WarningGroup& group) { return group.where.size(); });
-    return most == groups.end() ? "" : lineOf(*most);
-}
-
-// GDAL reports a PBF whose nodes are not densely stored in the same way as a damaged one.
-std::string adviceFor(const std::filesystem::path& file) {
-    if (file.extension() != ".pbf") return "Download or export it again";
-    return "Download it again; or, if its nodes are not stored densely, convert it: osmium cat OLD.osm.pbf "
-           "-o "
-           "NEW.osm.pbf";
-}
-
 // Reads all layers, one feature at a time.
 class FileReader {
 public:
@@ -137,7 +108,7 @@ public:
                            "Export the building footprints as polygons");
         if (found_.empty())
             return failure(fmt::format("None of its {} polygons can be used as a building", polygons_),
-                           file_.string(), commonest(warnings));
+                           file_.string(), findCommonest(warnings));
         return std::move(found_);
     }
 
@@ -169,8 +140,7 @@ private:
     }
 
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
-        const LayerSource source{file_.filename().string(), open_.isOsm(), open_.driver == "ESRI Shapefile",
-                                 oneOfSeveral};
+        const LayerSource source{file_.filename().string(), open_.driver == "ESRI Shapefile", oneOfSeveral};
         auto reader = FootprintLayer::of(layer, settings_, source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
         if (window_ != nullptr && isIndexed(layer)) return readWindow(layer, *reader, calls);
@@ -186,13 +156,13 @@ private:
     Result<void> readFeatures(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
         layer.ResetReading();
         readHere_ = 0;
-        countHere_ = open_.isOsm() ? 1 : double(std::max<GIntBig>(1, layer.GetFeatureCount()));
+        countHere_ = double(std::max<GIntBig>(1, layer.GetFeatureCount()));
         for (std::size_t failures = calls.failures();; failures = calls.failures()) {
             const OGRFeatureUniquePtr feature = next(layer);
             if (!feature && stop_.stop_requested()) return cancelled();
             if (!feature && calls.failures() > failures)
                 return failure("It is incomplete or damaged (" + calls.complaints().back() + ")",
-                               file_.string(), adviceFor(file_));
+                               file_.string(), "Download or export it again");
             if (!feature) return {};
             reader.read(*feature, warnings);
             if (++features % 256 != 0) continue;
@@ -216,7 +186,7 @@ private:
         }
         if (calls.failures() > failures)
             return failure("It is incomplete or damaged (" + calls.complaints().back() + ")", file_.string(),
-                           adviceFor(file_));
+                           "Download or export it again");
         std::ranges::sort(inside, {}, [](const OGRFeatureUniquePtr& feature) { return feature->GetFID(); });
         for (const OGRFeatureUniquePtr& feature : inside) reader.read(*feature, warnings);
         features += inside.size();
@@ -225,17 +195,9 @@ private:
         return reader.finish(found_, warnings);
     }
 
-    // OpenStreetMap's layers are filled side by side, in the order of the file.
     OGRFeatureUniquePtr next(OGRLayer& layer) {
-        if (!open_.isOsm()) {
-            share_ = std::min(1.0, double(++readHere_) / countHere_);
-            return OGRFeatureUniquePtr(layer.GetNextFeature());
-        }
-        while (true) {
-            OGRLayer* from = nullptr;
-            OGRFeatureUniquePtr feature(open_.dataset->GetNextFeature(&from, &share_, goOn, &stop_));
-            if (!feature || from == &layer) return feature;
-        }
+        share_ = std::min(1.0, double(++readHere_) / countHere_);
+        return OGRFeatureUniquePtr(layer.GetNextFeature());
     }
 
     const LonLatBox* window_ = nullptr;
@@ -253,56 +215,25 @@ private:
     std::size_t readHere_ = 0;
 };
 
-// GDAL does not name the feature that a message is about: one warning per kind, with its count. Some drivers
-// read the whole file when they open it and repeat their messages when it is read: of the first `atOpening`
-// messages, those that come again later are skipped.
+// Some drivers read the whole file when they open it and repeat their messages when it is read: of the first
+// `atOpening` messages, those that come again later are skipped.
 void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::string& file, Warnings& warnings) {
     const std::span said(calls.complaints());
     const auto later = said.subspan(std::min(atOpening, said.size()));
-    Warnings remarks;
-    for (std::size_t i = 0; i < said.size(); ++i) {
-        if (i < atOpening && std::ranges::find(later, said[i]) != later.end()) continue;
-        if (std::string what = makeMapRemark(said[i]); !what.empty())
-            remarks.push_back({WarningKind::repaired, std::move(what), file});
-    }
-    for (const WarningGroup& group : groupWarnings(remarks))
-        warnings.push_back({group.kind, group.what, fmt::format("{} ({})", file, group.where.size())});
-}
-
-void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, const Frame& frame) {
-    for (AssembledBuilding& made : buildings) {
-        std::optional<float> ground;
-        if (made.elevationM) ground = float(*made.elevationM - frame.originElevationM());
-        for (Part& part : made.building.parts) {
-            part.bottomM += ground.value_or(0);
-            part.topM += ground.value_or(0);
-        }
-        piece.groundM.push_back(ground);
-        piece.buildings.push_back(std::make_shared<const Building>(std::move(made.building)));
-    }
-}
-
-// Makes buildings from features: all steps after reading.
-Result<void> build(FilePiece& piece, std::vector<UnplacedFeature> features, const ReadSettings& settings,
-                   Progress& progress, const std::stop_token& stop) {
-    if (!settings.frame) piece.frame = frameOf(features);
-    const Frame frame = settings.frame ? *settings.frame : *piece.frame;
-    progress.report(shareOfReading, "repairing outlines");
-    const auto placed = placeFeatures(std::move(features), frame, settings.farAwayM, piece.warnings, stop);
-    progress.report(0.9, "making buildings");
-    addBuildings(piece, assembleBuildings(placed, settings.metresPerLevel, piece.warnings, stop), frame);
-    if (stop.stop_requested()) return cancelled();
-    progress.report(1, "making buildings");
-    return {};
+    std::vector<std::string> once;
+    for (std::size_t i = 0; i < said.size(); ++i)
+        if (i >= atOpening || std::ranges::find(later, said[i]) == later.end()) once.push_back(said[i]);
+    addMapRemarks(once, file, warnings);
 }
 
 }  // namespace
 
 Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                  std::stop_token stop, const LonLatBox* window) try {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    if (const auto osm = findOsmFormat(file)) return readOsmFootprints(file, *osm, settings, progress, stop);
     const GdalCalls calls;
-    const OsmConfiguration configuration(settings.heightField, settings.levelsField);
-    auto open = openFile(file, configuration);
+    auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
     FileReader reader(*open, file, settings, progress, stop);
@@ -310,16 +241,16 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
     auto features = reader.read(calls);
     if (!features) return tl::make_unexpected(features.error());
     FilePiece piece{.warnings = std::move(reader.warnings),
-                    .format = formatName(*open, file),
+                    .format = formatName(*open),
                     .features = reader.features,
-                    .attribution = open->isOsm() ? osmCredit : "",
+                    .attribution = {},
                     .heights = std::move(reader.heights)};
     keepRemarks(calls, atOpening, file.filename().string(), piece.warnings);
-    if (auto built = build(piece, *std::move(features), settings, progress, stop); !built)
+    if (auto built = buildFootprints(piece, *std::move(features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());
     if (!piece.buildings.empty() || window != nullptr) return piece;
     return failure("None of its polygons can be used as a building", file.string(),
-                   commonest(piece.warnings));
+                   findCommonest(piece.warnings));
 } catch (const std::exception& exception) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
                    "Check that it is complete, or export it again");
@@ -327,9 +258,10 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
 
 Result<FootprintScan> scanFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                      std::stop_token stop) try {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    if (const auto osm = findOsmFormat(file)) return scanOsmFootprints(file, *osm, settings, progress, stop);
     const GdalCalls calls;
-    const OsmConfiguration configuration(settings.heightField, settings.levelsField);
-    auto open = openFile(file, configuration);
+    auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
     FileReader reader(*open, file, settings, progress, std::move(stop));
     FootprintScan scan;

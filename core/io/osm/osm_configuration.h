@@ -5,15 +5,12 @@
 namespace noonmark {
 
 /// The configuration file for GDAL's OpenStreetMap driver, in memory for the lifetime of this object. For
-/// buildings it makes closed ways tagged building or building:part polygons, and gives the tags for heights
-/// and parts columns of their own; for places it does so with parks, squares, school grounds and other areas,
-/// and gives lines the tags of streets; for context it adds water, rails and
-/// trees. During that time the driver writes its temporary files on this thread
-/// to the folder for temporary files. Backend: osm_configuration_gdal.cpp.
+/// places it makes closed ways tagged as parks, squares, school grounds and other areas polygons, and gives
+/// lines the tags of streets; for context it adds water, rails and trees. (Buildings are read without that
+/// driver: readOsmMap.) During that time the driver writes its temporary files on this thread to the folder
+/// for temporary files. Backend: osm_configuration_gdal.cpp.
 class OsmConfiguration {
 public:
-    /// `heightTag`, `levelsTag`: tags that the user named; they become columns too; may be empty.
-    OsmConfiguration(const std::string& heightTag, const std::string& levelsTag);
     static OsmConfiguration forPlaces();
     static OsmConfiguration forContext();
     ~OsmConfiguration();

@@ -12,27 +12,6 @@ namespace noonmark {
 
 namespace {
 
-// Each {} is one more tag, or empty.
-constexpr std::string_view configuration = R"(closed_ways_are_polygons=building,building:part
-attribute_name_laundering=no
-[points]
-osm_id=yes
-other_tags=no
-[lines]
-osm_id=yes
-other_tags=no
-[multipolygons]
-osm_id=yes
-attributes=name,building,building:part,height,building:height,min_height,building:min_height,building:levels,building:min_level,roof:height,roof:levels,roof:shape,location,layer,level,tunnel,entrance,status{}{}
-other_tags=no
-[multilinestrings]
-osm_id=yes
-other_tags=no
-[other_relations]
-osm_id=yes
-other_tags=no
-)";
-
 // The driver understands the key "area" by itself; named here, it would turn that off for all.
 constexpr const char* placeConfiguration =
     R"(closed_ways_are_polygons=leisure,landuse,amenity,historic,natural,place,tourism,building
@@ -85,18 +64,9 @@ std::string freshPath() {
     return fmt::format("/vsimem/noonmark_osm_{}.ini", ++count);
 }
 
-// A tag that is not a plain key could end the list, or the line.
-std::string columnFor(std::string_view tag) {
-    const bool plain = !tag.empty() && tag.find_first_of(",=\r\n[]") == tag.npos;
-    return plain ? fmt::format(",{}", tag) : "";
-}
-
 constexpr const char* temporaryFolder = "CPL_TMPDIR";
 
 }  // namespace
-
-OsmConfiguration::OsmConfiguration(const std::string& heightTag, const std::string& levelsTag)
-    : OsmConfiguration(fmt::format(configuration, columnFor(heightTag), columnFor(levelsTag))) {}
 
 OsmConfiguration OsmConfiguration::forPlaces() { return OsmConfiguration(std::string(placeConfiguration)); }
 

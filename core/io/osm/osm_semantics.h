@@ -1,8 +1,10 @@
 #pragma once
 
-// The folder core/io/osm holds the rules of OpenStreetMap: osm_configuration.h makes GDAL's driver deliver
-// the needed tags, other_tags.h parses the remaining ones, and osm_semantics.h (this file) assembles features
-// into buildings. The reader itself is core/io/footprints.
+// The folder core/io/osm reads OpenStreetMap and holds its rules. Buildings: osm_map.h reads a file,
+// osm_areas.h makes polygons of its ways and relations, read_osm_buildings.h reads their tags, and
+// osm_semantics.h (this file) assembles features into buildings, those of other files too. Places and context
+// are read by GDAL's driver, which osm_configuration.h makes deliver the needed tags; other_tags.h parses
+// those in a converter's column.
 
 #include <optional>
 #include <stop_token>

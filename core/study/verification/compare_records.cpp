@@ -14,8 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 13> notCompared{"seconds",
+constexpr std::array<std::string_view, 14> notCompared{"seconds",
                                                        "accumulate_seconds",
+                                                       "write_seconds",
                                                        "mega_rays_per_s",
                                                        "rays",
                                                        "skipped",

@@ -95,7 +95,7 @@ TEST_F(WriteRaster, IsTiledCompressedAndHasOverviews) {
     EXPECT_EQ(tileColumns, 256);
     EXPECT_EQ(tileRows, 256);
     EXPECT_STREQ(dataset->GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE"), "DEFLATE");
-    EXPECT_STREQ(dataset->GetMetadataItem("PREDICTOR", "IMAGE_STRUCTURE"), "3");
+    EXPECT_STREQ(dataset->GetMetadataItem("PREDICTOR", "IMAGE_STRUCTURE"), "2");
     ASSERT_EQ(band.GetOverviewCount(), 3);
     EXPECT_EQ(band.GetOverview(2)->GetYSize(), 138);
     EXPECT_EQ(valueAt(*band.GetOverview(2), 40, 60), 5);

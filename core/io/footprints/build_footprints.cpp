@@ -1,0 +1,46 @@
+#include "core/io/footprints/build_footprints.h"
+
+#include <algorithm>
+
+#include "core/io/osm/osm_semantics.h"
+
+namespace noonmark {
+
+namespace {
+
+void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, const Frame& frame) {
+    for (AssembledBuilding& made : buildings) {
+        std::optional<float> ground;
+        if (made.elevationM) ground = float(*made.elevationM - frame.originElevationM());
+        for (Part& part : made.building.parts) {
+            part.bottomM += ground.value_or(0);
+            part.topM += ground.value_or(0);
+        }
+        piece.groundM.push_back(ground);
+        piece.buildings.push_back(std::make_shared<const Building>(std::move(made.building)));
+    }
+}
+
+}  // namespace
+
+Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> features,
+                             const ReadSettings& settings, Progress& progress, const std::stop_token& stop) {
+    if (!settings.frame) piece.frame = frameOf(features);
+    const Frame frame = settings.frame ? *settings.frame : *piece.frame;
+    progress.report(shareOfReading, "repairing outlines");
+    const auto placed = placeFeatures(std::move(features), frame, settings.farAwayM, piece.warnings, stop);
+    progress.report(0.9, "making buildings");
+    addBuildings(piece, assembleBuildings(placed, settings.metresPerLevel, piece.warnings, stop), frame);
+    if (stop.stop_requested()) return cancelled();
+    progress.report(1, "making buildings");
+    return {};
+}
+
+std::string findCommonest(const Warnings& warnings) {
+    const auto groups = groupWarnings(warnings);
+    const auto most =
+        std::ranges::max_element(groups, {}, [](const WarningGroup& group) { return group.where.size(); });
+    return most == groups.end() ? "" : lineOf(*most);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+namespace noonmark {
+
+enum class OsmFormat { pbf, xml };
+
+/// A node's place in units of 1e-7 degrees, the resolution of OpenStreetMap.
+struct OsmPoint {
+    std::int32_t lon = 0;
+    std::int32_t lat = 0;
+    bool operator==(const OsmPoint&) const = default;
+};
+
+using OsmTags = std::vector<std::pair<std::string, std::string>>;
+
+struct OsmWay {
+    std::int64_t id = 0;
+    bool area = false;    ///< closed, and tagged as a building, building:part or area=yes, but not area=no
+    bool tagged = false;  ///< an area with tags that describe it, besides remarks such as note
+    OsmTags tags;         ///< those asked for, of areas only
+    /// In the way's order, without nodes that the file lacks; an area ends with its first point.
+    std::vector<OsmPoint> points;
+};
+
+struct OsmMember {
+    std::int64_t way = 0;
+    bool outer = false;
+};
+
+struct OsmRelation {
+    std::int64_t id = 0;
+    bool tagged = false;  ///< by more than its type; otherwise its outer way describes it
+    OsmTags tags;         ///< those asked for
+    std::vector<OsmMember> members;
+};
+
+/// The areas of an OpenStreetMap file, and the ways of which its relations consist.
+struct OsmMap {
+    std::vector<OsmWay> ways;            ///< by id; each has two points at least
+    std::vector<OsmRelation> relations;  ///< multipolygons and boundaries, in the file's order
+};
+
+/// Reads the file three times: relations, ways, and the nodes of the ways that are kept, so that memory grows
+/// with its areas and not with its nodes. Nodes and ways may be in any order; entities and references to
+/// other files are refused. `keys`: the tags to keep. Error: it is incomplete or damaged; a way or a node
+/// that is needed comes twice. Stops with cancelled() after a block of the file. Backend:
+/// read_osm_map_osmium.cpp.
+Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format,
+                          const std::vector<std::string>& keys, Progress& progress,
+                          const std::stop_token& stop);
+
+}  // namespace noonmark

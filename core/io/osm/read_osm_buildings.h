@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/io/footprints/place_features.h"
+#include "core/io/heights/height_facts.h"
+#include "core/io/osm/osm_map.h"
+
+namespace noonmark {
+
+/// Buildings of an OpenStreetMap file, before repair.
+struct OsmBuildings {
+    std::vector<UnplacedFeature> features;  ///< relations in the file's order, then ways by id
+    std::size_t areas = 0;                  ///< areas of any kind in the file
+    HeightFacts heights;
+    Warnings warnings;
+};
+
+/// The format of a file that begins as OpenStreetMap does; nothing for others.
+std::optional<OsmFormat> findOsmFormat(const std::filesystem::path& file);
+
+/// Reads what is tagged building or building:part. GDAL's remarks on shapes go to the GdalCalls of this
+/// thread. Errors as readOsmMap(), and of a file without areas or without buildings.
+Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmFormat format,
+                                      const ReadSettings& settings, Progress& progress,
+                                      const std::stop_token& stop);
+
+}  // namespace noonmark
