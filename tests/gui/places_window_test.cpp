@@ -90,8 +90,8 @@ TEST_F(PlacesWindow, PlacesAreNamedInTheViewAndOneIsZoomedTo) {
     const Box2 box = bounds(places()[1]);
     EXPECT_GT(pose.target.x, double(box.low.x));
     EXPECT_LT(pose.target.x, double(box.high.x));
-    ASSERT_TRUE(waitFor([&] { return !marks.named().empty(); }));
-    EXPECT_EQ(marks.named().front(), 1U);
+    // The names of the view before may still stand there.
+    ASSERT_TRUE(waitFor([&] { return !marks.named().empty() && marks.named().front() == 1U; }));
     marks.setShown(false);
     ASSERT_TRUE(waitFor([&] { return marks.named().size() == 1; }));  // the chosen one stays
 }

@@ -179,7 +179,7 @@ TEST_F(AnswersWindow, AllWordsOfTheResultsAreSeenWhateverWasShownBefore) {
 TEST_F(AnswersWindow, ALongRunByRaysIsAnnouncedBeforeItStarts) {
     StudySettings question = workbench().document().settings();
     question.engine = "ray";
-    question.receivers.cellM = 1;
+    question.receivers.cellM = 0.25;
     question.period.days = 365;
     question.period.from = std::chrono::hours(6);
     question.period.hours = 12;

@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::December;
 using std::chrono::January;
-using std::chrono::March;
+using std::chrono::June;
 using std::chrono::October;
 using test::waitFor;
 
@@ -59,17 +59,31 @@ TEST(PeriodPresets, AreFoundAgain) {
 
 TEST(RulePeriods, HaveTheDaysAndHoursOfTheRule) {
     const RuleLibrary library = RuleLibrary::load().value();
-    const Rule ceqr = library.find("ceqr").value();
-    const auto day = periodOf(ceqr, December / 21, inLeapYear());
-    ASSERT_TRUE(day);
-    EXPECT_EQ(day->start, CivilDate(2028y, December, 21d));
-    EXPECT_EQ(day->days, 1);
-    ASSERT_TRUE(day->window) << "from 1.5 h after sunrise to 1.5 h before sunset";
-    EXPECT_EQ(day->window->afterSunrise, 90min);
-    EXPECT_EQ(day->window->beforeSunset, 90min);
-    EXPECT_FALSE(periodOf(ceqr, inLeapYear())) << "it has fixed days, no range";
-    const Rule zurich = library.find("zurich").value();
-    EXPECT_FALSE(periodOf(zurich, zurich.days.fixed.front().day, inLeapYear())) << "its steps are full hours";
+    const Rule boston = library.find("boston-article-80").value();
+    const auto june = periodOf(boston, June / 21, inLeapYear());
+    ASSERT_TRUE(june);
+    EXPECT_EQ(june->start, CivilDate(2028y, June, 21d));
+    EXPECT_EQ(june->days, 1);
+    EXPECT_EQ(june->from, 9h);
+    EXPECT_EQ(june->hours, 9) << "to 18:00 on that day, to 15:00 on others";
+    EXPECT_EQ(periodOf(boston, December / 21, inLeapYear()).value().hours, 6);
+    EXPECT_FALSE(periodOf(boston, inLeapYear())) << "it has fixed days, no range";
+    const auto season = periodOf(library.find("russia-territory").value(), inLeapYear());
+    ASSERT_TRUE(season);
+    EXPECT_EQ(season->days, 123) << "22 April to 22 August";
+    ASSERT_TRUE(season->window);
+    EXPECT_EQ(season->window->afterSunrise, 0min);
+}
+
+TEST(RulePeriods, AreNotOfferedWhereAPeriodCannotStateThem) {
+    const RuleLibrary library = RuleLibrary::load().value();
+    const auto first = [&library](const char* key) {
+        const Rule rule = library.find(key).value();
+        return periodOf(rule, rule.days.fixed.front().day, inLeapYear());
+    };
+    EXPECT_FALSE(first("ceqr")) << "hours in standard time";
+    EXPECT_FALSE(first("japan")) << "hours in true solar time";
+    EXPECT_FALSE(first("zurich")) << "steps begin on full hours";
 }
 
 TEST(AccuracyChoices, NameTheEngineThatSuitsTheGround) {
