@@ -9,6 +9,7 @@
 #include "core/base/progress_share.h"
 #include "core/measures/outlines/level_outlines.h"
 #include "core/measures/outlines/traced_outlines.h"
+#include "core/receivers/city_above_plane.h"
 
 namespace noonmark {
 
@@ -34,6 +35,19 @@ Result<std::vector<ShadowOutlines>> outlineOnLevelGround(const City& baseline, c
     return all;
 }
 
+/// On a plane: the cities above it are cast on it as on level ground, where they have neither terrain nor
+/// meshes. Else cells of the plane are traced.
+Result<std::vector<ShadowOutlines>> outlineOnPlane(const City& baseline, const City* scenario,
+                                                   std::span<const SunStep> steps,
+                                                   const OutlineSettings& settings, Progress& progress,
+                                                   const std::stop_token& stop) {
+    const auto before = cutAbovePlane(baseline, *settings.planeM);
+    const auto after = scenario == nullptr ? std::nullopt : cutAbovePlane(*scenario, *settings.planeM);
+    if (!before || (scenario != nullptr && !after))
+        return traceOutlines(baseline, scenario, steps, settings, progress, stop);
+    return outlineOnLevelGround(*before, after ? &*after : nullptr, steps, settings.area, progress, stop);
+}
+
 }  // namespace
 
 Result<std::vector<ShadowOutlines>> outlineShadows(const City& baseline, const City* scenario,
@@ -42,6 +56,7 @@ Result<std::vector<ShadowOutlines>> outlineShadows(const City& baseline, const C
                                                    const std::stop_token& stop) {
     if (auto checked = checkArea(settings); !checked) return tl::make_unexpected(checked.error());
     return guardMemory({.what = "the outlines of these shadows", .advice = "Choose a smaller area"}, [&] {
+        if (settings.planeM) return outlineOnPlane(baseline, scenario, steps, settings, progress, stop);
         return baseline.terrain || (scenario != nullptr && scenario->terrain)
                    ? traceOutlines(baseline, scenario, steps, settings, progress, stop)
                    : outlineOnLevelGround(baseline, scenario, steps, settings.area, progress, stop);

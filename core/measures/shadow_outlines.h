@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -11,8 +12,9 @@
 
 namespace noonmark {
 
-/// Shadows on the open ground at one moment, as polygons in local metres: disjoint, simple and oriented, none
-/// under 0.01 m2. Ground that a building of either city covers is left out; ground below an overhang is not.
+/// Shadows on the open ground or on a plane above it at one moment, as polygons in local metres: disjoint,
+/// simple and oriented, none under 0.01 m2. Ground that a building of either city covers is left out; ground
+/// below an overhang is not.
 struct ShadowOutlines {
     std::vector<Footprint> baseline;     ///< shadow in the baseline
     std::vector<Footprint> incremental;  ///< shadow in the scenario where the baseline is lit
@@ -25,13 +27,16 @@ struct ShadowOutlines {
 struct OutlineSettings {
     Box2 area;         ///< outlines are cut at its edges, local metres; to whole cells on terrain
     double cellM = 1;  ///< of the cells on terrain, 0.25 to 10
+    /// The shadows are on a horizontal plane, this many metres above the mean ground of the area, 0 to 1000;
+    /// buildings below it cast none. Empty: on the ground.
+    std::optional<double> planeM{};
 };
 
 /// The shadows of a baseline and of a scenario (null: the baseline alone) at a step of the sun. On level
-/// ground, the buildings whose shadow can reach the area are projected and joined; on terrain, cells are
-/// traced by the ray reference. Error: an empty area, the polygons cannot be joined, errors of the ray
-/// reference and of placing its cells, or cancelled(). A square kilometre of Midtown takes some 0.3 s on two
-/// cores, on level ground; of these 0.1 s join the tiles and are not interrupted.
+/// ground, the buildings whose shadow can reach the area are projected and joined; on terrain, and of meshes
+/// above a plane, cells are traced by the ray reference. Error: an empty area, the polygons cannot be joined,
+/// errors of the ray reference and of placing its cells, or cancelled(). A square kilometre of Midtown takes
+/// some 0.3 s on two cores, on level ground; of these 0.1 s join the tiles and are not interrupted.
 Result<ShadowOutlines> outlineShadows(const City& baseline, const City* scenario, const SunStep& step,
                                       const OutlineSettings& settings, Progress& progress,
                                       const std::stop_token& stop);

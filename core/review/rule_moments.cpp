@@ -92,17 +92,28 @@ Result<std::vector<RuleMoment>> computeRuleMoments(const Rule& rule, const RuleS
     return up;
 }
 
+std::optional<double> planeOf(const Rule& rule) {
+    const bool isPlane = rule.receivers.surface == RuleSurface::plane;
+    return isPlane ? std::optional(rule.receivers.planeM) : std::nullopt;
+}
+
 bool hasIsochrones(const Rule& rule) {
     const auto& diagrams = rule.deliverables.diagrams;
     return diagrams && std::ranges::find(diagrams->views, "isochrones") != diagrams->views.end();
 }
 
-std::vector<double> listIsochroneMinutes(const Rule& rule) {
-    std::set<double> levels;
-    for (int hour = 1; hour <= 8; ++hour) levels.insert(60.0 * hour);
+std::vector<double> listLimitMinutes(const Rule& rule) {
+    std::set<double> limits;
     for (const Criterion& criterion : rule.criteria)
         for (const Limit& limit : criterion.limits)
-            if (criterion.measure == Measure::spotTotal && !limit.ofFormer) levels.insert(limit.value);
+            if (criterion.measure == Measure::spotTotal && !limit.ofFormer) limits.insert(limit.value);
+    return {limits.begin(), limits.end()};
+}
+
+std::vector<double> listIsochroneMinutes(const Rule& rule) {
+    const std::vector<double> limits = listLimitMinutes(rule);
+    std::set<double> levels(limits.begin(), limits.end());
+    for (int hour = 1; hour <= 8; ++hour) levels.insert(60.0 * hour);
     return {levels.begin(), levels.end()};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ Result<std::vector<RuleMoment>> computeRuleMoments(const Rule& rule, const RuleS
                                                    const RuleMomentSettings& settings = {},
                                                    const std::stop_token& stop = {});
 
+/// The plane that the rule's shadows are drawn on, metres above the mean ground; nothing where it is about
+/// the ground or windows.
+std::optional<double> planeOf(const Rule& rule);
+
 /// Whether the rule's diagrams have lines of equal hours of shadow.
 bool hasIsochrones(const Rule& rule);
 /// Of a rule about more days, lines are drawn for so many.
@@ -37,5 +42,7 @@ inline constexpr std::size_t mostIsochroneDays = 4;
 /// The minutes of these lines, ascending: each full hour up to 8, and the rule's limits of the total at a
 /// spot.
 std::vector<double> listIsochroneMinutes(const Rule& rule);
+/// Only the limits of the total at a spot, minutes; ascending.
+std::vector<double> listLimitMinutes(const Rule& rule);
 
 }  // namespace noonmark

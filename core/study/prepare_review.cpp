@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "core/measures/place_run.h"
+#include "core/receivers/city_above_plane.h"
 #include "core/receivers/line_belts.h"
 #include "core/receivers/plane_receivers.h"
 
@@ -65,36 +65,11 @@ Result<RulePlaces> placesToMeasure(const Rule& rule, const std::vector<Place>& p
     return measured;
 }
 
-/// The part of a building above a plane, as seen from that plane; none where all of it is below.
-std::shared_ptr<const Building> lowered(const Building& building, float byM) {
-    Building above = building;
-    std::erase_if(above.parts, [&](const Part& part) { return part.topM <= byM; });
-    for (Part& part : above.parts) {
-        part.topM -= byM;
-        part.bottomM = std::max(0.0F, part.bottomM - byM);
-        part.isOverhanging = part.isOverhanging && part.bottomM > 0;
-    }
-    return above.parts.empty() ? nullptr : std::make_shared<const Building>(std::move(above));
-}
-
-/// The city above a plane, so that the plane becomes level ground, which the exact engines take. Nothing
-/// where there is terrain or a mesh: then the receivers are raised instead.
-std::optional<City> loweredCity(const City& city, float byM) {
-    City above{city.frame, {}, nullptr};
-    for (const auto& building : city.buildings) {
-        if (std::ranges::any_of(building->parts, [](const Part& part) { return part.mesh != nullptr; }))
-            return std::nullopt;
-        if (auto part = lowered(*building, byM)) above.buildings.push_back(std::move(part));
-    }
-    return city.terrain ? std::nullopt : std::optional(std::move(above));
-}
-
 Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const std::vector<Place>& places,
                                 double cellM, const std::stop_token& stop) {
     const bool plane = rule.receivers.surface == RuleSurface::plane;
-    const auto height = float(rule.receivers.planeM);
-    auto beforeAbove = plane ? loweredCity(before, height) : std::nullopt;
-    auto afterAbove = plane ? loweredCity(after, height) : std::nullopt;
+    auto beforeAbove = plane ? cutAbovePlane(before, rule.receivers.planeM) : std::nullopt;
+    auto afterAbove = plane ? cutAbovePlane(after, rule.receivers.planeM) : std::nullopt;
     const bool isLowered = beforeAbove && afterAbove;
     if (isLowered) before = *std::move(beforeAbove), after = *std::move(afterAbove);
     const std::array<const City*, 2> cities{&before, &after};

@@ -110,8 +110,7 @@ Result<void> addIsochrones(const ReviewStudy& study, const City& after, const Ob
     const Rule& rule = study.rule;
     const auto days = computeRuleSun(rule, {observer, study.settings.zone, study.year}, stop);
     if (!days) return tl::make_unexpected(days.error());
-    IsochroneSettings settings{drawing.area, listIsochroneMinutes(rule), {}};
-    if (rule.receivers.surface == RuleSurface::plane) settings.planeM = rule.receivers.planeM;
+    const IsochroneSettings settings{drawing.area, listIsochroneMinutes(rule), planeOf(rule)};
     for (std::size_t day = 0; day < std::min(mostIsochroneDays, days->sun.days.size()); ++day) {
         auto lines =
             traceDayIsochrones(after, chooseDays(days->sun, std::array{day}), settings, progress, stop);
@@ -154,7 +153,7 @@ Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
     drawing.frame = baseline.frame;
     drawing.area =
         settings.area.value_or(widened(chooseArea(baseline, changes, places, steps, settings.longestM)));
-    const OutlineSettings outlining{drawing.area, settings.cellM};
+    const OutlineSettings outlining{drawing.area, settings.cellM, settings.planeM};
     ProgressShare share(progress, 0, 2);
     auto outlines = outlineShadows(baseline, scenario, steps, outlining, share, stop);
     if (!outlines) return tl::make_unexpected(outlines.error());
@@ -186,9 +185,13 @@ Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& ba
     const bool alone = rule.occluders.casters == RuleCasters::proposal;
     const City before = alone ? keepOwnBuildings(baseline, scenario) : baseline,
                after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
-    auto drawing = drawShadows(before, &after, places, timesOf(*moments, study.clock),
-                               {.cellM = study.settings.cellM}, progress, stop);
+    // The places of a rule with lines are parcels: what counts lies around them, as far as shadows reach.
+    const std::vector<Place> none;
+    const bool isAround = rule.receivers.hasLines();
+    auto drawing = drawShadows(before, &after, isAround ? none : places, timesOf(*moments, study.clock),
+                               {.cellM = study.settings.cellM, .planeM = planeOf(rule)}, progress, stop);
     if (!drawing) return tl::make_unexpected(drawing.error());
+    if (isAround) drawing->places = choosePlacesIn(places, drawing->area);
     if (alone)
         addBuildings(keepOwnBuildings(baseline, before), BuildingState::unchanged, drawing->area,
                      drawing->buildings);
@@ -198,8 +201,9 @@ Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& ba
         if (!done) return tl::make_unexpected(done.error());
     }
     drawing->notes.push_back("Rule: " + rule.name);
-    if (rule.receivers.surface == RuleSurface::plane)
-        drawing->notes.push_back("Shadows are on the ground, not on the rule's plane above it");
+    if (const auto planeM = planeOf(rule))
+        drawing->notes.push_back(
+            fmt::format("Shadows are on a horizontal plane {:g} m above the mean ground", *planeM));
     return drawing;
 }
 

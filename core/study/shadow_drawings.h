@@ -20,6 +20,7 @@ struct DrawingSettings {
     double longestM = 1500;  ///< of the shadows that bound the area
     double cellM = 1;        ///< on terrain, 0.25 to 10
     bool withFans = true;
+    std::optional<double> planeM{};  ///< shadows on a plane above the mean ground; empty: on the ground
 };
 
 /// The shadows of a baseline and a scenario (null: the baseline alone) at several times, with buildings,
@@ -35,8 +36,8 @@ Result<std::vector<RuleMoment>> computeReviewMoments(const ReviewStudy& study, c
                                                      int mostHoursADay, const std::stop_token& stop);
 
 /// The moments of computeReviewMoments() at all full hours, with the casters that it counts.
-/// Shadows are on the ground, also of a rule about a plane above it. Lines of equal hours and distances from
-/// the places come with rules whose diagrams have them: on the rule's plane.
+/// Shadows are on the rule's plane, where it has one. Lines of equal hours and distances from the places come
+/// with rules whose diagrams have them.
 Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,
                                         const std::vector<Place>& places, Progress& progress,
                                         const std::stop_token& stop);

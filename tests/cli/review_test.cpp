@@ -95,6 +95,30 @@ TEST_F(ReviewCommand, WritesTheKeysThatScriptsRelyOn) {
                 AllOf(HasSubstr("rule,from,to,place,kind,verdict,day"), HasSubstr("2026-12-21")));
 }
 
+TEST_F(ReviewCommand, MayKeepToThePlacesInReach) {
+    // A square 3 km south of the tower, where no shadow falls in New York.
+    auto disk = ProjectFile::open(file_).value();
+    Project project = disk.project();
+    const Ring square{{0, -3000}, {50, -3000}, {50, -2950}, {0, -2950}};
+    project.places.push_back({"Far Square", PlaceKind::park, {{square, {}}}, "test"});
+    ASSERT_TRUE(disk.save(project));
+    const auto namesOf = [](const Spoken& spoken) {
+        std::vector<std::string> names;
+        for (const auto& place : spoken.json()["places"]) names.push_back(place["name"]);
+        return names;
+    };
+    std::vector<std::string> asked = all_;
+    asked.emplace_back("--json");
+    EXPECT_THAT(namesOf(review("ceqr", asked)), testing::ElementsAre("Central Park", "Far Square"));
+    asked.emplace_back("--in-reach");
+    const Spoken near = review("ceqr", asked);
+    ASSERT_EQ(near.code, 0) << near.err;
+    EXPECT_THAT(namesOf(near), testing::ElementsAre("Central Park"));
+    EXPECT_THAT(near.json()["repeat"].get<std::string>(), HasSubstr("--in-reach"));
+    asked[1] = "Far Square";
+    EXPECT_THAT(review("ceqr", asked).err, HasSubstr("reaches no place"));
+}
+
 TEST_F(ReviewCommand, WritesABookOfSheets) {
     std::vector<std::string> asked = all_;
     asked.insert(asked.end(), {"--paper", "a3", "--landscape", "--scale", "2000", "--author", "A. Planner"});

@@ -12,6 +12,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_question.h"
+#include "app/cli/review/places_in_reach.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/rule_options.h"
 #include "app/cli/table.h"
@@ -36,6 +37,7 @@ struct ReviewRunOptions {
     ReviewSettings settings{1, {}, 0};
     bool overwrite = false;
     bool byteOrderMark = false;
+    bool inReach = false;
     bool json = false;
 };
 
@@ -106,7 +108,7 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!library) return tl::make_unexpected(library.error());
     const auto rule = findRule(*library, options.rule, options.rules);
     if (!rule) return tl::make_unexpected(rule.error());
-    const auto places = placesFor(options, *rule, project);
+    auto places = placesFor(options, *rule, project);
     if (!places) return tl::make_unexpected(places.error());
     const auto zone = zoneOf(options, project);
     if (!zone) return tl::make_unexpected(zone.error());
@@ -120,14 +122,19 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true, true};
     const Interrupt interrupt;
     ProgressLine progress(console);
+    if (options.inReach)
+        places = choosePlacesInReach(*rule, before->city, after->city, *places, settings, progress,
+                                     interrupt.token());
+    if (!places) return tl::make_unexpected(places.error());
     auto study = runReview(*rule, before->city, after->city, *places, settings, AutoEngine(), progress,
                            interrupt.token());
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
     putBefore(study->warnings, project.reading->warnings);
-    const ReviewLabels labels{options.from, options.to,
-                              provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
-                              options.places, makeRepeatOptions(options.sheets, *sheets)};
+    ReviewLabels labels{options.from, options.to,
+                        provenanceOf(project, &disk, {options.to, options.from, {}, {}}), options.places,
+                        makeRepeatOptions(options.sheets, *sheets)};
+    if (options.inReach) labels.sheets.push_back({"--in-reach", {}});
     return ReviewAnswer{*std::move(study), labels,
                         before->city,      after->city,
                         *places,           project.reading->heights,
@@ -224,6 +231,9 @@ void addQuestion(CLI::App& command, ReviewRunOptions& options) {
                     "Places of the project by name, or all; of rules about parcels: its lots")
         ->required()
         ->type_name("all|NAME...");
+    command.add_flag("--in-reach", options.inReach,
+                     "Of these places, only those that the rule covers and that the shadow of the proposal "
+                     "reaches in the rule's hours");
 }
 
 void addSettings(CLI::App& command, ReviewRunOptions& options) {

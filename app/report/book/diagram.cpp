@@ -123,22 +123,37 @@ private:
     void paintValueLines() {
         canvas_.painter.setBrush(Qt::NoBrush);
         for (const ValueLine& value : diagram_.valueLines) {
-            std::size_t longest = 0;
+            QPen pen = linePen(canvas_, value.isDistance ? ink::text : shade::incremental,
+                               value.isLimit ? 1.8 : 0.9);
+            if (value.isDistance) pen.setDashPattern({4, 2});
             for (const auto& line : value.lines) {
                 QPolygonF points;
                 for (const glm::dvec2 point : line) points << view_.at(point);
-                QPen pen = linePen(canvas_, value.isDistance ? ink::text : shade::incremental, 0.9);
-                if (value.isDistance) pen.setDashPattern({4, 2});
                 canvas_.painter.setPen(pen);
                 canvas_.painter.drawPolyline(points);
-                if (line.size() > value.lines[longest].size())
-                    longest = std::size_t(&line - value.lines.data());
             }
-            if (!value.lines.empty() && !value.lines[longest].empty())
-                paintMark(view_.at(*std::ranges::max_element(
-                              value.lines[longest], {},
-                              [&](glm::dvec2 point) { return glm::distance(point, diagram_.centre); })),
-                          value.label, value.isDistance ? ink::text : shade::incremental.darker(130));
+            paintValueMarks(value);
+        }
+    }
+
+    /// On every line of a value, the longest first, so that islands are named, too. Lines that are smaller
+    /// than a mark have none, unless their value has no other.
+    void paintValueMarks(const ValueLine& value) {
+        std::vector<const std::vector<glm::dvec2>*> lines;
+        for (const auto& line : value.lines)
+            if (!line.empty()) lines.push_back(&line);
+        std::ranges::sort(lines, [](const auto* a, const auto* b) { return a->size() > b->size(); });
+        for (const auto* line : lines) {
+            QPolygonF points;
+            for (const glm::dvec2 point : *line) points << view_.at(point);
+            const QRectF seen = points.boundingRect();
+            const bool isSmall =
+                std::max(seen.width(), seen.height()) < 12 * diagram_.textScale * canvas_.point;
+            if (isSmall && line != lines.front()) continue;
+            const auto farthest = std::ranges::max_element(
+                *line, {}, [&](glm::dvec2 point) { return glm::distance(point, diagram_.centre); });
+            paintMark(view_.at(*farthest), value.label,
+                      value.isDistance ? ink::text : shade::incremental.darker(130));
         }
     }
 

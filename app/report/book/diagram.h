@@ -32,6 +32,7 @@ struct ValueLine {
     QString label;
     bool isDistance = false;                     ///< dashed
     std::vector<std::vector<glm::dvec2>> lines;  ///< local metres
+    bool isLimit = false;                        ///< of a rule; drawn thicker
 };
 
 /// A plan view at a scale, north up, as vectors, with its caption below. Ground that does not fit is cut off

@@ -48,38 +48,69 @@ QPolygonF polygonOf(const std::vector<glm::vec2>& points, const QTransform& toPa
 
 double unitsPerMetre(const QTransform& toPainter) { return std::sqrt(std::abs(toPainter.determinant())); }
 
+/// What lies outside the painter's clip is not painted: it would fill files of vectors, although nobody sees
+/// it.
+class VisibleFeatures {
+public:
+    VisibleFeatures(const QPainter& painter, const QTransform& toPainter)
+        : toPainter_(toPainter), clip_(painter.clipBoundingRect()), isAll_(!painter.hasClipping()) {}
+
+    /// Whether anything of these points, widened by `margin` painter units, may be seen.
+    [[nodiscard]] bool sees(const std::vector<glm::vec2>& points, double margin = 0) const {
+        if (isAll_ || points.empty()) return isAll_;
+        Box2 box;
+        for (const glm::vec2 point : points) box.add(point);
+        const QRectF local(double(box.low.x), double(box.low.y), double(box.high.x) - double(box.low.x),
+                           double(box.high.y) - double(box.low.y));
+        // Not QRectF::intersects(): a street along an axis has no area.
+        const QRectF seen = toPainter_.mapRect(local).adjusted(-margin, -margin, margin, margin);
+        return seen.left() <= clip_.right() && clip_.left() <= seen.right() && seen.top() <= clip_.bottom() &&
+               clip_.top() <= seen.bottom();
+    }
+
+private:
+    QTransform toPainter_;
+    QRectF clip_;
+    bool isAll_;
+};
+
 void paintAreas(QPainter& painter, const MapContext& context, ContextKind kind, const QTransform& toPainter) {
+    const VisibleFeatures visible(painter, toPainter);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colourOf(kind));
     for (const ContextArea& area : context.areas) {
         if (area.kind != kind) continue;
         QPainterPath path;  // odd-even: holes stay free
         for (const Footprint& polygon : area.polygons) {
+            if (!visible.sees(polygon.outer)) continue;
             path.addPolygon(polygonOf(polygon.outer, toPainter));
             for (const Ring& hole : polygon.holes) path.addPolygon(polygonOf(hole, toPainter));
         }
-        painter.drawPath(path);
+        if (!path.isEmpty()) painter.drawPath(path);
     }
 }
 
 void paintLines(QPainter& painter, const MapContext& context, ContextKind kind, const QTransform& toPainter,
                 double leastLine) {
+    const VisibleFeatures visible(painter, toPainter);
     painter.setBrush(Qt::NoBrush);
     const double perMetre = unitsPerMetre(toPainter);
     for (const ContextLine& line : context.lines) {
-        if (line.kind != kind) continue;
-        painter.setPen(QPen(colourOf(kind), std::max(leastLine, double(line.widthM) * perMetre),
-                            Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        const double width = std::max(leastLine, double(line.widthM) * perMetre);
+        if (line.kind != kind || !visible.sees(line.points, width / 2)) continue;
+        painter.setPen(QPen(colourOf(kind), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPolyline(polygonOf(line.points, toPainter));
     }
 }
 
 void paintTrees(QPainter& painter, const MapContext& context, const QTransform& toPainter, double leastLine) {
+    const VisibleFeatures visible(painter, toPainter);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colourOf(ContextKind::tree));
     const double radius = std::max(leastLine, treeRadiusM * unitsPerMetre(toPainter));
     for (const glm::vec2 tree : context.trees)
-        painter.drawEllipse(toPainter.map(QPointF(double(tree.x), double(tree.y))), radius, radius);
+        if (visible.sees({tree}, radius))
+            painter.drawEllipse(toPainter.map(QPointF(double(tree.x), double(tree.y))), radius, radius);
 }
 
 }  // namespace

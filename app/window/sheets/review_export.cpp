@@ -25,12 +25,13 @@ Result<std::shared_ptr<const ReviewStudy>> computeWithTimelines(const ReviewExpo
 
 ReviewLabels labelsOf(const ReviewExport& review, const BookSettings& settings) {
     const ReviewQuestion& asked = review.answer->question;
+    // Not the names of what was measured: of rules about parcels these are two belts for each.
+    std::vector<std::string> names;
+    for (const Place& place : asked.places) names.push_back(place.name);
     return {
-        asked.from,
-        asked.to,
+        asked.from, asked.to,
         provenanceOf(review.project, review.file ? &*review.file : nullptr, {asked.to, asked.from, {}, {}}),
-        {},
-        makeRepeatOptions(settings)};
+        std::move(names), makeRepeatOptions(settings)};
 }
 
 ReviewBookSource sourceOf(const ReviewExport& review, const ReviewStudy& study, const ReviewLabels& labels) {

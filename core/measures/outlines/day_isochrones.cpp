@@ -5,24 +5,23 @@
 
 #include "core/engines/auto_engine.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/receivers/city_above_plane.h"
 #include "core/receivers/plane_receivers.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double mostCells = 90'000;
+constexpr double mostCells = 600'000;
+constexpr double mostCellsTraced = 90'000;  // a ray is much slower
 
 /// Everywhere in the area, whatever stands there.
-Result<Receivers> placeEverywhere(const City& city, const IsochroneSettings& settings,
+Result<Receivers> placeEverywhere(const City& city, const Box2& area, double cells,
                                   const std::stop_token& stop) {
-    const glm::dvec2 size(settings.area.high - settings.area.low);
-    const double cellM = std::clamp(std::sqrt(size.x * size.y / mostCells), 0.5, 10.0);
+    const glm::dvec2 size(area.high - area.low);
+    const double cellM = std::clamp(std::sqrt(size.x * size.y / cells), 0.5, 10.0);
     const City ground{city.frame, {}, city.terrain};
-    auto receivers =
-        placeReceiversOnGround(ground, makeRegionFromLocalBox(settings.area), {.cellM = cellM}, stop);
-    if (receivers && settings.planeM) raiseToPlane(*receivers, *settings.planeM);
-    return receivers;
+    return placeReceiversOnGround(ground, makeRegionFromLocalBox(area), {.cellM = cellM}, stop);
 }
 
 }  // namespace
@@ -30,10 +29,14 @@ Result<Receivers> placeEverywhere(const City& city, const IsochroneSettings& set
 Result<DayIsochrones> traceDayIsochrones(const City& city, const SunSteps& day,
                                          const IsochroneSettings& settings, Progress& progress,
                                          const std::stop_token& stop) {
-    const auto receivers = placeEverywhere(city, settings, stop);
+    const auto above = settings.planeM ? cutAbovePlane(city, *settings.planeM) : std::nullopt;
+    const bool raysOnly = settings.planeM && !above;
+    auto receivers = placeEverywhere(city, settings.area, raysOnly ? mostCellsTraced : mostCells, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    const auto field = settings.planeM ? RayReference().accumulate(city, *receivers, day, progress, stop)
-                                       : AutoEngine().accumulate(city, *receivers, day, progress, stop);
+    if (raysOnly) raiseToPlane(*receivers, *settings.planeM);
+    const auto field = raysOnly
+                           ? RayReference().accumulate(city, *receivers, day, progress, stop)
+                           : AutoEngine().accumulate(above ? *above : city, *receivers, day, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     return DayIsochrones{field->grid.cellM, traceIsochrones(field->grid, field->grossMin, settings.levelsMin),
                          field->engine};

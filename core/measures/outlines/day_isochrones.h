@@ -26,9 +26,9 @@ struct DayIsochrones {
 };
 
 /// Lines of equal minutes in shadow of a city on one day (all of `day`), on cells of 0.5 to 10 m of which the
-/// area has no more than some 90,000. Places under buildings count as ground: Japan's lines run through the
-/// neighbours' houses. On a plane rays measure, on the ground the engine that AutoEngine chooses. Errors of
-/// Engine::accumulate(); cancelled().
+/// area has no more than some 600,000 (90,000 where rays measure). Places under buildings count as ground:
+/// Japan's lines run through the neighbours' houses. The engine that AutoEngine chooses measures, but rays on
+/// a plane above terrain or above a city with meshes. Errors of Engine::accumulate(); cancelled().
 Result<DayIsochrones> traceDayIsochrones(const City& city, const SunSteps& day,
                                          const IsochroneSettings& settings, Progress& progress,
                                          const std::stop_token& stop);

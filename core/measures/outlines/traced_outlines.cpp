@@ -3,6 +3,7 @@
 #include "core/engines/ray/ray_reference.h"
 #include "core/measures/place_receivers.h"
 #include "core/receivers/band_polygons.h"
+#include "core/receivers/plane_receivers.h"
 
 namespace noonmark {
 
@@ -60,8 +61,9 @@ Result<std::vector<ShadowOutlines>> traceOutlines(const City& baseline, const Ci
     std::vector<const City*> cities{&baseline};
     if (scenario != nullptr) cities.push_back(scenario);
     const Place area{.name = "area", .polygons = makeRegionFromLocalBox(settings.area).polygons};
-    const auto placed = placeReceiversOnPlaces(cities, std::span(&area, 1), {settings.cellM}, stop);
+    auto placed = placeReceiversOnPlaces(cities, std::span(&area, 1), {settings.cellM}, stop);
     if (!placed) return tl::make_unexpected(placed.error());
+    if (settings.planeM) raiseToPlane(placed->receivers, *settings.planeM);
     std::vector<ShadowOutlines> all;
     const auto take = [&](std::size_t, std::span<StepMasks> masks) -> Result<void> {
         const MaskOutlines outlines(placed->receivers, masks.front(), masks.back());

@@ -18,7 +18,7 @@ struct ReviewLabels {
     Provenance provenance;
     /// What was asked for: names, or "all". Empty: the places of the review by name.
     std::vector<std::string> places{};
-    /// How the sheets are laid out, as options of the command.
+    /// How the sheets are laid out, and other options of the command.
     std::vector<RepeatOption> sheets{};
 };
 

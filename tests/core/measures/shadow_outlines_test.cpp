@@ -306,6 +306,30 @@ TEST(ShadowOutlines, OnFlatTerrainTellIncrementalFromGained) {
     EXPECT_NEAR(area(outlines.gained), 450, 16);
 }
 
+TEST(ShadowOutlines, OnAPlaneOnlyWhatStandsAboveItCasts) {
+    // 20 m wide and 30 m high, on a plane 10 m up: 20 x 20 m north of it. A house of 8 m is below the plane.
+    const std::vector<Box3> boxes{{{0, 0, 0}, {20, 10, 30}}, {{40, 0, 0}, {60, 10, 8}}};
+    EXPECT_NEAR(baselineArea(cityOf(boxes), southSun(), {wide, 1, 10}), 400, 0.01);
+    City level = groundOf(41, [](glm::dvec2) { return 0; });
+    for (const Box3& box : boxes) level.buildings.push_back(buildingOf(box));
+    const ShadowOutlines traced = outlined(level, nullptr, southSun(), {{{-50, -50}, {100, 100}}, 1, 10});
+    EXPECT_EQ(traced.cellM, 1);
+    EXPECT_NEAR(area(traced.baseline), 400, 21);
+}
+
+TEST(ShadowOutlines, OnAPlaneMeshesAreTraced) {
+    // A pyramid 40 m wide and 30 m high. The plane 1 m up cuts it in a square that ends 19.33 m north of its
+    // middle, and the tip falls 29 m north: a triangle 38.67 m wide. Of it, what lies beyond the footprint
+    // (20 m) is 9 m high and 38.67 x 9 / 9.67 = 36 m wide: 162 m2. On a plane 15 m up it ends at 15 m.
+    City city;
+    city.buildings.push_back(pyramid(20, 30));
+    const auto areaOn = [&](double planeM) {
+        return baselineArea(city, southSun(), {{{-60, -60}, {60, 60}}, 0.5, planeM});
+    };
+    EXPECT_NEAR(areaOn(1), 162, 8);
+    EXPECT_EQ(areaOn(15), 0);
+}
+
 TEST(ShadowOutlines, SeveralStepsGiveWhatEachGivesAlone) {
     const City city = mixedCity(2);
     const std::vector<SunStep> steps = oneDay({{100, 20}, {180, 50}, {250, 15}}).steps;

@@ -2,9 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "core/engines/auto_engine.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/study/shadow_drawings.h"
 #include "core/study/text/review_text.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/review/paper_days.h"
@@ -141,6 +145,28 @@ TEST(ReviewStudy, JapansBeltsFollowTheHeightOfTheBuilding) {
     };
     EXPECT_EQ(verdicts(7), (std::pair{Verdict::pass, Verdict::pass}));
     EXPECT_EQ(verdicts(60), (std::pair{Verdict::fail, Verdict::fail}));
+}
+
+TEST(ReviewStudy, JapansShadowsAreDrawnOnThePlaneAsFarAsTheyReach) {
+    // 20 m wide and 24 m high, on a plane 4 m up: at noon the shadow reaches 20 / tan(altitude) = 33 m north
+    // of the building, far beyond the parcel, which ends 5 m from it.
+    const City none = cityAt({139.7, 35.7}, {}),
+               city = cityAt({139.7, 35.7}, {{{-10, -10, 0}, {10, 10, 24}}});
+    const std::vector<Place> parcel{
+        {"Lot", PlaceKind::other, {{tests::rectangle(-15, -15, 15, 15), {}}}, "lot"}};
+    const ReviewStudy study = reviewed(shippedRule("japan"), none, city, parcel, "Asia/Tokyo");
+    Quiet quiet;
+    const auto drawing = drawReviewShadows(study, none, city, parcel, quiet, {});
+    ASSERT_TRUE(drawing) << drawing.error().text();
+    const auto noon = std::ranges::find_if(
+        drawing->moments, [](const DrawnMoment& moment) { return moment.time.name == "2026-12-21_1200"; });
+    ASSERT_NE(noon, drawing->moments.end());
+    const double altitude = double(noon->time.sun.altitudeDeg) * std::numbers::pi / 180;
+    EXPECT_NEAR(area(noon->outlines.incremental), 20 * 20 / std::tan(altitude), 2);
+    EXPECT_THAT(drawing->notes, testing::Contains(testing::HasSubstr("plane 4 m above the mean ground")));
+    EXPECT_EQ(drawing->places.size(), 1U);
+    ASSERT_EQ(drawing->isochrones.size(), 1U);
+    EXPECT_FALSE(drawing->isochrones.front().lines.empty());
 }
 
 TEST(ReviewStudy, StatesItsKeysInJsonAndCsv) {

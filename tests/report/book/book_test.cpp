@@ -128,6 +128,18 @@ TEST(Book, HasAPageOfEachKindInOrderWithBookmarks) {
     EXPECT_EQ(sheetNumber(book, 2), QStringLiteral("3"));
 }
 
+TEST(Book, FansComeFirstWhereTheRuleListsThemFirst) {
+    ReviewedPark park;
+    park.study.rule.deliverables.diagrams->views = {"fan", "plan"};
+    std::vector<std::string> chapters;
+    for (const BookPage& page : park.book({{Paper::a4, false}, {}, {}}).pages)
+        if (!page.bookmark.isEmpty() && page.level == 0)
+            chapters.push_back(page.bookmark.section(u':', 0, 0).toStdString());
+    ASSERT_GE(chapters.size(), 3U);
+    EXPECT_EQ(chapters[1], "Shadow fans");
+    EXPECT_EQ(chapters[2], "Shadow diagrams");
+}
+
 TEST(Book, DiagramsHaveTheStatedScaleOnPaper) {
     const Book book = ReviewedPark().book({{Paper::a3, true}, 500, {}});
     std::size_t diagrams = 0;

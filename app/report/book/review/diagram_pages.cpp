@@ -33,6 +33,18 @@ Box2 groundOf(glm::dvec2 centre, double scale, const QRectF& map) {
     return {glm::vec2(centre - half), glm::vec2(centre + half)};
 }
 
+OutlineSettings outlineSettingsOf(const ReviewScene& scene, const Box2& ground) {
+    return {ground, scene.source.study.settings.cellM, planeOf(scene.source.study.rule)};
+}
+
+/// "Shadows are on a plane 4 m above the mean ground. "; empty of rules about the ground.
+QString planeText(const ReviewScene& scene) {
+    const auto planeM = planeOf(scene.source.study.rule);
+    if (!planeM) return {};
+    return QStringLiteral("Shadows are on a horizontal plane %1 m above the mean ground. ")
+        .arg(describeAmount(*planeM, 2));
+}
+
 PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoot::Subject subject) {
     const PageSetup& setup = scene.settings.setup;
     const double height = diagramFootPt(textScale(setup));
@@ -46,8 +58,8 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
 }
 
 QString fromTo(const ReviewScene& scene) {
-    return QStringLiteral("%1 compared with %2. North is up.")
-        .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from));
+    return QStringLiteral("%1 compared with %2. %3North is up.")
+        .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from), planeText(scene));
 }
 
 /// The moments of one day.
@@ -131,8 +143,8 @@ Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& momen
                             const std::stop_token& stop) {
     const double scale = textScale(scene.settings.setup);
     const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(area, scale));
-    auto shadows = outlineShadows(scene.before, &scene.after, moment.sun,
-                                  {ground, scene.source.study.settings.cellM}, progress, stop);
+    auto shadows = outlineShadows(scene.before, &scene.after, moment.sun, outlineSettingsOf(scene, ground),
+                                  progress, stop);
     if (!shadows) return tl::make_unexpected(shadows.error());
     return Diagram{scene.diagrams, *std::move(shadows), {},   {}, layout.centre,
                    layout.scale,   captionOf(moment),   scale};
@@ -164,8 +176,8 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     MomentPages pages(
         QStringLiteral("Shadow fans"),
         QStringLiteral("All shadows of a day that the proposal would cast if it stood alone, %1. "
-                       "North is up.")
-            .arg(plainText(scene.source.labels.to)),
+                       "%2North is up.")
+            .arg(plainText(scene.source.labels.to), planeText(scene)),
         areas);
     const City proposal = keepOwnBuildings(scene.after, scene.before);
     double commonScale = 0;  // the foot of a page states one
@@ -180,8 +192,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
         std::vector<SunStep> steps;
         for (const DiagramMoment& moment : moments) steps.push_back(moment.sun);
         NoProgress quiet;
-        auto fan =
-            outlineShadowFan(proposal, steps, {ground, scene.source.study.settings.cellM}, quiet, stop);
+        auto fan = outlineShadowFan(proposal, steps, outlineSettingsOf(scene, ground), quiet, stop);
         if (!fan) return tl::make_unexpected(fan.error());
         Diagram diagram{scene.diagrams, {}, {}, {}, layout.centre, layout.scale, {}, scale};
         diagram.shadows.cellM = fan->cellM;
@@ -203,7 +214,8 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
     const auto areas = diagramAreas(setup, 1, 1);
     const QString title = QStringLiteral("Lines of equal hours of shadow");
     MomentPages pages(title,
-                      QStringLiteral("%1. Dashed: distances from the parcel. North is up.")
+                      QStringLiteral("%1. Thick: limits of the rule. Dashed: distances from the parcel. "
+                                     "North is up.")
                           .arg(plainText(scene.source.labels.to)),
                       areas);
     for (std::size_t i = 0; i < std::min(mostIsochroneDays, scene.sun.sun.days.size()); ++i) {

@@ -21,10 +21,14 @@ std::vector<glm::dvec2> pointsOf(const std::vector<glm::vec2>& points, bool isCl
     return line;
 }
 
-std::vector<ValueLine> hourLines(const std::vector<Isochrone>& lines, const std::vector<double>& levels) {
+std::vector<ValueLine> hourLines(const std::vector<Isochrone>& lines, const std::vector<double>& levels,
+                                 const std::vector<double>& limits) {
     std::vector<ValueLine> values;
     for (const double level : levels)
-        values.push_back({describeAmount(level / 60, 2) + QStringLiteral(" h"), false, {}});
+        values.push_back({describeAmount(level / 60, 2) + QStringLiteral(" h"),
+                          false,
+                          {},
+                          std::ranges::find(limits, level) != limits.end()});
     for (const Isochrone& line : lines) {
         const auto at = std::ranges::find(levels, line.level) - levels.begin();
         if (std::size_t(at) < values.size())
@@ -55,19 +59,19 @@ Result<Diagram> makeIsochrones(const ReviewScene& scene, std::size_t day, const 
     const double scale = textScale(scene.settings.setup);
     const DiagramLayout layout = fitInto(area, scale, box);
     const Rule& rule = scene.source.study.rule;
-    const bool onPlane = rule.receivers.surface == RuleSurface::plane;
+    const auto planeM = planeOf(rule);
     const std::vector<double> levels = listIsochroneMinutes(rule);
     NoProgress progress;
-    const auto isochrones = traceDayIsochrones(
-        scene.after, chooseDays(scene.sun.sun, std::array{day}),
-        {box, levels, onPlane ? std::optional(rule.receivers.planeM) : std::nullopt}, progress, stop);
+    const auto isochrones = traceDayIsochrones(scene.after, chooseDays(scene.sun.sun, std::array{day}),
+                                               {box, levels, planeM}, progress, stop);
     if (!isochrones) return tl::make_unexpected(isochrones.error());
-    Diagram diagram{scene.diagrams, {},           {}, hourLines(isochrones->lines, levels),
-                    layout.centre,  layout.scale, {}, scale};
+    Diagram diagram{
+        scene.diagrams, {},           {}, hourLines(isochrones->lines, levels, listLimitMinutes(rule)),
+        layout.centre,  layout.scale, {}, scale};
     addDistances(scene, diagram.valueLines);
-    const QString where = onPlane ? QStringLiteral("on a plane %1 m above the mean ground")
-                                        .arg(describeAmount(rule.receivers.planeM, 2))
-                                  : QStringLiteral("on the ground");
+    const QString where =
+        planeM ? QStringLiteral("on a plane %1 m above the mean ground").arg(describeAmount(*planeM, 2))
+               : QStringLiteral("on the ground");
     diagram.caption = {dayText(scene.sun.sun.days[day].date),
                        QStringLiteral("Hours of shadow in the rule's hours, %1, on cells of %2 m")
                            .arg(where, describeAmount(isochrones->cellM, 2))};

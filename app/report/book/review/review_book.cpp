@@ -11,6 +11,15 @@ namespace {
 
 using MakePages = Result<std::vector<BookPage>> (*)(const ReviewScene&, Progress&, const std::stop_token&);
 
+/// The chapters with pictures, in their order: fans come before the diagrams where the rule lists them first.
+std::vector<MakePages> pictureChapters(const Rule& rule) {
+    std::vector<MakePages> chapters{makeDiagramPages, makeFanPages, makeIsochronePages, makeSunViewPages};
+    const auto& diagrams = rule.deliverables.diagrams;
+    if (diagrams && !diagrams->views.empty() && diagrams->views.front() == "fan")
+        std::swap(chapters[0], chapters[1]);
+    return chapters;
+}
+
 }  // namespace
 
 std::vector<RepeatOption> makeRepeatOptions(const BookSettings& settings) {
@@ -28,8 +37,9 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
     Book book = beginBook(settings, QStringLiteral("Shadow review: ") + plainText(source.study.rule.name),
                           source.labels.provenance.attribution);
     book.record = {QStringLiteral("review.json"), toJsonText(reviewJson(source.study, source.labels))};
-    for (const MakePages make :
-         {makeSummaryPages, makeDiagramPages, makeFanPages, makeIsochronePages, makeSunViewPages}) {
+    std::vector<MakePages> chapters = pictureChapters(source.study.rule);
+    chapters.insert(chapters.begin(), makeSummaryPages);
+    for (const MakePages make : chapters) {
         auto pages = make(*scene, progress, stop);
         if (!pages) return tl::make_unexpected(pages.error());
         appendPages(book.pages, *std::move(pages));

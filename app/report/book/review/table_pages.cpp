@@ -1,0 +1,186 @@
+#include <algorithm>
+
+#include "app/report/book/flow.h"
+#include "app/report/book/review/review_pages.h"
+#include "app/report/sheets/study_words.h"
+#include "core/review/review_columns.h"
+#include "core/review/season_sums.h"
+#include "core/review/verdict_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double tablePt = 7.4;
+constexpr std::size_t mostDaysAll = 31;  // of longer ranges only days with incremental shadow are listed
+
+/// The rule's own table.
+std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    PageTable table{{}, {}, {}, {}, tablePt * textScale(scene.settings.setup)};
+    const auto columns = columnsIn(scene.settings.units, study.rule.deliverables.columns);
+    for (const RuleColumn& column : columns) table.titles.push_back(plainText(column.title));
+    if (table.titles.empty()) return std::nullopt;
+    std::size_t leftOut = 0;
+    for (const PlaceReview& review : study.places)
+        for (const ReviewRow& row : review.rows) {
+            if (review.rows.size() > mostDaysAll && row.durationMin <= 0) {
+                ++leftOut;
+                continue;
+            }
+            auto& texts = table.rows.emplace_back();
+            for (const RuleColumn& column : columns)
+                texts.push_back(plainText(columnText(review, row, column.key)));
+        }
+    const QString note = leftOut == 0
+                             ? QString()
+                             : QStringLiteral(". %1 days without incremental shadow are in review.csv only")
+                                   .arg(describeCount(leftOut));
+    return NamedTable{
+        QStringLiteral("Table of the rule"),
+        QStringLiteral("%1, clock: %2%3").arg(plainText(study.rule.name), plainText(study.clock), note),
+        std::move(table)};
+}
+
+/// The numbers behind the verdicts.
+std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
+    PageTable table{{QStringLiteral("Place"), QStringLiteral("Criterion"), QStringLiteral("Measured"),
+                     QStringLiteral("Former"), QStringLiteral("Limit"), QStringLiteral("Deciding day"),
+                     QStringLiteral("Result")},
+                    {},
+                    {},
+                    {},
+                    tablePt * textScale(scene.settings.setup)};
+    const QString none = QStringLiteral("-");
+    const UnitSystem units = scene.settings.units;
+    for (const PlaceReview& review : scene.source.study.places)
+        for (std::size_t i = 0; i < review.criteria.size() && i < review.results.size(); ++i) {
+            const Criterion& criterion = review.criteria[i];
+            const CriterionResult& result = review.results[i];
+            const auto measured = [&](const std::optional<Measured>& value) {
+                return value ? plainText(formatMeasured(criterion.measure, value->value, units)) : none;
+            };
+            table.rows.push_back({plainText(review.name),
+                                  plainText(criterion.name) +
+                                      (criterion.advisory ? QStringLiteral(" (does not decide)") : QString()),
+                                  measured(result.value), measured(result.former),
+                                  criterion.limits.empty() ? QStringLiteral("none")
+                                                           : plainText(describeLimits(criterion, units)),
+                                  result.day ? dayText(*result.day) : none,
+                                  plainText(nameOf(result.verdict))});
+        }
+    if (table.rows.empty()) return std::nullopt;
+    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"), {}, std::move(table)};
+}
+
+QString areaHours(const ReviewScene& scene, double m2h) {
+    return QString::fromStdString(formatAreaHours(m2h, scene.settings.units));
+}
+
+QString shareText(const ReviewTotals& totals, double m2h) {
+    if (totals.theoreticalM2h <= 0) return QStringLiteral("-");
+    return describeAmount(100 * m2h / totals.theoreticalM2h, 3) + QStringLiteral(" %");
+}
+
+/// Sums over the rule's days, for rules about a range of days.
+std::optional<NamedTable> sumTable(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    if (scene.sun.sun.days.size() <= mostDaysAll) return std::nullopt;
+    PageTable table{{QStringLiteral("Place"), QStringLiteral("Theoretical sun"),
+                     QStringLiteral("Existing shadow"), QStringLiteral("share"),
+                     QStringLiteral("With proposal"), QStringLiteral("share"), QStringLiteral("Incremental"),
+                     QStringLiteral("share"), QStringLiteral("Days with incremental shadow"),
+                     QStringLiteral("Day of most"), QStringLiteral("Duration on it")},
+                    {},
+                    {},
+                    {},
+                    tablePt * textScale(scene.settings.setup)};
+    for (const PlaceReview& review : study.places) {
+        const ReviewTotals& sum = review.totals;
+        table.rows.push_back({plainText(review.name), areaHours(scene, sum.theoreticalM2h),
+                              areaHours(scene, sum.baselineM2h), shareText(sum, sum.baselineM2h),
+                              areaHours(scene, sum.scenarioM2h), shareText(sum, sum.scenarioM2h),
+                              areaHours(scene, sum.incrementalM2h), shareText(sum, sum.incrementalM2h),
+                              describeAmount(sum.daysWithIncremental, 0),
+                              sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("-"),
+                              describeAmount(sum.largestDayDurationMin, 0) + QStringLiteral(" min")});
+    }
+    return NamedTable{QStringLiteral("Sums"),
+                      QStringLiteral("Over the days of the rule; shares of the theoretical sun"),
+                      std::move(table)};
+}
+
+/// Time and extent of incremental shadow by season, for rules about a range of days.
+std::optional<NamedTable> seasonTable(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    if (scene.sun.sun.days.size() <= mostDaysAll || study.rule.days.mirrored) return std::nullopt;
+    PageTable table{
+        {QStringLiteral("Place"), QStringLiteral("Months"), QStringLiteral("Days with shadow"),
+         QStringLiteral("Enters at the earliest"), QStringLiteral("Exits at the latest"),
+         QStringLiteral("Longest on a day"), QStringLiteral("Largest area"), QStringLiteral("Incremental")},
+        {},
+        {},
+        {},
+        tablePt * textScale(scene.settings.setup)};
+    for (const PlaceReview& review : study.places)
+        for (const SeasonSum& season : sumSeasons(review)) {
+            if (season.daysWithShadow <= 0) continue;
+            const UnitSystem units = scene.settings.units;
+            table.rows.push_back(
+                {plainText(review.name), plainText(season.months),
+                 QStringLiteral("%1 of %2")
+                     .arg(describeAmount(season.daysWithShadow, 0), describeAmount(season.days, 0)),
+                 plainText(season.earliest), plainText(season.latest),
+                 describeAmount(season.longestMin, 0) + QStringLiteral(" min"),
+                 QString::fromStdString(formatArea(season.maxAreaM2, units)),
+                 areaHours(scene, season.incrementalM2h)});
+        }
+    if (table.rows.empty()) return std::nullopt;
+    return NamedTable{QStringLiteral("Incremental shadow by season"),
+                      QStringLiteral("Seasons without incremental shadow are left out. Clock: %1")
+                          .arg(plainText(study.clock)),
+                      std::move(table)};
+}
+
+/// Which new building takes how much sun from which place; places that none reaches are left out.
+std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    PageTable table{
+        {QStringLiteral("New building"), QStringLiteral("Place"), QStringLiteral("Shadow"),
+         QStringLiteral("share of the theoretical sun"), QStringLiteral("of the proposal's shadow")},
+        {},
+        {},
+        {},
+        tablePt * textScale(scene.settings.setup)};
+    for (const ReviewContribution& building : study.contributions)
+        for (std::size_t i = 0; i < study.places.size(); ++i) {
+            const double m2h = building.incrementalM2h[i];
+            const ReviewTotals& sum = study.places[i].totals;
+            if (m2h <= 0) continue;
+            table.rows.push_back({plainText(building.name.empty() ? building.id : building.name),
+                                  plainText(study.places[i].name), areaHours(scene, m2h), shareText(sum, m2h),
+                                  sum.incrementalM2h > 0 ? describeAmount(100 * m2h / sum.incrementalM2h, 1) +
+                                                               QStringLiteral(" %")
+                                                         : QStringLiteral("-")});
+        }
+    if (table.rows.empty()) return std::nullopt;
+    return NamedTable{
+        QStringLiteral("Sole contributions of the new buildings"),
+        QStringLiteral("What each casts where all others of the proposal leave the sun, over the "
+                       "days of the rule; shadow that two of them share is in neither row"),
+        std::move(table)};
+}
+
+}  // namespace
+
+std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
+    std::vector<NamedTable> tables;
+    for (auto& table : {sumTable(scene), seasonTable(scene), contributionTable(scene), criteriaTable(scene),
+                        ruleTable(scene)})
+        if (table) tables.push_back(table.value());
+    if (tables.empty()) return {};
+    return makeTablePages(scene.settings.setup,
+                          {QStringLiteral("Tables"), {}, QStringLiteral("Tables"), 0, {}}, std::move(tables));
+}
+
+}  // namespace noonmark
