@@ -45,7 +45,7 @@ struct FacadeSettings {
 /// from the building's lowest wall. There are none where the wall touches another part or building (5 cm in
 /// front of it is solid), nor where the ground covers it. Walls of meshes are their faces within 6 degrees of
 /// vertical; faces of one plane make one wall. Error: a setting out of range, an index that does not exist,
-/// more than `mostReceivers`, cancelled(). Some 2 us a receiver.
+/// more than `mostReceivers`, cancelled(). Some 1 us a receiver.
 Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uint32_t> buildings,
                                       const FacadeSettings& settings, const std::stop_token& stop = {});
 inline constexpr std::size_t mostReceivers = 20'000'000;

@@ -15,7 +15,7 @@ namespace noonmark {
 /// Whether a point is in shadow at each step: 1 in shadow, 0 lit; one entry a step.
 using ShadedSteps = std::vector<std::uint8_t>;
 
-/// From the skyline: exact but for rounding. Some 20 ns a step.
+/// From the skyline: exact but for rounding. Some 60 ns a step.
 ShadedSteps findShadedSteps(const Skyline& skyline, const SunSteps& sun);
 
 /// The same from the rays of SurfaceRays, which the skyline is measured against. Some 0.1 us a step.

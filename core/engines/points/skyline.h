@@ -22,7 +22,8 @@ struct SkyPoint {
 /// in radians from +y, clockwise, 0 to 2 pi.
 class Skyline {
 public:
-    /// O(edges), and n log n in those that rise above others near them: about 10 ms for a million edges.
+    /// O(edges), and n log n in those that rise above others near them: 6 ms in Midtown, of 100,000 edges.
+    /// The point must not be inside a solid.
     static Skyline at(const SkyPoint& point, const SkyObstacles& obstacles);
 
     /// Ascending, without overlaps; between them, and where their altitude is below 0, the sky begins at the
