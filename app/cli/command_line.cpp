@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/cli/command.h"
+#include "app/cli/commands/point_command.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
 #include "core/simd/instruction_set.h"
@@ -98,6 +99,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addPlacesCommand(app, run);
         addScreenCommand(app, run);
         addTimelineCommand(app, run);
+        addPointCommand(app, run);
         addReviewCommand(app, run);
         addVerifyCommand(app, run);
         addEnginesCommand(app, run);

@@ -56,7 +56,7 @@ public:
 private:
     void trace(std::size_t point) {
         const glm::vec3 normal = points_.normals[point];
-        const glm::vec3 origin = placeRayOrigin(points_.positions[point]) + normal * SurfaceRays::liftM;
+        const glm::vec3 origin = placeSurfaceRayOrigin(points_.positions[point], normal);
         RunCounter runs;
         std::uint64_t turnedAway = 0;
         for (const SunPacket& packet : packets_) {
@@ -115,6 +115,10 @@ Result<SurfaceShadow> tracePoints(const City& city, const std::optional<RayScene
 }
 
 }  // namespace
+
+glm::vec3 placeSurfaceRayOrigin(glm::vec3 position, glm::vec3 normal) {
+    return placeRayOrigin(position) + normal * SurfaceRays::liftM;
+}
 
 SurfaceRays::SurfaceRays(std::optional<RayScene> scene) : scene_(std::move(scene)) {}
 

@@ -27,4 +27,8 @@ private:
     std::optional<RayScene> scene_;
 };
 
+/// The origin of the rays from a surface: the place, lifted off the ground (placeRayOrigin) and off the
+/// surface. The scene adds the horizontal offset RayScene::asideM.
+glm::vec3 placeSurfaceRayOrigin(glm::vec3 position, glm::vec3 normal);
+
 }  // namespace noonmark

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <sstream>
+
+#include "app/cli/commands/point_command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_city.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/read_options.h"
+#include "app/cli/project/project_question.h"
+#include "app/cli/table.h"
+#include "core/study/text/point_text.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct PointOptions {
+    ReadOptions read;
+    PointQuestion question;
+    std::string day;
+    std::string zone;
+    std::string scenario;
+    std::string baseline;
+    bool json = false;
+};
+
+/// The cities of the question, and the clock.
+struct PointCities {
+    City baseline;
+    std::optional<City> scenario;
+    std::string zone;
+};
+
+void parsePlace(const std::string& text, PointQuestion& question) {
+    char comma = 0;
+    std::istringstream stream(text);
+    bool read = bool(stream >> question.at.lonDeg >> comma >> question.at.latDeg) && comma == ',';
+    if (read && stream.peek() == ',') {
+        double height = 0;
+        read = bool(stream >> comma >> height);
+        question.heightM = height;
+    }
+    if (!read || !(stream >> std::ws).eof() || !(std::abs(question.at.lonDeg) <= 180) ||
+        !(std::abs(question.at.latDeg) <= 90))
+        throw CLI::ValidationError(
+            "--at", "give LON,LAT in degrees, or LON,LAT,H with metres above the ground: -73.98,40.75,4.5");
+}
+
+Result<PointCities> citiesOfProject(const PointOptions& options) {
+    const std::string& file = options.read.files.front();
+    if (const auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
+    const auto disk = ProjectFile::open(file);
+    if (!disk) return tl::make_unexpected(disk.error());
+    const auto before = cityOf(disk->project(), options.baseline.empty() ? existingCity : options.baseline);
+    if (!before) return tl::make_unexpected(before.error());
+    PointCities cities{before->city, std::nullopt, commonZone(disk->project()).value_or("UTC")};
+    if (!options.scenario.empty()) {
+        const auto after = cityOf(disk->project(), options.scenario);
+        if (!after) return tl::make_unexpected(after.error());
+        cities.scenario = after->city;
+    }
+    return cities;
+}
+
+Result<PointCities> citiesOf(const PointOptions& options, const Console& console) {
+    if (namesProject(options.read)) return citiesOfProject(options);
+    if (!options.scenario.empty() || !options.baseline.empty())
+        return failure("Only a project has scenarios", options.read.files.front(),
+                       "Omit --scenario and --baseline, or give a project file");
+    return loadCity(options.read, console).map([](const LoadedCity& loaded) {
+        return PointCities{loaded.read.city, std::nullopt, "UTC"};
+    });
+}
+
+void print(const PointStudy& study, const City& city, const Zone& zone, std::ostream& out) {
+    Table table;
+    const auto addView = [&](const std::string& name, const PointView& view) {
+        std::string bands;
+        for (const SunBand& band : view.sunlit)
+            bands += fmt::format("{}{}-{}", bands.empty() ? "" : ", ", zone.text(band.from).substr(11, 5),
+                                 zone.text(band.to).substr(11, 5));
+        table.add(name + "sunlit", bands.empty() ? "not at all" : bands);
+        table.add(name + "sky view factor", fmt::format("{:.3f}", view.factors.skyView));
+        if (study.question.facingDeg)
+            table.add(name + "vertical sky component", fmt::format("{:.1f} %", view.factors.skyComponentPct));
+    };
+    table.add("day", fmt::format("{}, times of {}", formatText(study.question.day), zone.name()));
+    addView("", study.baseline);
+    if (study.scenario) addView("scenario: ", *study.scenario);
+    table.print(out);
+    out << describe(study, city) << '\n';
+}
+
+int runPoint(const PointOptions& options, const Console& console) {
+    PointQuestion question = options.question;
+    const auto day = parseDate(options.day);
+    if (!day) return fail(console, day.error(), exitUsage);
+    question.day = *day;
+    const auto cities = citiesOf(options, console);
+    if (!cities) return fail(console, cities.error(), exitUsage);
+    question.zone = options.zone.empty() ? cities->zone : options.zone;
+    const auto zone = Zone::named(question.zone);
+    if (!zone) return fail(console, zone.error(), exitUsage);
+    const Interrupt interrupt;
+    const auto study = runPointStudy(cities->baseline, cities->scenario ? &*cities->scenario : nullptr,
+                                     question, interrupt.token());
+    if (!study) return fail(console, study.error(), exitUsage);
+    if (options.json)
+        console.out << toJsonText(pointJson(*study, cities->baseline, *zone)) << '\n';
+    else
+        print(*study, cities->baseline, *zone, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addPointCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<PointOptions>();
+    CLI::App* command =
+        app.add_subcommand("point", "Show what hides the sun and the sky from one point, and when it is lit");
+    options->read.filesHelp = "A project, or city files, or sample:central-park-south, sample:grid";
+    addReadOptions(*command, options->read);
+    command
+        ->add_option_function<std::string>(
+            "--at", [options](const std::string& text) { parsePlace(text, options->question); },
+            "The point, and metres above the ground (default: on the ground, or on the roof of a building)")
+        ->required()
+        ->type_name("LON,LAT[,H]");
+    command
+        ->add_option(
+            "--facing", options->question.facingDeg,
+            "Azimuth that a wall at the point faces, degrees from true north (default: a level surface)")
+        ->check(within(0.0, 360.0))
+        ->type_name("DEG");
+    command->add_option("--day", options->day, "Day of the sunlit bands; its year is measured, too")
+        ->default_val("2026-03-21")
+        ->type_name("DATE");
+    command->add_option("--zone", options->zone, "Time zone (default: that of the project's periods, or UTC)")
+        ->type_name("ZONE");
+    command->add_option("--step", options->question.stepMinutes, "Minutes between positions of the sun")
+        ->capture_default_str()
+        ->check(within(1.0 / 60, 60.0))
+        ->type_name("MIN");
+    command
+        ->add_option("--scenario", options->scenario,
+                     "A scenario of the project: what it takes from the point")
+        ->type_name("NAME");
+    command->add_option("--baseline", options->baseline, "The scenario to compare with (default: Existing)")
+        ->type_name("NAME");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    command->footer(
+        "A window 4.5 m above the street that faces south:\n"
+        "  noonmark-cli point midtown.gpkg --at -73.9781,40.7648,4.5 --facing 180 --day 2026-12-21 \\\n"
+        "    --zone America/New_York --json");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runPoint(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace noonmark::cli {
+
+/// As the functions of command.h.
+void addPointCommand(CLI::App& app, Run& run);
+
+}  // namespace noonmark::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/engines/points/sky_obstacles.h"
+
+namespace noonmark {
+
+/// Altitudes that something hides at one azimuth, as tangents: those between low and high.
+struct HiddenAltitudes {
+    double lowTan = 0;
+    double highTan = 0;  ///< infinite: up to the zenith
+    bool operator==(const HiddenAltitudes&) const = default;
+};
+
+/// What a face hides at an azimuth above the point's level; none where it is not seen.
+std::optional<HiddenAltitudes> hiddenBy(const OverhangFace& face, glm::dvec3 point, double azimuth);
+
+/// Sorts the intervals and joins those that overlap.
+void joinOverlaps(std::vector<HiddenAltitudes>& hidden);
+
+}  // namespace noonmark

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/receivers/surface_points.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// Sunlit minutes of many points.
+struct PointMonths {
+    std::vector<std::array<float, 12>> sunlitMin;  ///< by month, summed over the days; one entry a point
+    double possibleMin = 0;                        ///< of all days, with the sun above the horizon
+    Cost cost;
+
+    [[nodiscard]] double sunlitOf(std::size_t point) const {
+        double sum = 0;
+        for (const float minutes : sunlitMin[point]) sum += double(minutes);
+        return sum;
+    }
+};
+
+/// Minutes by month for many points on any surface, without a ray: for each point the horizon at the middle
+/// of each of 1440 azimuths, and the altitudes that overhangs hide above it; the suns of an azimuth are
+/// looked up at once. The horizon is exact where it is taken, so the only error is that of the azimuth: a sun
+/// is up to an eighth of a degree aside, half a minute of time in middle latitudes, and errors of both signs
+/// meet. Longest runs are not counted. Uses all cores; cancelled() soon after a stop request. Error:
+/// positions and normals differ in number.
+Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
+                                Progress& progress, const std::stop_token& stop);
+
+}  // namespace noonmark

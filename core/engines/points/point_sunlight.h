@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/engines/points/skyline.h"
+#include "core/engines/ray/ray_scene.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// Whether a point is in shadow at each step: 1 in shadow, 0 lit; one entry a step.
+using ShadedSteps = std::vector<std::uint8_t>;
+
+/// From the skyline: exact but for rounding. Some 60 ns a step.
+ShadedSteps findShadedSteps(const Skyline& skyline, const SunSteps& sun);
+
+/// The same from the rays of SurfaceRays, which the skyline is measured against. Some 0.1 us a step.
+ShadedSteps traceShadedSteps(const RayScene& scene, const SkyPoint& point, const SunSteps& sun);
+
+/// A time without a break.
+struct SunBand {
+    Instant from, to;
+    [[nodiscard]] double minutes() const {
+        return std::chrono::duration<double, std::ratio<60>>(to - from).count();
+    }
+    bool operator==(const SunBand&) const = default;
+};
+
+/// The times of one day (index in SunSteps::days) in which the point is lit. A step stands for `stepMinutes`
+/// from its beginning.
+std::vector<SunBand> findSunBands(const ShadedSteps& shaded, const SunSteps& sun, std::size_t day);
+
+/// Gross and continuous shadow, as SurfaceShadow states them.
+struct PointShadow {
+    double grossMin = 0;       ///< per day, mean over the days
+    double continuousMin = 0;  ///< longest unbroken run on any day
+};
+PointShadow countShadow(const ShadedSteps& shaded, const SunSteps& sun);
+
+/// Minutes by month and by hour of the wall clock, summed over the days.
+using MonthHours = std::array<std::array<double, 24>, 12>;
+/// The sunlit minutes of these steps. `zone`: the clock; months are those of SunDay::date.
+MonthHours sumSunlight(const ShadedSteps& shaded, const SunSteps& sun, const Zone& zone);
+std::array<double, 12> sumMonths(const MonthHours& hours);
+
+}  // namespace noonmark

@@ -1,0 +1,155 @@
+#include "core/engines/points/skyline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "core/engines/points/skyline_envelope.h"
+#include "core/engines/ray/ray_scene.h"
+#include "core/engines/ray/surface_rays.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int skyParts = 720;
+constexpr double partWidth = fullTurn / skyParts;
+using LowestInParts = std::array<double, skyParts>;
+
+// The parts that an edge or face between two azimuths touches; numbers from skyParts on are beyond north.
+int firstPart(double azimuth) { return int(std::floor(azimuth / partWidth)); }
+
+// A lower bound of the skyline in each part of the azimuths, from edges that cross the whole part: between
+// two azimuths a curve that is positive at both is nowhere below the lower of them.
+void raiseLowest(const SeenEdge& edge, LowestInParts& lowest) {
+    const int last = firstPart(edge.to);
+    for (int part = firstPart(edge.from) + 1; part < last; ++part) {
+        const double low = std::min(edge.tanAt(part * partWidth), edge.tanAt((part + 1) * partWidth));
+        double& known = lowest[std::size_t(part % skyParts)];
+        known = std::max(known, low);
+    }
+}
+
+bool risesAbove(const SeenEdge& edge, const LowestInParts& lowest) {
+    // The highest value of the curve anywhere, and at its ends where the crest is not between them.
+    const double crest = azimuthOf({edge.east, edge.north, 0});
+    const bool hasCrest = (crest >= edge.from && crest <= edge.to) || crest + fullTurn <= edge.to;
+    const double high =
+        hasCrest ? std::hypot(edge.east, edge.north) : std::max(edge.tanAt(edge.from), edge.tanAt(edge.to));
+    if (high <= 0) return false;
+    const int last = firstPart(edge.to);
+    for (int part = firstPart(edge.from); part <= last; ++part)
+        if (high >= lowest[std::size_t(part % skyParts)]) return true;
+    return false;
+}
+
+constexpr int degrees = 360;
+std::size_t degreeOf(double azimuth) {
+    return std::min(std::size_t(degrees - 1), std::size_t(azimuth * degrees / fullTurn));
+}
+
+// The whole degrees, first and last, in which a face is seen; -360 to 719.
+std::pair<int, int> degreesOf(const OverhangFace& face, glm::dvec3 eye) {
+    const double start = azimuthOf(glm::dvec3(face.corners[0]) - eye);
+    double low = 0, high = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        const double turn = std::remainder(azimuthOf(glm::dvec3(face.corners[i]) - eye) - start, fullTurn);
+        low = std::min(low, turn), high = std::max(high, turn);
+    }
+    // From below or above a face, its corners lie all around.
+    if (high - low >= std::numbers::pi) return {0, degrees - 1};
+    return {int(std::floor((start + low) * degrees / fullTurn)),
+            int(std::floor((start + high) * degrees / fullTurn))};
+}
+
+std::vector<SeenEdge> seeEdges(const SkyObstacles& obstacles, glm::dvec3 eye) {
+    LowestInParts lowest{};
+    std::vector<SeenEdge> seen;
+    for (const TopEdge& edge : obstacles.edges)
+        if (const auto view = seeEdge(edge, eye)) {
+            if (!risesAbove(*view, lowest)) continue;
+            raiseLowest(*view, lowest);
+            seen.push_back(*view);
+        }
+    std::erase_if(seen, [&](const SeenEdge& edge) { return !risesAbove(edge, lowest); });
+    return seen;
+}
+
+}  // namespace
+
+Skyline Skyline::at(const SkyPoint& point, const SkyObstacles& obstacles) {
+    Skyline skyline;
+    skyline.eye_ = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)) +
+                   glm::dvec3(RayScene::asideM, RayScene::asideM, 0);
+    skyline.normal_ = point.normal;
+    skyline.pieces_ = findHighest(seeEdges(obstacles, skyline.eye_));
+    skyline.keepFacesAbove(obstacles);
+    skyline.sortFaces();
+    return skyline;
+}
+
+void Skyline::keepFacesAbove(const SkyObstacles& obstacles) {
+    const auto above = [&](glm::vec3 corner) { return double(corner.z) > eye_.z; };
+    for (const OverhangFace& face : obstacles.faces)
+        if (std::ranges::any_of(face.corners, above)) faces_.push_back(face);
+}
+
+void Skyline::sortFaces() {
+    facesNear_.resize(degrees);
+    for (std::uint32_t index = 0; index < faces_.size(); ++index) {
+        const auto [first, last] = degreesOf(faces_[index], eye_);
+        for (int degree = first; degree <= last; ++degree)
+            facesNear_[std::size_t((degree + degrees) % degrees)].push_back(index);
+    }
+}
+
+const SeenEdge* Skyline::pieceAt(double azimuth) const {
+    auto after = std::ranges::upper_bound(pieces_, azimuth, {}, &SeenEdge::from);
+    if (after == pieces_.begin()) return nullptr;
+    const SeenEdge& piece = *--after;
+    return azimuth <= piece.to ? &piece : nullptr;
+}
+
+double Skyline::tanAt(double azimuth) const {
+    const SeenEdge* piece = pieceAt(azimuth);
+    return piece != nullptr ? std::max(0.0, piece->tanAt(azimuth)) : 0;
+}
+
+std::vector<HiddenAltitudes> Skyline::hiddenAt(double azimuth) const {
+    std::vector<HiddenAltitudes> hidden;
+    if (const double tan = tanAt(azimuth); tan > 0) hidden.push_back({0, tan});
+    for (const std::uint32_t index : facesNear_[degreeOf(azimuth)])
+        if (const auto more = hiddenBy(faces_[index], eye_, azimuth)) hidden.push_back(*more);
+    joinOverlaps(hidden);
+    return hidden;
+}
+
+bool Skyline::hides(glm::vec3 direction) const {
+    if (glm::dot(direction, normal_) <= 0) return true;
+    const double azimuth = azimuthOf(glm::dvec3(direction));
+    const double tan = double(direction.z) / std::hypot(double(direction.x), double(direction.y));
+    if (tan <= tanAt(azimuth)) return true;
+    return std::ranges::any_of(facesNear_[degreeOf(azimuth)], [&](std::uint32_t index) {
+        const auto hidden = hiddenBy(faces_[index], eye_, azimuth);
+        return hidden && tan >= hidden->lowTan && tan <= hidden->highTan;
+    });
+}
+
+std::vector<double> Skyline::breaks() const {
+    std::vector<double> azimuths{0, fullTurn};
+    for (const SeenEdge& piece : pieces_) azimuths.insert(azimuths.end(), {piece.from, piece.to});
+    for (const OverhangFace& face : faces_)
+        for (const glm::vec3 corner : face.corners) azimuths.push_back(azimuthOf(glm::dvec3(corner) - eye_));
+    if (std::hypot(normal_.x, normal_.y) > 0) {  // the ends of what the surface faces
+        const double facing = azimuthOf(glm::dvec3(normal_));
+        for (const double side : {facing + fullTurn / 4, facing + fullTurn * 3 / 4})
+            azimuths.push_back(std::fmod(side, fullTurn));
+    }
+    std::ranges::sort(azimuths);
+    azimuths.erase(std::unique(azimuths.begin(), azimuths.end()), azimuths.end());
+    return azimuths;
+}
+
+}  // namespace noonmark

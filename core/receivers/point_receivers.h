@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/receivers/region.h"
+#include "core/receivers/surface_points.h"
+
+namespace noonmark {
+
+/// What a point receiver belongs to.
+enum class ElementKind : std::uint8_t { facade, plane, point };
+
+/// Where a point receiver belongs.
+struct PointElement {
+    static constexpr std::uint32_t noBuilding = 0xFFFFFFFF;
+    std::string id;  ///< unique among the receivers: "way 34633854 wall 2 floor 0 bay 3"
+    ElementKind kind = ElementKind::point;
+    std::uint32_t building = noBuilding;  ///< index in City::buildings
+    std::int32_t floor = 0;               ///< storey, counted from the building's lowest wall
+    bool operator==(const PointElement&) const = default;
+};
+
+/// Single points where sunlight is measured. Two lists of the same size, in the same order.
+struct PointReceivers {
+    SurfacePoints points;
+    std::vector<PointElement> elements;
+    [[nodiscard]] std::size_t size() const { return elements.size(); }
+};
+
+/// Receivers on walls: one for each storey and bay.
+struct FacadeSettings {
+    double bayM = 3;     ///< width of a bay, 0.25 to 50: a wall has as many equal bays as come nearest to it
+    double storeyM = 3;  ///< height of a storey, 0.25 to 50
+    double aboveFloorM = 1.5;  ///< height of the receivers above the floor of their storey, 0 to storeyM
+    bool operator==(const FacadeSettings&) const = default;
+};
+
+/// Receivers on the outside of all walls of these buildings, in the middle of each bay. Storeys are counted
+/// from the building's lowest wall. There are none where the wall touches another part or building (5 cm in
+/// front of it is solid), nor where the ground covers it. Walls of meshes are their faces within 6 degrees of
+/// vertical; faces of one plane make one wall. Error: a setting out of range, an index that does not exist,
+/// more than `mostReceivers`, cancelled(). Some 1 us a receiver.
+Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uint32_t> buildings,
+                                      const FacadeSettings& settings, const std::stop_token& stop = {});
+inline constexpr std::size_t mostReceivers = 20'000'000;
+
+/// The buildings whose outline's middle lies in the region, ascending.
+std::vector<std::uint32_t> findBuildingsIn(const City& city, const Region& region);
+
+}  // namespace noonmark

@@ -1,0 +1,225 @@
+#include "core/study/point_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/stopwatch.h"
+#include "core/city/city_observer.h"
+#include "core/study/point_losses.h"
+
+namespace noonmark {
+
+namespace {
+
+struct SettledPoint {
+    SkyPoint point;
+    bool onRoof = false;
+};
+
+bool touches(const Part& part, glm::dvec2 place) {
+    const Box2 box = bounds(part.footprint);
+    return place.x >= double(box.low.x) && place.x <= double(box.high.x) && place.y >= double(box.low.y) &&
+           place.y <= double(box.high.y) && contains(part.footprint, place);
+}
+
+// The highest surface of a mesh above a place; none where it has none.
+std::optional<double> topOf(const TriangleMesh& mesh, glm::dvec2 place) {
+    std::optional<double> top;
+    for (const glm::uvec3 t : mesh.triangles) {
+        const glm::dvec3 a(mesh.vertices[t.x]), b(mesh.vertices[t.y]), c(mesh.vertices[t.z]);
+        const glm::dvec2 ab(b - a), ac(c - a), ap = place - glm::dvec2(a);
+        const double turn = ab.x * ac.y - ab.y * ac.x;
+        if (std::abs(turn) < 1e-9) continue;
+        const double u = (ap.x * ac.y - ap.y * ac.x) / turn, v = (ab.x * ap.y - ab.y * ap.x) / turn;
+        if (u < 0 || v < 0 || u + v > 1) continue;
+        top = std::max(top.value_or(-1e30), a.z + u * (b.z - a.z) + v * (c.z - a.z));
+    }
+    return top;
+}
+
+/// The building whose roof is highest above a place.
+struct RoofAbove {
+    double topM = -1e30;
+    const Building* building = nullptr;
+};
+
+RoofAbove findRoof(const City& city, glm::dvec2 place) {
+    RoofAbove roof;
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts) {
+            if (part.isOverhanging || !touches(part, place)) continue;
+            const double top = part.mesh ? topOf(*part.mesh, place).value_or(-1e30) : double(part.topM);
+            if (top > roof.topM) roof = {top, building.get()};
+        }
+    return roof;
+}
+
+glm::vec3 normalOf(const PointQuestion& question, const Observer& observer) {
+    if (!question.facingDeg) return {0, 0, 1};
+    const glm::dvec3 local = observer.frameFromPlace * toDirection({*question.facingDeg}, {0});
+    return glm::vec3(glm::normalize(glm::dvec3(local.x, local.y, 0)));
+}
+
+Result<SettledPoint> settle(const City& city, const PointQuestion& question, glm::dvec2 place,
+                            const Observer& observer) {
+    const double ground = double(groundAt(city, place));
+    const RoofAbove roof = findRoof(city, place);
+    double height = ground + question.heightM.value_or(0);
+    const bool onRoof = roof.building != nullptr && (!question.heightM || height >= roof.topM - 0.05);
+    if (onRoof) height = std::max(height, roof.topM);
+    if (roof.building != nullptr && !onRoof)
+        return failure(
+            fmt::format("The point is inside the building {}",
+                        roof.building->name.empty() ? roof.building->sourceId : roof.building->name),
+            fmt::format("{:.6f},{:.6f}", question.at.lonDeg, question.at.latDeg),
+            fmt::format("Choose a point in front of its wall, or {:.1f} m or more above the ground",
+                        roof.topM - ground));
+    return SettledPoint{{glm::vec3(glm::dvec3(place, height)), normalOf(question, observer)}, onRoof};
+}
+
+// Clockwise angle from the frame's +y to true north.
+double convergenceDeg(const Observer& observer) {
+    const glm::dvec3 north = observer.frameFromPlace * glm::dvec3(0, 1, 0);
+    return Radians{std::atan2(north.x, north.y)}.degrees().value;
+}
+
+double degreesOfTan(double tan) { return Radians{std::atan(std::max(0.0, tan))}.degrees().value; }
+
+/// Lists the skyline from true north on.
+class SkylineList {
+public:
+    SkylineList(const Skyline& skyline, double northDeg) : skyline_(skyline), northDeg_(northDeg) {}
+
+    void fill(PointView& view) {
+        double at = 0;
+        for (const SeenEdge& piece : skyline_.pieces()) {
+            if (piece.from > at + 1e-9) addOpen(at, piece.from);
+            addPiece(piece);
+            at = piece.to;
+        }
+        if (at < fullTurn - 1e-9) addOpen(at, fullTurn);
+        turn(places_);
+        view.skyline = std::move(places_);
+        view.stretches = std::move(stretches_);
+    }
+
+private:
+    static double degrees(double azimuth) { return Radians{azimuth}.degrees().value; }
+
+    void addOpen(double from, double to) {
+        places_.push_back({degrees(from), 0});
+        places_.push_back({degrees(to), 0});
+    }
+
+    void addPiece(const SeenEdge& piece) {
+        const int parts = std::max(1, int(std::ceil(degrees(piece.to - piece.from))));
+        for (int i = 0; i <= parts; ++i) {
+            const double azimuth = piece.from + (piece.to - piece.from) * i / parts;
+            places_.push_back({degrees(azimuth), degreesOfTan(piece.tanAt(azimuth))});
+        }
+        const double from = std::fmod(degrees(piece.from) - northDeg_ + 360, 360);
+        const double to = std::fmod(degrees(piece.to) - northDeg_ + 360, 360);
+        if (!stretches_.empty() && stretches_.back().building == piece.building &&
+            std::abs(stretches_.back().toDeg - from) < 1e-6)
+            stretches_.back().toDeg = to;
+        else
+            stretches_.push_back({from, to, piece.building});
+    }
+
+    // The frame's north is not true north: the list is turned, and begins at 0 and ends at 360 degrees again.
+    void turn(std::vector<SkylinePlace>& places) const {
+        for (SkylinePlace& place : places) place.azimuthDeg -= northDeg_;
+        const auto split = northDeg_ > 0
+                               ? std::ranges::find_if(places, [](auto p) { return p.azimuthDeg >= 0; })
+                               : std::ranges::find_if(places, [](auto p) { return p.azimuthDeg > 360; });
+        std::ranges::rotate(places, split);
+        for (SkylinePlace& place : places) place.azimuthDeg = std::fmod(place.azimuthDeg + 720, 360);
+        if (places.empty()) return;
+        const double north =
+            degreesOfTan(skyline_.tanAt(std::fmod(Degrees{northDeg_ + 360}.radians().value, fullTurn)));
+        if (places.back().azimuthDeg == 0) places.pop_back();
+        places.insert(places.begin(), {0, north});
+        places.push_back({360, north});
+    }
+
+    const Skyline& skyline_;
+    double northDeg_;
+    std::vector<SkylinePlace> places_;
+    std::vector<SkylineStretch> stretches_;
+};
+
+PointView viewOf(const City& city, const SkyPoint& point, const PointStudy& study, double northDeg,
+                 const Zone& zone) {
+    const Skyline skyline = Skyline::at(point, collectSkyObstacles(city));
+    PointView view;
+    SkylineList(skyline, northDeg).fill(view);
+    view.factors = computeSkyFactors(skyline);
+    view.shaded = findShadedSteps(skyline, study.sun);
+    view.sunlit = findSunBands(view.shaded, study.sun, study.day);
+    view.minutes = sumSunlight(view.shaded, study.sun, zone);
+    view.year = countShadow(view.shaded, study.sun);
+    return view;
+}
+
+Period yearOf(const PointQuestion& question) {
+    const auto year = question.day.year();
+    return {.start = year / std::chrono::January / 1,
+            .days = year.is_leap() ? 366 : 365,
+            .stepMinutes = question.stepMinutes,
+            .window = SolarWindow{},
+            .zone = question.zone};
+}
+
+Result<void> checkQuestion(const PointQuestion& question) {
+    if (question.heightM && !(*question.heightM >= 0 && *question.heightM <= 2000))
+        return failure(fmt::format("A height of {} m is out of range", *question.heightM), "point",
+                       "Give 0 to 2000 m above the ground");
+    if (!question.day.ok())
+        return failure("The day does not exist", "point", "Give a date such as 2026-03-21");
+    return {};
+}
+
+std::size_t dayNumber(CivilDate day) {
+    const CivilDate first = day.year() / std::chrono::January / 1;
+    return std::size_t((std::chrono::sys_days(day) - std::chrono::sys_days(first)).count());
+}
+
+}  // namespace
+
+Result<PointStudy> runPointStudy(const City& baseline, const City* scenario, const PointQuestion& question,
+                                 const std::stop_token& stop) {
+    const Stopwatch watch;
+    if (const auto ok = checkQuestion(question); !ok) return tl::make_unexpected(ok.error());
+    const auto zone = Zone::named(question.zone);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const glm::dvec2 place = baseline.frame.localFromLonLat(question.at);
+    const Observer observer = placeObserver(baseline, place);
+    const auto settled = settle(baseline, question, place, observer);
+    if (!settled) return tl::make_unexpected(settled.error());
+    if (scenario != nullptr)
+        if (const auto there = settle(*scenario, question, place, observer);
+            !there || there->point.position != settled->point.position)
+            return failure("The scenario builds where the point is", question.zone.empty() ? "" : "point",
+                           "Choose a point that exists in the baseline and in the scenario");
+    auto sun = computeSunSteps(yearOf(question), observer, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    PointStudy study{.question = question,
+                     .position = settled->point.position,
+                     .onRoof = settled->onRoof,
+                     .possibleMin = sun->sunlitMinutes(),
+                     .sun = *std::move(sun),
+                     .day = dayNumber(question.day)};
+    const double north = convergenceDeg(observer);
+    study.baseline = viewOf(baseline, settled->point, study, north, *zone);
+    if (stop.stop_requested()) return cancelled();
+    if (scenario != nullptr) {
+        study.scenario = viewOf(*scenario, settled->point, study, north, *zone);
+        study.losses = findLosses(study.baseline.shaded, study.scenario->shaded, study.sun, *zone);
+    }
+    study.seconds = watch.seconds();
+    return study;
+}
+
+}  // namespace noonmark

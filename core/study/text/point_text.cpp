@@ -1,0 +1,168 @@
+#include "core/study/text/point_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace noonmark {
+
+namespace {
+
+using PointJson = nlohmann::ordered_json;
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+std::string dayText(CivilDate date) {
+    constexpr std::array months{"January", "February", "March",     "April",   "May",      "June",
+                                "July",    "August",   "September", "October", "November", "December"};
+    return fmt::format("{} {}", unsigned(date.day()), months[unsigned(date.month()) - 1]);
+}
+
+std::string clockText(std::chrono::minutes time) {
+    return fmt::format("{:02}:{:02}", time.count() / 60, time.count() % 60);
+}
+
+std::string durationText(double minutes) {
+    const long whole = std::lround(minutes);
+    if (whole < 60) return fmt::format("{} min", whole);
+    return fmt::format("{} h {:02} min", whole / 60, whole % 60);
+}
+
+std::string seasonText(const SeasonOfLoss& season, std::size_t daysOfYear) {
+    const std::string when =
+        season.days == int(daysOfYear) ? std::string("all year")
+        : season.first == season.last
+            ? "on " + dayText(season.first)
+            : fmt::format("between {} and {}", dayText(season.first), dayText(season.last));
+    return fmt::format("{}, mostly {}-{}", when, clockText(season.mostlyFrom), clockText(season.mostlyTo));
+}
+
+std::string describeLosses(const PointStudy& study) {
+    const auto& losses = study.losses;
+    if (losses.empty()) return "The proposal takes no sun from this point on any day of the year.";
+    const auto amount = [](const SeasonOfLoss& season) {
+        return season.minutesPerDay < 1 ? std::string("less than 1 min a day")
+                                        : fmt::format("{} a day", durationText(season.minutesPerDay));
+    };
+    std::string text = fmt::format("The proposal takes {} from this point {}", amount(losses.front()),
+                                   seasonText(losses.front(), study.sun.dayCount()));
+    if (losses.size() > 1)
+        text += fmt::format(", and {} {}", amount(losses[1]), seasonText(losses[1], study.sun.dayCount()));
+    if (losses.size() > 2) {
+        const int days =
+            std::accumulate(losses.begin() + 2, losses.end(), 0,
+                            [](int sum, const SeasonOfLoss& season) { return sum + season.days; });
+        text += fmt::format(", and some on {} other day{}", days, days == 1 ? "" : "s");
+    }
+    return text + ".";
+}
+
+// The building along whose stretches of the skyline the azimuths add up to most.
+std::string widestObstacle(const PointView& view, const City& city) {
+    std::map<std::uint32_t, double> widths;
+    for (const SkylineStretch& stretch : view.stretches)
+        widths[stretch.building] += std::fmod(stretch.toDeg - stretch.fromDeg + 360, 360);
+    if (widths.empty()) return {};
+    const auto widest = std::ranges::max_element(widths, {}, [](const auto& entry) { return entry.second; });
+    return fmt::format("; {} makes {:.0f} degrees of its skyline", nameOfObstacle(city, widest->first),
+                       widest->second);
+}
+
+std::string describeDay(const PointStudy& study, const City& city) {
+    const auto& bands = study.baseline.sunlit;
+    const double minutes =
+        std::accumulate(bands.begin(), bands.end(), 0.0,
+                        [](double sum, const SunBand& band) { return sum + band.minutes(); });
+    const auto months = sumMonths(study.baseline.minutes);
+    const double year = std::accumulate(months.begin(), months.end(), 0.0);
+    const double share = study.possibleMin > 0 ? 100 * year / study.possibleMin : 0;
+    const std::string day = bands.empty() ? "gets no sun"
+                                          : fmt::format("gets {} of sun in {} band{}", durationText(minutes),
+                                                        bands.size(), bands.size() == 1 ? "" : "s");
+    return fmt::format("On {} this point {}, and over the year {:.0f} % of the time the sun is up{}.",
+                       dayText(study.question.day), day, share, widestObstacle(study.baseline, city));
+}
+
+PointJson bandsJson(const std::vector<SunBand>& bands, const Zone& zone) {
+    PointJson list = PointJson::array();
+    for (const SunBand& band : bands)
+        list.push_back({{"from", zone.text(std::chrono::round<std::chrono::seconds>(band.from))},
+                        {"to", zone.text(std::chrono::round<std::chrono::seconds>(band.to))},
+                        {"minutes", rounded(band.minutes(), 0.01)}});
+    return list;
+}
+
+PointJson skylineJson(const PointView& view) {
+    PointJson list = PointJson::array();
+    for (const SkylinePlace& place : view.skyline)
+        list.push_back({rounded(place.azimuthDeg, 0.0001), rounded(place.altitudeDeg, 0.0001)});
+    return list;
+}
+
+PointJson stretchesJson(const PointView& view, const City& city) {
+    PointJson list = PointJson::array();
+    for (const SkylineStretch& stretch : view.stretches)
+        list.push_back({{"from_deg", rounded(stretch.fromDeg, 0.001)},
+                        {"to_deg", rounded(stretch.toDeg, 0.001)},
+                        {"building", nameOfObstacle(city, stretch.building)}});
+    return list;
+}
+
+void addView(PointJson& json, const PointView& view, const PointStudy& study, const City& city,
+             const Zone& zone) {
+    json["skyline"] = skylineJson(view);
+    json["skyline_buildings"] = stretchesJson(view, city);
+    json["sunlit"] = bandsJson(view.sunlit, zone);
+    PointJson months = PointJson::array(), hours = PointJson::array();
+    for (const double minutes : sumMonths(view.minutes)) months.push_back(rounded(minutes, 0.1));
+    for (const auto& month : view.minutes) {
+        PointJson row = PointJson::array();
+        for (const double minutes : month) row.push_back(rounded(minutes, 0.1));
+        hours.push_back(row);
+    }
+    json["minutes_by_month"] = months;
+    json["minutes_by_month_and_hour"] = hours;
+    json["svf"] = rounded(view.factors.skyView, 0.00001);
+    if (study.question.facingDeg) json["vsc_pct"] = rounded(view.factors.skyComponentPct, 0.001);
+}
+
+}  // namespace
+
+std::string nameOfObstacle(const City& city, std::uint32_t building) {
+    if (building == SkyObstacles::terrain) return "the terrain";
+    if (building >= city.buildings.size()) return "a building";
+    const Building& found = *city.buildings[building];
+    return found.name.empty() ? found.sourceId : found.name;
+}
+
+std::string describe(const PointStudy& study, const City& city) {
+    return study.scenario ? describeLosses(study) : describeDay(study, city);
+}
+
+PointJson pointJson(const PointStudy& study, const City& city, const Zone& zone) {
+    PointJson json;
+    json["at"] = {study.question.at.lonDeg, study.question.at.latDeg};
+    json["height_m"] =
+        rounded(double(study.position.z) - double(groundAt(city, glm::dvec2(study.position))), 0.001);
+    json["on_roof"] = study.onRoof;
+    if (study.question.facingDeg) json["facing_deg"] = *study.question.facingDeg;
+    json["day"] = formatText(study.question.day);
+    json["zone"] = zone.name();
+    json["step_minutes"] = study.question.stepMinutes;
+    addView(json, study.baseline, study, city, zone);
+    if (study.scenario) {
+        PointJson scenario;
+        addView(scenario, *study.scenario, study, city, zone);
+        json["scenario"] = scenario;
+    }
+    json["sentence"] = describe(study, city);
+    json["seconds"] = rounded(study.seconds, 0.0001);
+    return json;
+}
+
+}  // namespace noonmark

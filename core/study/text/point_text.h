@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "core/city/city.h"
+#include "core/study/point_study.h"
+
+namespace noonmark {
+
+/// One sentence: "The proposal takes 41 min a day from this point between 9 November and 2 February, mostly
+/// 13:10-14:05.", or without a scenario when the point is lit on the day and what hides most of its skyline.
+std::string describe(const PointStudy& study, const City& city);
+
+/// The answer of `noonmark-cli point` (docs/user/command-line.md). `city`: the baseline, which names
+/// buildings.
+nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, const Zone& zone);
+
+/// The name of a building or its id; "the terrain".
+std::string nameOfObstacle(const City& city, std::uint32_t building);
+
+}  // namespace noonmark

@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+
+#include "tests/cli/project_command.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::HasSubstr;
+
+double sumOf(const nlohmann::json& numbers) {
+    double sum = 0;
+    for (const auto& number : numbers) sum += number.get<double>();
+    return sum;
+}
+
+std::vector<std::string> pointOf(const std::string& file, const std::string& at,
+                                 std::vector<std::string> more) {
+    std::vector<std::string> arguments{"point", file,         "--at",   at,  "--zone", "America/New_York",
+                                       "--day", "2026-12-21", "--step", "5", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST(Point, HasTheKeysThatScriptsRelyOn) {
+    const Spoken spoken =
+        noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--facing", "180"}));
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["skyline"].front()[0], 0);
+    EXPECT_EQ(json["skyline"].back()[0], 360);
+    for (const auto& pair : json["skyline"]) {
+        EXPECT_GE(pair[1], 0);
+        EXPECT_LT(pair[1], 90);
+    }
+    for (const auto& band : json["sunlit"]) {
+        EXPECT_THAT(band["from"].get<std::string>(), testing::StartsWith("2026-12-21T"));
+        EXPECT_LT(band["from"], band["to"]);
+    }
+    ASSERT_EQ(json["minutes_by_month"].size(), 12U);
+    for (std::size_t month = 0; month < 12; ++month)
+        EXPECT_NEAR(sumOf(json["minutes_by_month_and_hour"][month]), json["minutes_by_month"][month], 1.5);
+    EXPECT_GT(json["svf"], 0);
+    EXPECT_LT(json["svf"], 0.5);  // a wall
+    EXPECT_LT(json["vsc_pct"], 39.62);
+    EXPECT_THAT(json["sentence"].get<std::string>(), testing::StartsWith("On 21 December this point gets "));
+}
+
+TEST(Point, InTheOpenAllTheSkyIsSeen) {
+    const Spoken spoken = noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,2000", {}));
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_NEAR(json["svf"], 1, 1e-5);
+    EXPECT_FALSE(json.contains("vsc_pct"));
+    EXPECT_EQ(json["sunlit"].size(), 1U);
+    EXPECT_EQ(json["skyline_buildings"].size(), 0U);
+}
+
+TEST(Point, RefusesWhatIsNoPoint) {
+    EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785", {})).code, exitUsage);
+    EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,140", {})).code, exitUsage);
+    EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,x", {})).code, exitUsage);
+    EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,-3", {})).code, exitUsage);
+    const Spoken scenario =
+        noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675", {"--scenario", "Tower"}));
+    EXPECT_EQ(scenario.code, exitUsage);
+    EXPECT_THAT(scenario.err, HasSubstr("Only a project has scenarios"));
+}
+
+/// A project with a scenario in which a tower is gone: the existing city is the proposal.
+class PointOfProject : public ProjectCommand {
+protected:
+    void SetUp() override {
+        ProjectCommand::SetUp();
+        done("add-scenario", {"Before"});
+        done("demolish", {"One57", "--scenario", "Before"});
+    }
+};
+
+TEST_F(PointOfProject, StatesWhatTheProposalTakes) {
+    const std::string at = "-73.9785,40.7675";
+    const Spoken spoken = noonmarkCli(pointOf(file_, at, {"--baseline", "Before", "--scenario", "Existing"}));
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_LT(sumOf(json["scenario"]["minutes_by_month"]), sumOf(json["minutes_by_month"]));
+    EXPECT_LT(json["scenario"]["svf"], json["svf"]);
+    EXPECT_THAT(json["sentence"].get<std::string>(),
+                testing::MatchesRegex("The proposal takes .* mostly .*"));
+    const Spoken same = noonmarkCli(pointOf(file_, at, {"--scenario", "Existing"}));
+    EXPECT_EQ(same.json()["sentence"], "The proposal takes no sun from this point on any day of the year.");
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
