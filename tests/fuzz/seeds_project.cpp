@@ -37,10 +37,12 @@ void writeGeometries(const SeedFolder& seeds, const Project& project) {
     for (const NamedLot& lot : project.lots) seeds.write("geometry_blob", lot.name, polygonBlob(lot.outline));
     for (const Region& region : project.regions)
         seeds.write("geometry_blob", region.name, multiPolygonBlob(region.polygons));
+    seeds.write("geometry_blob", "line", lineBlob({{0, 0}, {10.1F, 10}, {10, 0}}));
+    seeds.write("geometry_blob", "trees", multiPointBlob({{0, 0}, {10.1F, 10}}));
     seeds.write("geometry_blob", "tangled", polygonBlob({{{0, 0}, {10.1F, 10}, {10, 0}, {0, 9.3F}}, {}}));
 }
 
-// One edit of each kind for each column; the first bytes select one of about a hundred columns.
+// One edit of each kind for each column; the first bytes select one of about two hundred columns.
 void writeCellEdits(const SeedFolder& seeds, const std::string& target, int columns) {
     constexpr std::string_view contents[] = {"",
                                              std::string_view("\1\0\0\0\0\0\0\0", 8),
@@ -88,7 +90,7 @@ void makeProjectSeeds(const SeedFolder& seeds) {
     writeEdits(seeds, project);
     writeGeometries(seeds, project);
     writeTexts(seeds, project);
-    writeCellEdits(seeds, "project_cells", 130);
+    writeCellEdits(seeds, "project_cells", 220);
     writeCellEdits(seeds, "geopackage_cells", 50);
 }
 

@@ -76,6 +76,16 @@ void requireSound(const std::vector<Footprint>& polygons) {
     for (const Footprint& polygon : polygons) requireShape(polygon);
 }
 
+void requireSound(const MapContext& context) {
+    const auto isFinite = [](glm::vec2 point) { return std::isfinite(point.x) && std::isfinite(point.y); };
+    for (const ContextArea& area : context.areas) requireSound(area.polygons);
+    for (const ContextLine& line : context.lines) {
+        require(line.points.size() >= 2 && std::ranges::all_of(line.points, isFinite), "a line has points");
+        require(std::isfinite(line.widthM) && line.widthM >= 0, "a line has a width");
+    }
+    require(std::ranges::all_of(context.trees, isFinite), "trees are somewhere");
+}
+
 void requireSound(const Error& error) {
     require(!error.what.empty(), "an error says what is wrong");
     require(!isCancelled(error), "only a stop cancels");

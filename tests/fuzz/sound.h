@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/city/map_context.h"
 #include "core/io/read_part.h"
 
 namespace noonmark::tests {
@@ -14,6 +15,7 @@ void requireSound(const Terrain& terrain);
 void requireSound(const City& city);
 void requireSound(const FilePiece& piece);
 void requireSound(const std::vector<Footprint>& polygons);
+void requireSound(const MapContext& context);
 
 /// Checks that the error states what is wrong and is not a cancellation.
 void requireSound(const Error& error);
