@@ -17,6 +17,7 @@ namespace noonmark::soak {
 namespace {
 
 constexpr double megabyte = 1e6;
+constexpr int editsOfOneDrag = 25;
 
 /// Resident memory of the process, MB (proc(5): the second number of statm, in pages).
 double residentMb() {
@@ -51,10 +52,9 @@ int soak(const QString& city, double minutes, int liveEdits, unsigned seed) {
             writeLine(passed(), actions, user.liveEdits());
             next += 1;
         }
-        if (passed() < minutes)
-            user.act();
-        else
-            user.editLive();
+        // The live edits are spread over the time, between other actions, so that both take effect together.
+        if (user.liveEdits() < liveEdits * std::min(1.0, passed() / minutes)) user.dragTower(editsOfOneDrag);
+        if (passed() < minutes) user.act();
         ++actions;
     }
     writeLine(passed(), actions, user.liveEdits());

@@ -14,6 +14,9 @@ namespace {
 
 using test::waitFor;
 
+constexpr int frameMs = 16;             // between two movements of a dragging hand
+constexpr int longestWaitMs = 900'000;  // for a hang: a loaded machine may take minutes for a study
+
 /// A square of 36 m around `middle`.
 Footprint lotAt(glm::dvec2 middle) {
     Footprint lot;
@@ -65,10 +68,15 @@ std::string WindowUser::act() {
     return choice->name;
 }
 
-void WindowUser::editLive() {
-    if (!window_->tools().tower().active()) beginTower();
-    window_->tools().tower().setHeight(between(20, 300));
-    ++liveEdits_;
+void WindowUser::dragTower(int edits) {
+    beginTower();
+    for (int edit = 0; edit < edits; ++edit) {
+        window_->tools().tower().setHeight(between(20, 300));
+        ++liveEdits_;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, frameMs);
+    }
+    waitUntilIdle();
+    endTower(chance(8) == 0);
     waitUntilIdle();
 }
 
@@ -146,7 +154,11 @@ void WindowUser::endTower(bool build) {
 
 void WindowUser::designTower() {
     beginTower();
-    for (int edit = 0; edit < 12; ++edit) editLive();
+    for (int edit = 0; edit < 3; ++edit) {
+        window_->tools().tower().setHeight(between(20, 300));
+        ++liveEdits_;
+        waitUntilIdle();
+    }
     endTower(chance(2) == 0);
 }
 
@@ -187,7 +199,7 @@ bool WindowUser::busy() {
 }
 
 void WindowUser::waitUntilIdle() {
-    if (!waitFor([this] { return !busy(); })) qFatal("The window is busy for more than a minute.");
+    if (!waitFor([this] { return !busy(); }, longestWaitMs)) qFatal("The window does not become idle.");
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 

@@ -18,8 +18,9 @@ public:
 
     /// Performs one action and waits until the window is idle. Returns the action's name.
     std::string act();
-    /// Changes the height of a tower during its design and waits for its shadow.
-    void editLive();
+    /// Begins a tower and drags its height as a hand does, `edits` times without waiting for the shadow of
+    /// each, then waits for the last one.
+    void dragTower(int edits);
     [[nodiscard]] int liveEdits() const { return liveEdits_; }
 
 private:

@@ -43,7 +43,14 @@ bool leavesFolder(const std::string& word) {
 
 // "sunrise+1h..sunset-1h" is no path.
 bool isWindow(const std::string& word) {
-    return word.starts_with("sunrise") || word.starts_with("--window=");
+    return (word.starts_with("sunrise") || word.starts_with("--window=")) &&
+           word.find_first_of("/\\") == word.npos;
+}
+
+// Into the project, which is the user's own file and no copy.
+bool saves(const std::string& word) {
+    const std::string name = word.substr(0, word.find('='));
+    return name == "--save" || name == "--keep" || name == "--overwrite";
 }
 
 Result<void> checkCommand(const std::vector<std::string>& words, const std::string& where) {
@@ -59,8 +66,8 @@ Result<void> checkCommand(const std::vector<std::string>& words, const std::stri
         out == words.end() || std::next(out) == words.end() || *std::next(out) != "repeated")
         return refuse("it does not write into the folder 'repeated'");
     for (const std::string& word : words)
-        if (word.starts_with("--overwrite") || (leavesFolder(word) && !isWindow(word)))
-            return refuse(fmt::format("'{}' may reach files elsewhere", word));
+        if (saves(word) || (leavesFolder(word) && !isWindow(word)))
+            return refuse(fmt::format("'{}' may reach or change files elsewhere", word));
     return {};
 }
 

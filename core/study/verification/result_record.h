@@ -31,8 +31,8 @@ struct ResultRecord {
 
 /// Reads study.json, impact.json, score.json or review.json. Error: no JSON object, no command that repeats
 /// the result (the record's own reason is stated), or a command that verification does not run: one that is
-/// not a study, impact, score or review, that names a file outside its folder, or that writes elsewhere than
-/// into `repeated`.
+/// not a study, impact, score or review, that names a file outside its folder, that saves into a project,
+/// or that writes elsewhere than into `repeated`.
 Result<ResultRecord> parseResultRecord(const std::string& text, const std::string& where);
 
 /// Largest record that is read, bytes.

@@ -58,8 +58,11 @@ TEST(ResultRecord, CommandsThatReachElsewhereAreNotRun) {
           "noonmark-cli study x.osm --out /tmp/x", "noonmark-cli study x.osm --out repeated --out other",
           "noonmark-cli study x.osm --out=repeated --overwrite",
           "noonmark-cli study --region=/etc/x --out repeated", "noonmark-cli study http://h/x --out repeated",
-          "noonmark-cli study C:\\\\x --out repeated", "noonmark-cli study ~/x --out repeated",
-          "noonmark-cli study x.osm --out repeated; ls"})
+          "noonmark-cli study sunrise/../../x --out repeated",
+          "noonmark-cli study --window=../x --out repeated",
+          "noonmark-cli impact p.gpkg --save x --out repeated",
+          "noonmark-cli impact p.gpkg --keep=x --out repeated", "noonmark-cli study C:\\\\x --out repeated",
+          "noonmark-cli study ~/x --out repeated", "noonmark-cli study x.osm --out repeated; ls"})
         EXPECT_NE(withCommand(command), "") << command;
     EXPECT_EQ(withCommand("noonmark-cli review run p.gpkg --rule ceqr --places 'A, B' --out repeated"), "");
 }

@@ -11,6 +11,7 @@
 #include "core/base/version.h"
 #include "core/io/files/write_text.h"
 #include "core/study/provenance/sha256.h"
+#include "core/study/tile_tasks/plan/check_task_plan.h"
 
 namespace noonmark {
 
@@ -79,9 +80,6 @@ District districtFrom(const Json& json) {
                                 wholeNumberFrom<int>(grid.at(4))},
                                wholeNumberFrom<int>(json.at("tile_cells"))},
                       json.at("terrain_hash")};
-    const Grid& whole = district.tiles.whole;
-    if (district.tiles.side < 1 || whole.columns < 1 || whole.rows < 1 || !(whole.cellM > 0))
-        throw std::out_of_range("a grid without cells");
     return district;
 }
 
@@ -93,18 +91,16 @@ Json tileJson(const PlannedTile& tile) {
             tile.contentHash, tile.buildings, tile.seconds, tile.memoryBytes};
 }
 
-PlannedTile tileFrom(const Json& json, const std::vector<District>& districts) {
-    PlannedTile tile{.district = wholeNumberFrom<std::size_t>(json.at(1)),
-                     .number = wholeNumberFrom<std::size_t>(json.at(2)),
-                     .halo = boxFrom(json.at(3)),
-                     .reads = boxFrom(json.at(4)),
-                     .contentHash = json.at(5),
-                     .buildings = wholeNumberFrom<std::size_t>(json.at(6)),
-                     .seconds = json.at(7),
-                     .memoryBytes = json.at(8),
-                     .task = wholeNumberFrom<std::size_t>(json.at(0))};
-    if (tile.number >= districts.at(tile.district).tiles.count()) throw std::out_of_range("a tile");
-    return tile;
+PlannedTile tileFrom(const Json& json) {
+    return {.district = wholeNumberFrom<std::size_t>(json.at(1)),
+            .number = wholeNumberFrom<std::size_t>(json.at(2)),
+            .halo = boxFrom(json.at(3)),
+            .reads = boxFrom(json.at(4)),
+            .contentHash = json.at(5),
+            .buildings = wholeNumberFrom<std::size_t>(json.at(6)),
+            .seconds = json.at(7),
+            .memoryBytes = json.at(8),
+            .task = wholeNumberFrom<std::size_t>(json.at(0))};
 }
 
 Json inputJson(const InputFile& input) {
@@ -143,8 +139,8 @@ TaskPlan planFrom(const Json& json) {
         plan.inputs.push_back({std::string(input.at("path")),
                                wholeNumberFrom<std::uintmax_t>(input.at("bytes")), input.at("sha256")});
     for (const Json& district : json.at("districts")) plan.districts.push_back(districtFrom(district));
-    for (const Json& tile : json.at("tiles")) plan.tiles.push_back(tileFrom(tile, plan.districts));
-    if (!std::ranges::is_sorted(plan.tiles, {}, &PlannedTile::task)) throw std::out_of_range("tasks");
+    for (const Json& tile : json.at("tiles")) plan.tiles.push_back(tileFrom(tile));
+    if (!isSound(plan)) throw std::out_of_range("what no plan holds");
     return plan;
 }
 

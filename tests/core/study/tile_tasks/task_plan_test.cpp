@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "core/io/write_city.h"
 #include "core/io/write_raster.h"
@@ -130,6 +131,37 @@ TEST_F(TaskPlanTest, DamagedPlansAreRefused) {
         std::ofstream(folder.path("plan") / planFileName) << text;
         EXPECT_FALSE(readTaskPlan(folder.path("plan"))) << text;
     }
+}
+
+/// Whether a plan whose member at `pointer` is replaced is still read.
+bool isReadWith(const std::filesystem::path& folder, const char* pointer, const nlohmann::json& value) {
+    std::ifstream before(folder / planFileName);
+    nlohmann::json json = nlohmann::json::parse(before);
+    json[nlohmann::json::json_pointer(pointer)] = value;
+    const auto other = folder / "other";
+    std::filesystem::create_directories(other);
+    std::ofstream(other / planFileName) << json.dump();
+    return readTaskPlan(other).has_value();
+}
+
+TEST_F(TaskPlanTest, PlansOfStrangersAreChecked) {
+    const auto there = folder.path("plan");
+    ASSERT_TRUE(writeTaskPlan(there, plan()));
+    EXPECT_TRUE(isReadWith(there, "/districts/0/name", "d-003-"));
+    const std::vector<std::pair<const char*, nlohmann::json>> changes{
+        {"/districts/0/name", "../../elsewhere-"},
+        {"/districts/0/tile_cells", 2147483647},
+        {"/districts/0/grid/3", 2147483647},
+        {"/districts/0/grid/2", 1e300},
+        {"/districts/0/origin/1", 91},
+        {"/districts/0/region/polygons/0/0", {0, 0, 1, 1}},
+        {"/districts/0/region/polygons/0/0/0", 1e300},
+        {"/tiles/0/3/0", 1e300},
+        {"/tiles/0/1", 7},
+        {"/tiles/0/2", 1000000},
+        {"/tiles/0/0", 1000000},
+        {"/task_count", 1000000000000}};
+    for (const auto& [pointer, value] : changes) EXPECT_FALSE(isReadWith(there, pointer, value)) << pointer;
 }
 
 TEST_F(TaskPlanTest, TasksTogetherEqualOneStudyToTheLastBit) {
