@@ -15,8 +15,9 @@ struct SkyFactors {
 };
 
 /// Integrated in closed form over altitude, and over azimuth by Gauss's rule of five points between the
-/// skyline's breaks, at most 1 degree apart. Analytic cases agree
-/// to 2e-5. Where an overhang's edge crosses another edge between two breaks, the rule is less exact.
+/// skyline's breaks, at most 1 degree apart. Tests hold the sky view factor below an endless obstruction to
+/// 2e-5, that of a court to 5e-4 and that below a balcony to 3e-4: where an overhang's edge crosses another
+/// edge between two breaks, the rule is less exact.
 SkyFactors computeSkyFactors(const Skyline& skyline);
 
 }  // namespace noonmark

@@ -18,8 +18,10 @@ struct SkyPoint {
 
 /// The sky as a point sees it, exactly: the skyline of all that stands on the ground, as pieces of the edges
 /// that make it, and the faces of overhangs, below which the sky is seen. From the same place as the rays on
-/// surfaces (SurfaceRays::liftM), so that both agree but for rounding. Azimuths are those of the local frame,
-/// in radians from +y, clockwise, 0 to 2 pi.
+/// surfaces (SurfaceRays::liftM). Over a year of minutes, 5e-7 of the steps of 120 facade points of Midtown
+/// differed from rays, and 1.3e-4 in Delfshaven, whose LoD2 shells are mostly open. The likely reason: what
+/// stands on the ground is taken as solid down to it, rays see the faces alone. Azimuths are those of the
+/// local frame, in radians from +y, clockwise, 0 to 2 pi.
 class Skyline {
 public:
     /// O(edges), and n log n in those that rise above others near them: 6 ms in Midtown, of 100,000 edges.
