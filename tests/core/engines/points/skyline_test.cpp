@@ -105,7 +105,9 @@ TEST(SkyFactors, OfAWallThatFacesAnEndlessObstruction) {
             computeSkyFactors(skylineOf(farWall(1000, altitude), {{0, 0, 1}, {1, 0, 0}}));
         EXPECT_NEAR(factors.skyView, (1 - std::sin(altitude * degree)) / 2, 2e-5) << altitude;
         EXPECT_NEAR(factors.skyComponentPct, sumVerticalSkyPct(altitude), 2e-3) << altitude;
-        if (altitude == 25) EXPECT_EQ(std::round(factors.skyComponentPct), 27);
+        if (altitude == 25) {
+            EXPECT_EQ(std::round(factors.skyComponentPct), 27);
+        }
     }
 }
 
