@@ -26,6 +26,7 @@ TEST(LegendStrip, NoteAndLegendHaveRoomOfTheirOwnAtEveryWidth) {
         ASSERT_GE(legend.width(), 200) << width;
         ASSERT_TRUE(QRectF(strip.rect()).contains(legend)) << width;
         ASSERT_TRUE(QRectF(strip.rect()).contains(words)) << width;
+        ASSERT_TRUE(width < 400 || words.width() >= 100) << "room for a word, at " << width;
         ASSERT_GE(words.left(), 190) << "beside the measure, at " << width;
         ASSERT_EQ(strip.toolTip(), strip.paintedNote() == note ? QString() : note) << width;
     }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int stripHeight = 58;
 constexpr int legendRowHeight = 46;  // if the strip is narrow
-constexpr int leastWidth = 680;      // minimum for a single row
+constexpr int leastWidth = 784;      // minimum for a single row, with a scale bar and a note of a few words
 constexpr int leastLegendWidth = 250;
 constexpr int mostLegendWidth = 640;
 constexpr int measureWidth = 190;
