@@ -146,6 +146,7 @@ bool isReadWith(const std::filesystem::path& folder, const char* pointer, const 
 
 TEST_F(TaskPlanTest, PlansOfStrangersAreChecked) {
     const auto there = folder.path("plan");
+    std::filesystem::create_directories(there);
     ASSERT_TRUE(writeTaskPlan(there, plan()));
     EXPECT_TRUE(isReadWith(there, "/districts/0/name", "d-003-"));
     const std::vector<std::pair<const char*, nlohmann::json>> changes{
