@@ -242,11 +242,12 @@ TEST(Usage, VersionStatesHowTheProgramWasBuilt) {
         EXPECT_THAT(text, HasSubstr(fact));
 }
 
-// noonmark-cli prints these texts in place of the program (app/launcher).
+// noonmark-cli prints these texts in place of the program (app/launcher). Where an option excludes two
+// others, CLI11 lists those in the order of their addresses: such commands are not compared.
 TEST(HelpSource, HoldsWhatTheProgramPrints) {
     const std::string source = noonmarkCli({"describe", "help"}).out;
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {}, {"study"}, {"project"}, {"project", "new"}, {"tiles", "run"}, {"review", "rules"}}) {
+             {}, {"project"}, {"project", "new"}, {"tiles", "run"}, {"review", "list"}}) {
         std::vector<std::string> asked = words;
         asked.emplace_back("--help");
         const std::string joined = joinWords(words, " ");

@@ -143,14 +143,12 @@ QString describeSkipped(const Cost& cost) {
     return words.isEmpty() ? QStringLiteral("nothing") : words.join(QStringLiteral("; "));
 }
 
+// Without the time it took, which study.json states: a report that is repeated prints the same page.
 QString describeCost(const Study& study) {
     const Cost& cost = study.field.cost;
     QString words = QStringLiteral("%1 of %2 buildings used")
                         .arg(describeCount(cost.buildingsUsed), describeCount(study.city.buildings.size()));
     if (cost.rays > 0) words += QStringLiteral(", %1 rays").arg(describeCount(cost.rays));
-    const auto total = study.seconds.find("total");
-    if (total != study.seconds.end())
-        words += QStringLiteral(", %1 s in total").arg(describeAmount(total->second));
     return words + QStringLiteral(". Skipped: ") + describeSkipped(cost) + u'.';
 }
 

@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/input/all_engines.h"
 #include "app/window/study/study_document.h"
@@ -19,6 +20,8 @@
 namespace noonmark {
 
 namespace {
+
+constexpr int leastScreenPx = 256;  // of the forms; where they need more, they scroll
 
 QGroupBox* groupOf(const QString& title, QWidget* content) {
     auto* group = new QGroupBox(title);
@@ -70,9 +73,8 @@ void StudyDock::placeForms() {
     scroll->setWidget(forms);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(forms->minimumSizeHint().width() +
-                            scroll->verticalScrollBar()->sizeHint().width());
+    scroll->setMinimumWidth(std::min(
+        leastScreenPx, forms->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 0, 4, 4);
     column->addWidget(scroll, 1);

@@ -23,6 +23,8 @@ namespace {
 
 constexpr int minutesADay = 24 * 60;
 constexpr int tickMs = 40;
+constexpr int leastWidth = 240;  // with what cannot be left out
+constexpr int fullWidth = 600;   // narrower strips hide loop, speed and the words about the sun
 constexpr std::array hurries{0.5, 1.5, 4.0};
 
 MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
@@ -43,6 +45,8 @@ QComboBox* shortList(const char* name, const QStringList& entries, const QString
     list->setObjectName(QString::fromLatin1(name));
     list->addItems(entries);
     list->setToolTip(tip);
+    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    list->setMinimumContentsLength(6);
     return list;
 }
 
@@ -124,7 +128,17 @@ void TimeStrip::place() {
     grid->addWidget(sunWords_, 0, 3);
     grid->addWidget(words_, 1, 3);
     grid->setColumnStretch(2, 1);
-    grid->setColumnMinimumWidth(3, 130);
+    grid->setSizeConstraint(QLayout::SetNoConstraint);
+}
+
+QSize TimeStrip::minimumSizeHint() const { return {leastWidth, QWidget::minimumSizeHint().height()}; }
+
+void TimeStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool full = width() >= fullWidth;
+    for (QWidget* widget : std::initializer_list<QWidget*>{loop_, speed_, sunWords_, words_})
+        widget->setVisible(full);
+    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(3, full ? 130 : 0);
 }
 
 void TimeStrip::connectFields() {

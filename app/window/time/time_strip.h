@@ -44,6 +44,10 @@ public:
     void move(int minutes, int days);  ///< later, or earlier if below 0; shows that moment
     void setPlaying(bool playing);
     [[nodiscard]] bool playing() const;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 Q_SIGNALS:
     void lookChanged(noonmark::TimeLook look);
