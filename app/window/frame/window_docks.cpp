@@ -42,7 +42,7 @@ QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
 }  // namespace
 
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
-    const int studyWidth = docks.study->minimumSizeHint().width() + 22;
+    const int studyWidth = docks.study->sizeHint().width() + 22;
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", docks.study);
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);

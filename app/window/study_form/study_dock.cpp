@@ -21,7 +21,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int leastScreenPx = 256;  // of the forms; where they need more, they scroll
+constexpr int leastScreenPx = 248;  // of the forms; where they need more, they scroll
 
 QGroupBox* groupOf(const QString& title, QWidget* content) {
     auto* group = new QGroupBox(title);
@@ -73,14 +73,19 @@ void StudyDock::placeForms() {
     scroll->setWidget(forms);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setMinimumWidth(std::min(
-        leastScreenPx, forms->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
+    formsWidth_ = forms->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumWidth(std::min(leastScreenPx, formsWidth_));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 0, 4, 4);
     column->addWidget(scroll, 1);
     for (QWidget* widget : {static_cast<QWidget*>(refusal_), static_cast<QWidget*>(forecastLine_),
                             static_cast<QWidget*>(run_), static_cast<QWidget*>(progress_)})
         column->addWidget(widget);
+}
+
+QSize StudyDock::sizeHint() const {
+    const QMargins margins = layout()->contentsMargins();
+    return {formsWidth_ + margins.left() + margins.right(), QWidget::sizeHint().height()};
 }
 
 void StudyDock::connectForms() {

@@ -39,6 +39,8 @@ public:
     void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
     void setBuilding(bool selected);                 ///< a building is selected
     void setComparing(bool comparing);               ///< run() compares the scenario with a baseline
+    /// Wide enough for the forms without scrolling sideways.
+    [[nodiscard]] QSize sizeHint() const override;
 
 Q_SIGNALS:
     void runRequested();
@@ -73,6 +75,7 @@ private:
     bool running_ = false;
     QPushButton* run_;
     ProgressStrip* progress_;
+    int formsWidth_ = 0;  // px, all they need
 };
 
 }  // namespace noonmark

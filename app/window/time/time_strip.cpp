@@ -23,7 +23,7 @@ namespace {
 
 constexpr int minutesADay = 24 * 60;
 constexpr int tickMs = 40;
-constexpr int leastWidth = 240;  // with what cannot be left out
+constexpr int leastWidth = 256;  // with what cannot be left out
 constexpr int fullWidth = 600;   // narrower strips hide loop, speed and the words about the sun
 constexpr std::array hurries{0.5, 1.5, 4.0};
 
@@ -45,8 +45,6 @@ QComboBox* shortList(const char* name, const QStringList& entries, const QString
     list->setObjectName(QString::fromLatin1(name));
     list->addItems(entries);
     list->setToolTip(tip);
-    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    list->setMinimumContentsLength(6);
     return list;
 }
 
