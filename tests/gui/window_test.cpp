@@ -146,6 +146,7 @@ TEST_F(WindowTest, GroundHasThePalettesColoursOfTheField) {
 }
 
 TEST_F(WindowTest, SlantingViewShowsTheSameColours) {
+    window.resize(1240, 900);  // so that most cells have a pixel of their own
     runStudy();
     window.panel().navigator().showSlanting(bounds(window.workbench().study()->settings.region));
     // Distant cells share a pixel, and building edges cover some.
