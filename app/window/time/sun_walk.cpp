@@ -34,11 +34,11 @@ TimeLook laterToday(TimeLook look, const SunAtMoment& sun, int step) {
 
 }  // namespace
 
-TimeLook advanced(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double hurry) {
+TimeLook advanced(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed) {
     if (loop == SunLoop::day)
-        return laterToday(look, sun, std::max(1, int(std::lround(60 * hurry * seconds))));
+        return laterToday(look, sun, std::max(1, int(std::lround(60 * speed * seconds))));
     TimeLook later = look;
-    const int step = std::max(1, int(std::lround(7 * hurry * seconds)));
+    const int step = std::max(1, int(std::lround(7 * speed * seconds)));
     later.date = dayOf(look.date.year(), (indexOf(look.date) + step) % daysIn(look.date.year()));
     return later;
 }

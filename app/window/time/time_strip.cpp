@@ -25,7 +25,7 @@ constexpr int minutesADay = 24 * 60;
 constexpr int tickMs = 40;
 constexpr int leastWidth = 256;  // with what cannot be left out
 constexpr int fullWidth = 600;   // narrower strips hide loop, speed and the words about the sun
-constexpr std::array hurries{0.5, 1.5, 4.0};
+constexpr std::array playSpeeds{0.5, 1.5, 4.0};  // hours of the day, or weeks of the year, in a second
 
 MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
     auto* slider = new MarkedSlider;
@@ -216,7 +216,7 @@ bool TimeStrip::playing() const { return ticks_->isActive(); }
 void TimeStrip::step() {
     const double seconds = double(sinceStep_.restart()) / 1000;
     takeMoment(advanced(look_, sun_, SunLoop(loop_->currentIndex()), seconds,
-                        hurries[std::size_t(speed_->currentIndex())]));
+                        playSpeeds[std::size_t(speed_->currentIndex())]));
 }
 
 void TimeStrip::takeMoment(TimeLook look) {
