@@ -10,9 +10,11 @@
 #include "core/io/context/context_tags.h"
 #include "core/io/context/read_context.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/layers/feature_stream.h"
-#include "core/io/osm/osm_configuration.h"
+#include "core/io/osm/osm_layers.h"
+#include "core/io/osm/read_osm_buildings.h"
 
 namespace noonmark {
 
@@ -200,8 +202,7 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
             fmt::format("It holds more than {} features to draw", ContextSettings::mostFeatures), file,
             "Cut out the part around the city");
     };
-    const auto features =
-        readFeatures(dataset, layers, {file, "map of " + file}, calls, take, progress, stop);
+    const auto features = readFeatures(layers, {file, "map of " + file}, calls, take, progress, stop);
     if (!features) return tl::make_unexpected(features.error());
     ContextRead read{{}, {}, *features};
     for (ContextLayer& reader : readers) reader.place(frame, settings.farAwayM, read);
@@ -213,16 +214,37 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
                    "street, path, rail, park, grass, wood, water, plaza or tree");
 }
 
+// The keys by which context_tags.h classifies areas, lines and points.
+OsmSelection selectContext() {
+    const std::vector<std::string> kinds{"leisure", "landuse", "amenity", "natural", "place"};
+    OsmSelection selection{.keys = kinds,
+                           .areaKeys = kinds,
+                           .kindKeys = kinds,
+                           .lineKeys = {"highway", "railway", "waterway"},
+                           .pointKeys = {"natural"}};
+    for (const char* key : {"water", "building"}) selection.areaKeys.emplace_back(key);
+    for (const char* key : {"highway", "waterway"}) selection.kindKeys.emplace_back(key);
+    for (const char* key : {"name", "highway", "railway", "waterway", "building", "width", "lanes", "area",
+                            "tunnel", "layer", "location"})
+        selection.keys.emplace_back(key);
+    return selection;
+}
+
+Result<DatasetPointer> openMap(const std::filesystem::path& file, Progress& progress,
+                               const std::stop_token& stop) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    if (const auto osm = findOsmFormat(file))
+        return readOsmLayers(file, *osm, selectContext(), progress, stop);
+    return openDataset(file, DatasetContent::vectors);
+}
+
 }  // namespace
 
 Result<ContextRead> readContext(const std::filesystem::path& file, const ContextSettings& settings,
                                 const Frame& frame, Progress& progress, const std::stop_token& stop) try {
     const GdalCalls calls;
-    const OsmConfiguration configuration = OsmConfiguration::forContext();
-    const auto dataset = openDataset(file, DatasetContent::vectors, {"CONFIG_FILE=" + configuration.path()});
+    const auto dataset = openMap(file, progress, stop);
     if (!dataset) return tl::make_unexpected(dataset.error());
-    if (isFromOsm(**dataset))
-        (*dataset)->ExecuteSQL("SET interest_layers = points,lines,multipolygons", nullptr, nullptr);
     return readLayers(**dataset, file.filename().string(), settings, frame, calls, progress, stop);
 } catch (const std::exception& exception) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),

@@ -24,12 +24,10 @@ using DatasetPointer = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>
 
 /// Opens an untrusted file. No other code in this program gives a file to GDAL. GDAL may try only the drivers
 /// of the given content's formats, whatever the file holds or is called; it opens the file for reading,
-/// writes nothing beside it and fetches nothing. Hold a GdalCalls. `osmOptions`: OPTION=VALUE, for
-/// OpenStreetMap files. Never returns a null pointer. Error: not a plain file (or a folder of Shapefiles or
-/// of a file geodatabase), not one of these formats, or a virtual dataset, which names other files, databases
-/// or addresses. Backend: open_dataset_gdal.cpp.
-Result<DatasetPointer> openDataset(const std::filesystem::path& file, DatasetContent content,
-                                   const std::vector<std::string>& osmOptions = {});
+/// writes nothing beside it and fetches nothing. Hold a GdalCalls. Never returns a null pointer. Error: not a
+/// plain file (or a folder of Shapefiles or of a file geodatabase), not one of these formats, or a virtual
+/// dataset, which names other files, databases or addresses. Backend: open_dataset_gdal.cpp.
+Result<DatasetPointer> openDataset(const std::filesystem::path& file, DatasetContent content);
 
 /// Whether openDataset() failed because the content has another format.
 bool isUnknownFormat(const Error& error);

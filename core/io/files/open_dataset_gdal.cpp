@@ -128,8 +128,7 @@ tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, co
 
 // Options so that nothing is written or fetched, no code from the file runs, and a file that nobody is
 // writing to is not locked.
-CPLStringList optionsFor(std::string_view driver, const fs::path& file,
-                         const std::vector<std::string>& osmOptions) {
+CPLStringList optionsFor(std::string_view driver, const fs::path& file) {
     CPLStringList options;
     if (driver == "GML") {
         options.AddString("WRITE_GFS=NO");
@@ -140,15 +139,12 @@ CPLStringList optionsFor(std::string_view driver, const fs::path& file,
         options.AddString("PRELUDE_STATEMENTS=PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");
         if (!isBeingWritten(file)) options.AddString("IMMUTABLE=YES");
     }
-    if (driver == "OSM")
-        for (const std::string& option : osmOptions) options.AddString(option.c_str());
     return options;
 }
 
 }  // namespace
 
-Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content,
-                                   const std::vector<std::string>& osmOptions) {
+Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content) {
     // An absolute path cannot be mistaken for a connection, such as "PG:dbname=..." or "WMS:http://...".
     std::error_code error;
     const fs::path file = fs::absolute(given, error);
@@ -161,7 +157,7 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
     const char* const driver[] = {GDALGetDescription(found), nullptr};
     if (driver[0] == std::string_view("GPKG"))
         if (auto harmless = checkGeoPackage(file); !harmless) return tl::make_unexpected(harmless.error());
-    const CPLStringList options = optionsFor(driver[0], file, osmOptions);
+    const CPLStringList options = optionsFor(driver[0], file);
     DatasetPointer dataset(GDALDataset::Open(
         file.c_str(), flagsOf(content) | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, driver, options.List()));
     if (!dataset) return notOpened(given, content, CPLGetLastErrorMsg());

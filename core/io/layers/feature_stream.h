@@ -31,18 +31,14 @@ struct FeatureStream {
     double share = 0.8;  ///< of the progress, when all is read
 };
 
-/// Reads all features of layers of a dataset: those of OpenStreetMap's driver side by side, as the driver
-/// fills them, others one after the other. `calls` must have been made before the dataset was opened. Returns
-/// their number. Error: the file is incomplete or damaged; of `take`; cancelled(), also between blocks of a
-/// file that hold no usable feature. Backend: feature_stream_gdal.cpp.
-Result<std::size_t> readFeatures(GDALDataset& dataset, const std::vector<OGRLayer*>& layers,
-                                 const FeatureStream& stream, const GdalCalls& calls, const TakeFeature& take,
-                                 Progress& progress, const std::stop_token& stop);
+/// Reads all features of the layers, one layer after the other. `calls` must have been made before the
+/// dataset was opened. Returns their number. Error: the file is incomplete or damaged; of `take`;
+/// cancelled(). Backend: feature_stream_gdal.cpp.
+Result<std::size_t> readFeatures(const std::vector<OGRLayer*>& layers, const FeatureStream& stream,
+                                 const GdalCalls& calls, const TakeFeature& take, Progress& progress,
+                                 const std::stop_token& stop);
 
-/// Whether the dataset was opened by GDAL's driver for OpenStreetMap.
-bool isFromOsm(GDALDataset& dataset);
-
-/// How a map credits OpenStreetMap, whose data the driver reads.
+/// How a map credits OpenStreetMap.
 inline constexpr const char* osmCredit = "(c) OpenStreetMap contributors, ODbL";
 
 /// The transformation from a layer's coordinates; `crs` in place of what the layer states. Error: it states

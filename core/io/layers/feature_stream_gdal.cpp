@@ -11,63 +11,23 @@ namespace noonmark {
 
 namespace {
 
-// GDAL calls this between blocks of the file, which may contain no usable feature.
-int CPL_STDCALL goOnReading(double, const char*, void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
-}
-
 class Reading {
 public:
-    Reading(GDALDataset& dataset, const std::vector<OGRLayer*>& layers, const FeatureStream& stream,
-            const GdalCalls& calls, const TakeFeature& take, Progress& progress, const std::stop_token& stop)
-        : dataset_(dataset),
-          layers_(layers),
-          stream_(stream),
-          calls_(calls),
-          take_(take),
-          progress_(progress),
-          stop_(stop) {}
+    Reading(const std::vector<OGRLayer*>& layers, const FeatureStream& stream, const GdalCalls& calls,
+            const TakeFeature& take, Progress& progress, const std::stop_token& stop)
+        : layers_(layers), stream_(stream), calls_(calls), take_(take), progress_(progress), stop_(stop) {}
 
     Result<std::size_t> run() {
-        const auto done = isFromOsm(dataset_) ? readTogether() : readApart();
-        if (!done) return tl::make_unexpected(done.error());
+        for (std::size_t layer = 0; layer < layers_.size(); ++layer)
+            if (auto done = read(layer); !done) return tl::make_unexpected(done.error());
         return features_;
     }
 
 private:
-    struct Next {
-        OGRFeatureUniquePtr feature;
-        std::size_t layer = 0;
-    };
-
-    Result<void> readApart() {
-        for (std::size_t i = 0; i < layers_.size(); ++i) {
-            layers_[i]->ResetReading();
-            const auto next = [&](double&) {
-                return Next{OGRFeatureUniquePtr(layers_[i]->GetNextFeature()), i};
-            };
-            if (auto done = readAll(next); !done) return done;
-        }
-        return {};
-    }
-
-    Result<void> readTogether() {
-        return readAll([&](double& share) -> Next {
-            while (true) {
-                OGRLayer* from = nullptr;
-                OGRFeatureUniquePtr feature(dataset_.GetNextFeature(&from, &share, goOnReading,
-                                                                    const_cast<std::stop_token*>(&stop_)));
-                if (!feature) return {};
-                const auto layer = std::ranges::find(layers_, from);
-                if (layer != layers_.end()) return {std::move(feature), std::size_t(layer - layers_.begin())};
-            }
-        });
-    }
-
-    Result<void> readAll(const auto& next) {
-        double share = 0;
+    Result<void> read(std::size_t layer) {
+        layers_[layer]->ResetReading();
         for (std::size_t failures = calls_.failures();; failures = calls_.failures()) {
-            const auto [feature, layer] = next(share);
+            const OGRFeatureUniquePtr feature(layers_[layer]->GetNextFeature());
             if (!feature && stop_.stop_requested()) return cancelled();
             if (!feature && calls_.failures() > failures)
                 return failure("It is incomplete or damaged (" + calls_.complaints().back() + ")",
@@ -76,11 +36,11 @@ private:
             if (auto taken = take_(layer, *feature); !taken) return taken;
             if (++features_ % 256 != 0) continue;
             if (stop_.stop_requested()) return cancelled();
-            progress_.report(stream_.share * share, "reading " + stream_.what);
+            progress_.report(stream_.share * double(layer) / double(layers_.size()),
+                             "reading " + stream_.what);
         }
     }
 
-    GDALDataset& dataset_;
     const std::vector<OGRLayer*>& layers_;
     const FeatureStream& stream_;
     const GdalCalls& calls_;
@@ -92,13 +52,11 @@ private:
 
 }  // namespace
 
-Result<std::size_t> readFeatures(GDALDataset& dataset, const std::vector<OGRLayer*>& layers,
-                                 const FeatureStream& stream, const GdalCalls& calls, const TakeFeature& take,
-                                 Progress& progress, const std::stop_token& stop) {
-    return Reading(dataset, layers, stream, calls, take, progress, stop).run();
+Result<std::size_t> readFeatures(const std::vector<OGRLayer*>& layers, const FeatureStream& stream,
+                                 const GdalCalls& calls, const TakeFeature& take, Progress& progress,
+                                 const std::stop_token& stop) {
+    return Reading(layers, stream, calls, take, progress, stop).run();
 }
-
-bool isFromOsm(GDALDataset& dataset) { return std::string_view(dataset.GetDriverName()) == "OSM"; }
 
 Result<CrsToLonLat> findLayerCrs(OGRLayer& layer, const std::optional<std::string>& crs,
                                  const std::string& file) {

@@ -23,11 +23,27 @@ struct OsmPoint {
 
 using OsmTags = std::vector<std::pair<std::string, std::string>>;
 
+/// What is read of a file.
+struct OsmSelection {
+    std::vector<std::string> keys;       ///< the tags to keep
+    std::vector<std::string> areaKeys;   ///< closed ways with one of these are areas, unless area=no
+    std::vector<std::string> kindKeys;   ///< areas without any of these are not; empty: all are kept
+    std::vector<std::string> lineKeys;   ///< ways that are no areas and have one of these are lines
+    std::vector<std::string> pointKeys;  ///< nodes with one of these are points
+};
+
+struct OsmNode {
+    std::int64_t id = 0;
+    OsmPoint point;
+    OsmTags tags;
+};
+
 struct OsmWay {
     std::int64_t id = 0;
-    bool area = false;    ///< closed, and tagged as a building, building:part or area=yes, but not area=no
+    bool area = false;    ///< closed, and has an area key or area=yes, but not area=no
+    bool line = false;    ///< no area, and has a line key
     bool tagged = false;  ///< an area with tags that describe it, besides remarks such as note
-    OsmTags tags;         ///< those asked for, of areas only
+    OsmTags tags;         ///< those asked for, of areas and lines only
     /// In the way's order, without nodes that the file lacks; an area ends with its first point.
     std::vector<OsmPoint> points;
 };
@@ -44,19 +60,19 @@ struct OsmRelation {
     std::vector<OsmMember> members;
 };
 
-/// The areas of an OpenStreetMap file, and the ways of which its relations consist.
+/// The selected points, lines and areas of an OpenStreetMap file, and the ways of which its relations
+/// consist.
 struct OsmMap {
     std::vector<OsmWay> ways;            ///< by id; each has two points at least
     std::vector<OsmRelation> relations;  ///< multipolygons and boundaries, in the file's order
+    std::vector<OsmNode> points;         ///< in the file's order
 };
 
 /// Reads the file three times: relations, ways, and the nodes of the ways that are kept, so that memory grows
-/// with its areas and not with its nodes. Nodes and ways may be in any order; entities and references to
-/// other files are refused. `keys`: the tags to keep. Error: it is incomplete or damaged; a way or a node
-/// that is needed comes twice. Stops with cancelled() after a block of the file. Backend:
-/// read_osm_map_osmium.cpp.
-Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format,
-                          const std::vector<std::string>& keys, Progress& progress,
-                          const std::stop_token& stop);
+/// with what is selected and not with its nodes. Nodes and ways may be in any order; entities and references
+/// to other files are refused. Error: it is incomplete or damaged; a way or a node that is needed comes
+/// twice. Stops with cancelled() after a block of the file. Backend: read_osm_map_osmium.cpp.
+Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
+                          Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

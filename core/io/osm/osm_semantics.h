@@ -3,8 +3,8 @@
 // The folder core/io/osm reads OpenStreetMap and holds its rules. Buildings: osm_map.h reads a file,
 // osm_areas.h makes polygons of its ways and relations, read_osm_buildings.h reads their tags, and
 // osm_semantics.h (this file) assembles features into buildings, those of other files too. Places and context
-// are read by GDAL's driver, which osm_configuration.h makes deliver the needed tags; other_tags.h parses
-// those in a converter's column.
+// are layers of features (osm_layers.h), so that they are read as those of other formats; other_tags.h parses
+// the tags in a converter's column.
 
 #include <optional>
 #include <stop_token>

@@ -103,7 +103,8 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
                                       const ReadSettings& settings, Progress& progress,
                                       const std::stop_token& stop) {
     const std::vector<std::string> keys = buildingKeys(settings);
-    const auto map = readOsmMap(file, format, keys, progress, stop);
+    const auto map =
+        readOsmMap(file, format, {.keys = keys, .areaKeys = {"building", "building:part"}}, progress, stop);
     if (!map) return tl::make_unexpected(map.error());
     OsmBuildings buildings;
     const std::string name = file.filename().string();

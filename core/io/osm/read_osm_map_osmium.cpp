@@ -23,12 +23,18 @@ constexpr std::array remarkKeys{"area", "created_by", "converted_by", "note", "t
 
 bool isRemark(std::string_view key) { return std::ranges::find(remarkKeys, key) != remarkKeys.end(); }
 
-bool isTaggedAsArea(const osmium::TagList& tags) {
+bool isAmong(std::string_view key, const Keys& keys) { return std::ranges::find(keys, key) != keys.end(); }
+
+bool hasOneOf(const osmium::TagList& tags, const Keys& keys) {
+    return std::ranges::any_of(tags, [&](const osmium::Tag& tag) { return isAmong(tag.key(), keys); });
+}
+
+bool isTaggedAsArea(const osmium::TagList& tags, const Keys& areaKeys) {
     bool area = false;
     for (const osmium::Tag& tag : tags) {
         const std::string_view key = tag.key(), value = tag.value();
         if (key == "area" && (value == "yes" || value == "no")) return value == "yes";
-        area = area || key == "building" || key == "building:part";
+        area = area || isAmong(key, areaKeys);
     }
     return area;
 }
@@ -36,8 +42,7 @@ bool isTaggedAsArea(const osmium::TagList& tags) {
 OsmTags wantedTags(const osmium::TagList& tags, const Keys& keys) {
     OsmTags wanted;
     for (const osmium::Tag& tag : tags)
-        if (std::ranges::find(keys, std::string_view(tag.key())) != keys.end())
-            wanted.emplace_back(tag.key(), tag.value());
+        if (isAmong(tag.key(), keys)) wanted.emplace_back(tag.key(), tag.value());
     return wanted;
 }
 
@@ -103,11 +108,11 @@ private:
 
 class MapReader {
 public:
-    MapReader(const std::filesystem::path& file, OsmFormat format, const Keys& keys, Progress& progress,
-              const std::stop_token& stop)
+    MapReader(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
+              Progress& progress, const std::stop_token& stop)
         : path_(file),
           file_(file.string(), format == OsmFormat::pbf ? "pbf" : "xml"),
-          keys_(keys),
+          selection_(selection),
           progress_(progress),
           stop_(stop) {}
 
@@ -150,7 +155,7 @@ private:
         if (isSplit(relation)) return split("relation", relation.id());
         if (!kind.multipolygon) return {};
         OsmRelation& kept = map_.relations.emplace_back(
-            OsmRelation{relation.id(), kind.tagged, wantedTags(relation.tags(), keys_), {}});
+            OsmRelation{relation.id(), kind.tagged, wantedTags(relation.tags(), selection_.keys), {}});
         for (const osmium::RelationMember& member : relation.members()) {
             const std::string_view role = member.role();
             if (member.type() != osmium::item_type::way || role == "subarea") continue;
@@ -163,18 +168,24 @@ private:
     Taken take(const osmium::Way& way) {
         if (isSplit(way)) return split("way", way.id());
         if (way.nodes().size() < 2) return {};
-        const bool area = way.ends_have_same_id() && isTaggedAsArea(way.tags());
-        if (!area && !std::ranges::binary_search(members_, way.id())) return {};
+        const bool area = way.ends_have_same_id() && isWantedArea(way.tags());
+        const bool line = !area && hasOneOf(way.tags(), selection_.lineKeys);
+        if (!area && !line && !std::ranges::binary_search(members_, way.id())) return {};
         const bool tagged = area && std::ranges::any_of(way.tags(), [](const osmium::Tag& tag) {
                                 return !isRemark(tag.key());
                             });
-        Kept kept{OsmWay{way.id(), area, tagged, area ? wantedTags(way.tags(), keys_) : OsmTags(), {}},
-                  nodes_.size(), 0};
+        OsmTags tags = area || line ? wantedTags(way.tags(), selection_.keys) : OsmTags();
+        Kept kept{OsmWay{way.id(), area, line, tagged, std::move(tags), {}}, nodes_.size(), 0};
         for (const osmium::NodeRef& node : way.nodes()) nodes_.push_back(node.ref());
         if (area) nodes_.pop_back();
         kept.count = nodes_.size() - kept.first;
         kept_.push_back(std::move(kept));
         return {};
+    }
+
+    [[nodiscard]] bool isWantedArea(const osmium::TagList& tags) const {
+        return isTaggedAsArea(tags, selection_.areaKeys) &&
+               (selection_.kindKeys.empty() || hasOneOf(tags, selection_.kindKeys));
     }
 
     Taken sortWays() {
@@ -187,12 +198,15 @@ private:
 
     Taken take(const osmium::Node& node) {
         OsmPoint* place = places_.find(node.id());
-        if (place == nullptr) return {};
-        if (*place != nowhere) return twice("node", node.id());
+        const bool isPoint = hasOneOf(node.tags(), selection_.pointKeys);
+        if (place == nullptr && !isPoint) return {};
+        if (place != nullptr && *place != nowhere) return twice("node", node.id());
         if (!node.location().valid())
             return failure(fmt::format("The coordinates of node {} are nowhere on the earth", node.id()),
                            path_.string(), "Download or export it again");
-        *place = {node.location().x(), node.location().y()};
+        const OsmPoint at{node.location().x(), node.location().y()};
+        if (place != nullptr) *place = at;
+        if (isPoint) map_.points.push_back({node.id(), at, wantedTags(node.tags(), selection_.keys)});
         return {};
     }
 
@@ -225,7 +239,7 @@ private:
 
     const std::filesystem::path& path_;
     osmium::io::File file_;
-    const Keys& keys_;
+    const OsmSelection& selection_;
     Progress& progress_;
     const std::stop_token& stop_;
     osmium::thread::Pool pool_{std::clamp(tbb::this_task_arena::max_concurrency(), 1, 8)};
@@ -238,9 +252,9 @@ private:
 
 }  // namespace
 
-Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format, const Keys& keys,
+Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
                           Progress& progress, const std::stop_token& stop) try {
-    return MapReader(file, format, keys, progress, stop).read();
+    return MapReader(file, format, selection, progress, stop).read();
 } catch (const std::bad_alloc&) {
     throw;  // the caller's guard reports it
 } catch (const std::exception& exception) {

@@ -8,10 +8,11 @@
 #include <iterator>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/files/file_kind.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/layers/feature_stream.h"
-#include "core/io/osm/osm_configuration.h"
+#include "core/io/osm/osm_layers.h"
+#include "core/io/osm/read_osm_buildings.h"
 #include "core/io/places/place_layer.h"
 #include "core/io/places/read_places.h"
 #include "core/receivers/place_names.h"
@@ -76,7 +77,7 @@ public:
             readers_.push_back(*std::move(reader));
         }
         return readFeatures(
-                   dataset_, layers_, {file_, "places of " + file_}, calls,
+                   layers_, {file_, "places of " + file_}, calls,
                    [&](std::size_t layer, const OGRFeature& feature) { return take(layer, feature); },
                    progress_, stop_)
             .map([&](std::size_t features) { features_ = features; });
@@ -124,19 +125,35 @@ private:
     std::size_t features_ = 0;
 };
 
+// Keys of the tags by which areas are places (place_tags.h) are also those that make a closed way an area.
+OsmSelection selectPlaces(const PlaceSettings& settings) {
+    const std::vector<std::string> kinds{"leisure", "landuse", "amenity", "historic",
+                                         "natural", "place",   "tourism"};
+    OsmSelection selection{.keys = kinds, .areaKeys = kinds, .kindKeys = kinds};
+    for (const char* key : {"name", "highway", "building", "location", "layer", "tunnel"})
+        selection.keys.emplace_back(key);
+    selection.kindKeys.emplace_back("highway");
+    if (!settings.streets) return selection;
+    selection.lineKeys = {"highway"};
+    for (const char* key : {"width", "lanes", "area"}) selection.keys.emplace_back(key);
+    return selection;
+}
+
+Result<DatasetPointer> openPlaces(const Path& file, const PlaceSettings& settings, Progress& progress,
+                                  const std::stop_token& stop) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    if (const auto osm = findOsmFormat(file))
+        return readOsmLayers(file, *osm, selectPlaces(settings), progress, stop);
+    return openDataset(file, DatasetContent::vectors);
+}
+
 }  // namespace
 
 Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, const Frame& frame,
                               Progress& progress, const std::stop_token& stop) try {
     const GdalCalls calls;
-    const OsmConfiguration configuration = OsmConfiguration::forPlaces();
-    const auto dataset = openDataset(file, DatasetContent::vectors, {"CONFIG_FILE=" + configuration.path()});
+    const auto dataset = openPlaces(file, settings, progress, stop);
     if (!dataset) return tl::make_unexpected(dataset.error());
-    if (isFromOsm(**dataset)) {
-        const char* layers = settings.streets ? "SET interest_layers = multipolygons,lines"
-                                              : "SET interest_layers = multipolygons";
-        (*dataset)->ExecuteSQL(layers, nullptr, nullptr);
-    }
     PlaceFile reader(**dataset, file, settings, progress, stop);
     if (auto read = reader.read(calls); !read) return tl::make_unexpected(read.error());
     return reader.place(frame);
@@ -145,12 +162,6 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
                    "Check that the file is complete, or export it again");
 }
 
-bool isOsmFile(const Path& file) {
-    const GdalCalls calls;
-    const auto kind = detectFileKind(file);
-    if (!kind || *kind != FileKind::footprints) return false;
-    const auto dataset = openDataset(file, DatasetContent::vectors);
-    return dataset && isFromOsm(**dataset);
-}
+bool isOsmFile(const Path& file) { return checkPlainFile(file) && findOsmFormat(file); }
 
 }  // namespace noonmark
