@@ -134,7 +134,7 @@ private:
         const auto split = northDeg_ > 0
                                ? std::ranges::find_if(places, [](auto p) { return p.azimuthDeg >= 0; })
                                : std::ranges::find_if(places, [](auto p) { return p.azimuthDeg > 360; });
-        std::ranges::rotate(places, split);
+        std::rotate(places.begin(), split, places.end());
         for (SkylinePlace& place : places) place.azimuthDeg = std::fmod(place.azimuthDeg + 720, 360);
         if (places.empty()) return;
         const double north =

@@ -9,7 +9,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const std::string_view text = noonmark::tests::textOf(data, size);
+    const std::string_view text = noonmark::tests::formatText(data, size);
     if (const auto metres = noonmark::parseMetres(text))
         require(std::isfinite(*metres), "a height is finite");
     if (const auto levels = noonmark::parseLevels(text))

@@ -37,7 +37,7 @@ void readSource(const std::string& text) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string text(noonmark::tests::textOf(data, size));
+    const std::string text(noonmark::tests::formatText(data, size));
     readSettings(text);
     readFacts(text);
     readSource(text);

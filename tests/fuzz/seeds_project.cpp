@@ -43,7 +43,9 @@ void writeGeometries(const SeedFolder& seeds, const Project& project) {
 }
 
 // One edit of each kind for each column; the first bytes select one of about two hundred columns.
-void writeCellEdits(const SeedFolder& seeds, const std::string& target, int columns) {
+// `before`: what the target reads before the edits.
+void writeCellEdits(const SeedFolder& seeds, const std::string& target, int columns,
+                    std::string_view before = {}) {
     constexpr std::string_view contents[] = {"",
                                              std::string_view("\1\0\0\0\0\0\0\0", 8),
                                              std::string_view("\0\0\0\0\0\0\xf0\x3f", 8),
@@ -54,11 +56,11 @@ void writeCellEdits(const SeedFolder& seeds, const std::string& target, int colu
                                              ""};
     for (int column = 0; column < columns; ++column)
         for (std::size_t kind = 0; kind < std::size(contents); ++kind) {
-            std::string edit;
+            std::string edit(before);
             put(edit, std::uint16_t(column));
             put(edit, std::uint8_t(kind));
             put(edit, std::uint8_t(contents[kind].size()));
-            seeds.write(target, fmt::format("{}-{}", column, kind), edit.append(contents[kind]));
+            seeds.write(target, fmt::format("{}{}-{}", before, column, kind), edit.append(contents[kind]));
         }
 }
 
@@ -91,6 +93,8 @@ void makeProjectSeeds(const SeedFolder& seeds) {
     writeGeometries(seeds, project);
     writeTexts(seeds, project);
     writeCellEdits(seeds, "project_cells", 220);
+    for (const std::string_view version : {"0", "1", "2"})  // any byte selects one, by its remainder
+        writeCellEdits(seeds, "project_versions", 190, version);
     writeCellEdits(seeds, "geopackage_cells", 50);
 }
 

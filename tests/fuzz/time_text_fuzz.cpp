@@ -31,7 +31,7 @@ void readRule(std::string_view text) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string_view text = noonmark::tests::textOf(data, size);
+    const std::string_view text = noonmark::tests::formatText(data, size);
     readTimes(text);
     readRule(text);
     return 0;

@@ -158,8 +158,8 @@ std::string TaskPlan::studyHash(std::size_t district) const {
 }
 
 std::vector<PlannedTile> TaskPlan::tilesOf(std::size_t task) const {
-    const auto own = std::ranges::equal_range(tiles, task, {}, &PlannedTile::task);
-    return {own.begin(), own.end()};
+    const auto first = std::ranges::lower_bound(tiles, task, {}, &PlannedTile::task);
+    return {first, std::ranges::upper_bound(first, tiles.end(), task, {}, &PlannedTile::task)};
 }
 
 std::filesystem::path taskFolder(const std::filesystem::path& plan, std::size_t task) {
