@@ -14,7 +14,11 @@ constexpr double ft2PerM2 = 1 / squareMetresPerSquareFoot;
 constexpr std::string_view criterionPrefix = "criterion.";
 
 std::string minutesText(double minutes) { return fmt::format("{:.10g}", std::round(minutes * 100) / 100); }
-std::string areaText(double area) { return fmt::format("{:.10g}", std::round(area * 100) / 100); }
+// Whole from a hundred on: a cell is about a square metre.
+std::string areaText(double area) {
+    std::string text = formatNumber(area, std::abs(area) < 100 ? 1 : 0);
+    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
 std::string percentText(double share) { return fmt::format("{:.1f} %", share * 100); }
 std::string orDash(const std::string& text) { return text.empty() ? "-" : text; }
 

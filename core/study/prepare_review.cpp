@@ -98,24 +98,29 @@ City keepOwnBuildings(const City& city, const City& other) {
     return own;
 }
 
+CastingCities chooseCasters(const Rule& rule, const City& baseline, const City& scenario) {
+    if (rule.occluders.casters == RuleCasters::everything) return {baseline, scenario};
+    CastingCities casting{keepOwnBuildings(baseline, scenario), keepOwnBuildings(scenario, baseline)};
+    if (rule.baseline.kind != BaselineKind::referenceBody) casting.before.buildings.clear();
+    return casting;
+}
+
 Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, const City& scenario,
                                      const std::vector<Place>& places, const ReviewSettings& settings,
                                      const std::stop_token& stop) {
     if (rule.receivers.surface == RuleSurface::windows)
         return unsupported("The rule is about windows, which are not measured", rule.key,
                            "Choose another rule");
-    const bool alone = rule.occluders.casters == RuleCasters::proposal;
-    City before = alone ? keepOwnBuildings(baseline, scenario) : baseline;
-    City after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
+    CastingCities casting = chooseCasters(rule, baseline, scenario);
     auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());
     if (days->sun.steps.empty())
         return failure("The sun is below the horizon in all hours of the rule", rule.key,
                        "Check place and year");
-    auto measured = placesToMeasure(rule, places, after, days->sun);
+    auto measured = placesToMeasure(rule, places, casting.after, days->sun);
     if (!measured) return tl::make_unexpected(measured.error());
-    auto scene =
-        makeRuleScene(rule, std::move(before), std::move(after), measured->places, settings.cellM, stop);
+    auto scene = makeRuleScene(rule, std::move(casting.before), std::move(casting.after), measured->places,
+                               settings.cellM, stop);
     if (!scene) return tl::make_unexpected(scene.error());
     return PreparedReview{*std::move(days), *std::move(measured), *std::move(scene)};
 }

@@ -15,6 +15,15 @@ struct RulePlaces {
     std::vector<LineBelt> belts;
 };
 
+/// The buildings whose shadows a rule counts.
+struct CastingCities {
+    City before, after;
+};
+
+/// All buildings; or, of a rule about the proposal's own shadow, those that the scenario adds or changes,
+/// held against what they replace only where the rule's baseline is a body within the zoning.
+CastingCities chooseCasters(const Rule& rule, const City& baseline, const City& scenario);
+
 /// The cities that cast, and the cells on which they do.
 struct RuleScene {
     City before, after;

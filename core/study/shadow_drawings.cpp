@@ -11,6 +11,7 @@
 #include "core/measures/outlines/shadow_fan.h"
 #include "core/measures/place_run.h"
 #include "core/receivers/line_belts.h"
+#include "core/study/prepare_review.h"
 #include "core/sun/chosen_days.h"
 
 namespace noonmark {
@@ -130,6 +131,17 @@ Result<void> addIsochrones(const ReviewStudy& study, const City& after, const Ob
     return {};
 }
 
+/// Buildings of the baseline that are drawn although the rule does not count their shadows, that is, those
+/// not in `before`.
+void addBuildingsWithoutShadow(const City& baseline, const City& scenario, const City& before,
+                               ShadowDrawing& drawing) {
+    const City silent = keepOwnBuildings(baseline, before);
+    const City removed = keepOwnBuildings(silent, scenario);
+    addBuildings(keepOwnBuildings(silent, removed), BuildingState::unchanged, drawing.area,
+                 drawing.buildings);
+    addBuildings(removed, BuildingState::removed, drawing.area, drawing.buildings);
+}
+
 /// The day of most incremental shadow on any place.
 std::vector<std::chrono::month_day> worstDay(const ReviewStudy& study) {
     const PlaceReview* worst = nullptr;
@@ -182,9 +194,7 @@ Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& ba
     const Rule& rule = study.rule;
     const auto moments = computeReviewMoments(study, baseline, 0, stop);
     if (!moments) return tl::make_unexpected(moments.error());
-    const bool alone = rule.occluders.casters == RuleCasters::proposal;
-    const City before = alone ? keepOwnBuildings(baseline, scenario) : baseline,
-               after = alone ? keepOwnBuildings(scenario, baseline) : scenario;
+    const auto [before, after] = chooseCasters(rule, baseline, scenario);
     // The places of a rule with lines are parcels: what counts lies around them, as far as shadows reach.
     const std::vector<Place> none;
     const bool isAround = rule.receivers.hasLines();
@@ -192,9 +202,7 @@ Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& ba
                                {.cellM = study.settings.cellM, .planeM = planeOf(rule)}, progress, stop);
     if (!drawing) return tl::make_unexpected(drawing.error());
     if (isAround) drawing->places = choosePlacesIn(places, drawing->area);
-    if (alone)
-        addBuildings(keepOwnBuildings(baseline, before), BuildingState::unchanged, drawing->area,
-                     drawing->buildings);
+    addBuildingsWithoutShadow(baseline, scenario, before, *drawing);
     if (hasIsochrones(rule)) {
         const auto done =
             addIsochrones(study, after, observerOfPlaces(baseline), places, *drawing, progress, stop);

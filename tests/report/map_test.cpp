@@ -137,5 +137,12 @@ TEST(ScaleBar, LengthsAreRound) {
         EXPECT_DOUBLE_EQ(scaleBarWithin(c.longest).lengthM(), c.length) << c.longest;
 }
 
+TEST(ScaleBar, LengthsAreRoundInFeetAndMiles) {
+    // 100 m are 328 ft, 1,600 m are 5,249 ft, 1,700 m are 1.06 miles of 5,280 ft.
+    for (const BarCase& c : {BarCase{100, 200 * 0.3048}, {1600, 5000 * 0.3048}, {1700, 5280 * 0.3048}})
+        EXPECT_DOUBLE_EQ(scaleBarWithin(c.longest, UnitSystem::imperial).lengthM(), c.length) << c.longest;
+    EXPECT_FALSE(scaleBarWithin(100, UnitSystem::both).inFeet);
+}
+
 }  // namespace
 }  // namespace noonmark

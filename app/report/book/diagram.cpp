@@ -244,7 +244,14 @@ private:
         return box;
     }
 
-    /// Metres above the ground, where the number lies inside the footprint.
+    /// Of the proposal with its unit; of other buildings the number alone, whose unit the foot states.
+    [[nodiscard]] QString heightText(double metres, bool isProposal) const {
+        if (isProposal) return QString::fromStdString(formatLength(metres, scene_.units, 0));
+        const double unitM = scene_.units == UnitSystem::imperial ? metresPerFoot : 1;
+        return QString::number(std::round(metres / unitM));
+    }
+
+    /// Heights above the ground, where the number lies inside the footprint.
     void paintHeights(const City& city, const QColor& colour, bool isBold) {
         const double size = heightLabelPt * diagram_.textScale * (isBold ? 1.25 : 1);
         const QFont font = textFont(canvas_, size, isBold ? QFont::Bold : QFont::Normal);
@@ -255,8 +262,7 @@ private:
             const Box2 box = bounds(*building);
             if (box.empty() || !view_.sees(box)) continue;
             const glm::dvec2 middle = glm::dvec2(box.low + box.high) / 2.0;
-            const double height = std::round(topM(*building) - groundAt(city, middle));
-            const QString text = QString::number(height) + (isBold ? QStringLiteral(" m") : QString());
+            const QString text = heightText(topM(*building) - groundAt(city, middle), isBold);
             const double width = metrics.horizontalAdvance(text);
             QRectF label(0, 0, width, metrics.capHeight());
             label.moveCenter(view_.at(middle));

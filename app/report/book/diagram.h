@@ -6,6 +6,7 @@
 
 #include "app/report/book/page_text.h"
 #include "app/report/maps/palette.h"
+#include "core/base/display_units.h"
 #include "core/city/city.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/place.h"
@@ -18,7 +19,8 @@ struct DiagramScene {
     City proposal;  ///< the buildings that only the scenario has
     City removed;   ///< the buildings that only the baseline has
     std::vector<Place> places;
-    std::vector<Place> streets{};  ///< for orientation: lines and names
+    std::vector<Place> streets{};           ///< for orientation: lines and names
+    UnitSystem units = UnitSystem::metric;  ///< of the heights
 };
 
 /// One shadow of a fan.
@@ -56,6 +58,7 @@ struct DiagramFoot {
     double textScale = 1;
     enum class Subject { shadows, fan, valueLines };
     Subject subject = Subject::shadows;
+    UnitSystem units = UnitSystem::metric;
 };
 constexpr double diagramFootPt(double scale) { return 40 * scale; }
 

@@ -55,7 +55,9 @@ void paintEntries(const Canvas& canvas, const QRectF& area, const DiagramFoot& f
         canvas.painter.drawText(QPointF(x + 15 * unit, y + 6.4 * unit), entry.text);
         x += width + 8 * unit;
     }
-    QString words = QStringLiteral("Heights in m above the ground.");
+    const bool isImperial = foot.units == UnitSystem::imperial;
+    QString words = QStringLiteral("Heights in %1 above the ground.")
+                        .arg(isImperial ? QStringLiteral("ft") : QStringLiteral("m"));
     if (!foot.note.isEmpty()) words = foot.note + QStringLiteral(" ") + words;
     paintFitted(canvas, {area.left(), y + 10 * unit, area.width(), area.bottom() - y - 10 * unit}, words,
                 6.6 * foot.textScale, 4.5, QFont::Normal, ink::quiet);
@@ -71,7 +73,7 @@ void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoo
     const Canvas larger{canvas.painter, unit};
     paintNorthArrow(larger, {area.right() - arrow, area.top() + 2 * unit, arrow, 30 * unit});
     const QRectF bar(area.right() - arrow - barRoom - 4 * unit, area.top() + 6 * unit, barRoom, 30 * unit);
-    paintScaleBar(larger, bar, scaleBarWithin((barRoom - 30 * unit) / perMetre), perMetre);
+    paintScaleBar(larger, bar, scaleBarWithin((barRoom - 30 * unit) / perMetre, foot.units), perMetre);
     const QRectF scale(bar.left() - scaleWidth, area.top() + 4 * unit, scaleWidth, 14 * unit);
     if (foot.paper.isEmpty())
         return paintEntries(canvas, {area.left(), area.top(), bar.left() - area.left(), area.height()}, foot);

@@ -12,8 +12,27 @@ namespace {
 constexpr double labelPt = 7.5;
 constexpr double barPt = 3.5;
 
-QString lengthText(double metres, bool kilometres) {
-    return QString::number(kilometres ? metres / 1000 : metres);
+constexpr double metresPerMile = 5280 * metresPerFoot;
+
+/// The number at the end of the bar and its unit.
+struct BarLabel {
+    QString number, unit;
+};
+
+BarLabel labelOf(const ScaleBar& bar) {
+    const double metres = bar.lengthM();
+    const bool isLong = metres >= (bar.inFeet ? metresPerMile : 2000);
+    const double unitM = bar.inFeet ? (isLong ? metresPerMile : metresPerFoot) : (isLong ? 1000 : 1);
+    const char* unit = bar.inFeet ? (isLong ? " mi" : " ft") : (isLong ? " km" : " m");
+    return {QString::number(metres / unitM), QString::fromLatin1(unit)};
+}
+
+/// The longest round bar of at most `longest` units, each of `unitM` metres.
+ScaleBar roundBar(double longest, double unitM) {
+    const double decade = std::pow(10, std::floor(std::log10(longest)));
+    if (5 * decade <= longest) return {decade * unitM, 5};
+    if (2 * decade <= longest) return {decade * unitM, 2};
+    return {decade / 2 * unitM, 2};
 }
 
 void paintLabel(const Canvas& canvas, double x, double baseline, const QString& label) {
@@ -32,30 +51,28 @@ void paintFields(const Canvas& canvas, const QRectF& bar, int parts) {
 
 }  // namespace
 
-ScaleBar scaleBarWithin(double longestM) {
-    const double decade = std::pow(10, std::floor(std::log10(longestM)));
-    ScaleBar best{decade / 2, 2};
-    if (5 * decade <= longestM) return {decade, 5};
-    if (2 * decade <= longestM) best = {decade, 2};
-    return best;
+ScaleBar scaleBarWithin(double longestM, UnitSystem units) {
+    if (units != UnitSystem::imperial) return roundBar(longestM, 1);
+    const double unitM = longestM >= metresPerMile ? metresPerMile : metresPerFoot;
+    ScaleBar bar = roundBar(longestM / unitM, unitM);
+    bar.inFeet = true;
+    return bar;
 }
 
 void paintScaleBar(const Canvas& canvas, const QRectF& area, const ScaleBar& scale, double unitsPerM) {
     const double length = scale.lengthM() * unitsPerM;
-    const bool kilometres = scale.lengthM() >= 2000;
-    const QString unit = kilometres ? QStringLiteral(" km") : QStringLiteral(" m");
+    const auto [number, unit] = labelOf(scale);
     canvas.painter.save();
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     canvas.painter.setFont(textFont(canvas, labelPt));
-    const double endLabel = QFontMetricsF(canvas.painter.font())
-                                .horizontalAdvance(lengthText(scale.lengthM(), kilometres) + unit);
+    const double endLabel = QFontMetricsF(canvas.painter.font()).horizontalAdvance(number + unit);
     const QRectF bar(area.right() - endLabel / 2 - length, area.top() + 13 * canvas.point, length,
                      barPt * canvas.point);
     paintFields(canvas, bar, scale.parts);
     canvas.painter.setPen(ink::text);
     const double baseline = bar.top() - 3 * canvas.point;
     paintLabel(canvas, bar.left(), baseline, QStringLiteral("0"));
-    paintLabel(canvas, bar.right(), baseline, lengthText(scale.lengthM(), kilometres) + unit);
+    paintLabel(canvas, bar.right(), baseline, number + unit);
     canvas.painter.restore();
 }
 

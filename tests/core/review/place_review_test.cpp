@@ -215,7 +215,7 @@ TEST(ReviewColumns, WriteNumbersAndTimes) {
     EXPECT_EQ(columnText(review, row, "enters"), "08:10");
     EXPECT_EQ(columnText(review, row, "duration_min"), "75");
     EXPECT_EQ(columnText(review, row, "duration_hm"), "1:15");
-    EXPECT_EQ(columnText(review, row, "max_area_ft2"), "1076.39");
+    EXPECT_EQ(columnText(review, row, "max_area_ft2"), "1,076");
     EXPECT_EQ(columnText(review, row, "max_share"), "50.0 %");
     EXPECT_EQ(columnText(review, row, "incremental_m2h"), "125");
     EXPECT_EQ(columnText(review, row, "criterion.new-shadow"), "75");

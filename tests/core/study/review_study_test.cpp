@@ -169,6 +169,30 @@ TEST(ReviewStudy, JapansShadowsAreDrawnOnThePlaneAsFarAsTheyReach) {
     EXPECT_FALSE(drawing->isochrones.front().lines.empty());
 }
 
+TEST(ReviewStudy, TheDemolishedBuildingIsNotHeldAgainstJapansProposal) {
+    // The proposal stands inside the outline of a higher building that it replaces.
+    const City former = cityAt({139.7, 35.7}, {{{-12, -12, 0}, {12, 12, 60}}}),
+               city = cityAt({139.7, 35.7}, {{{-10, -10, 0}, {10, 10, 24}}}),
+               none = cityAt({139.7, 35.7}, {});
+    const std::vector<Place> parcel{
+        {"Lot", PlaceKind::other, {{tests::rectangle(-15, -15, 15, 15), {}}}, "lot"}};
+    const ReviewStudy study = reviewed(shippedRule("japan"), former, city, parcel, "Asia/Tokyo");
+    const ReviewStudy onEmptyLand = reviewed(shippedRule("japan"), none, city, parcel, "Asia/Tokyo");
+    EXPECT_GT(study.places.at(0).totals.incrementalM2h, 0);
+    EXPECT_EQ(study.places.at(0).totals.incrementalM2h, onEmptyLand.places.at(0).totals.incrementalM2h);
+    EXPECT_EQ(study.places.at(0).totals.gainedM2h, 0);
+    Quiet quiet;
+    const auto drawing = drawReviewShadows(study, former, city, parcel, quiet, {});
+    ASSERT_TRUE(drawing) << drawing.error().text();
+    for (const DrawnMoment& moment : drawing->moments) {
+        EXPECT_TRUE(moment.outlines.baseline.empty());
+        EXPECT_TRUE(moment.outlines.gained.empty());
+    }
+    std::vector<BuildingState> states;
+    for (const DrawnPart& part : drawing->buildings) states.push_back(part.state);
+    EXPECT_THAT(states, testing::UnorderedElementsAre(BuildingState::proposed, BuildingState::removed));
+}
+
 TEST(ReviewStudy, StatesItsKeysInJsonAndCsv) {
     const City none = cityAt(melbourne, {});
     const City tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});

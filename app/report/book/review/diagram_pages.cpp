@@ -54,7 +54,8 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
         note += QStringLiteral(" Edges of shadows follow cells of %1 m, because the ground is not level.")
                     .arg(describeAmount(cellM, 2));
     return {{all.left(), all.bottom() - height, all.width(), height},
-            DiagramFoot{scale, plainText(nameOf(setup.paper)), note, textScale(setup), subject}};
+            DiagramFoot{scale, plainText(nameOf(setup.paper)), note, textScale(setup), subject,
+                        scene.settings.units}};
 }
 
 QString fromTo(const ReviewScene& scene) {

@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr float aroundM = 120;  // shown around what changes
+constexpr float aroundM = 20;  // shown around what changes and the lines
 
 std::vector<glm::dvec2> pointsOf(const std::vector<glm::vec2>& points, bool isClosed) {
     std::vector<glm::dvec2> line(points.begin(), points.end());
@@ -50,20 +50,37 @@ void addDistances(const ReviewScene& scene, std::vector<ValueLine>& values) {
     }
 }
 
+Result<DayIsochrones> trace(const ReviewScene& scene, std::size_t day, const Box2& box,
+                            const std::stop_token& stop) {
+    const Rule& rule = scene.source.study.rule;
+    NoProgress progress;
+    return traceDayIsochrones(scene.after, chooseDays(scene.sun.sun, std::array{day}),
+                              {box, listIsochroneMinutes(rule), planeOf(rule)}, progress, stop);
+}
+
+/// What changes and all lines: those of few hours end far from the building. They are found on coarser cells,
+/// as far as shadows reach.
+Result<Box2> findExtent(const ReviewScene& scene, std::size_t day, const std::stop_token& stop) {
+    return trace(scene, day, reachOf(scene, scene.moments), stop).map([&](const DayIsochrones& coarse) {
+        Box2 box = focusOf(scene, {});
+        for (const Isochrone& line : coarse.lines)
+            for (const glm::vec2 point : line.points) box.add(point);
+        return Box2{box.low - aroundM, box.high + aroundM};
+    });
+}
+
 }  // namespace
 
 Result<Diagram> makeIsochrones(const ReviewScene& scene, std::size_t day, const QRectF& area,
                                const std::stop_token& stop) {
-    Box2 box = focusOf(scene, {});
-    box = {box.low - aroundM, box.high + aroundM};
+    const auto box = findExtent(scene, day, stop);
+    if (!box) return tl::make_unexpected(box.error());
     const double scale = textScale(scene.settings.setup);
-    const DiagramLayout layout = fitInto(area, scale, box);
+    const DiagramLayout layout = fitInto(area, scale, *box);
     const Rule& rule = scene.source.study.rule;
     const auto planeM = planeOf(rule);
     const std::vector<double> levels = listIsochroneMinutes(rule);
-    NoProgress progress;
-    const auto isochrones = traceDayIsochrones(scene.after, chooseDays(scene.sun.sun, std::array{day}),
-                                               {box, levels, planeM}, progress, stop);
+    const auto isochrones = trace(scene, day, *box, stop);
     if (!isochrones) return tl::make_unexpected(isochrones.error());
     Diagram diagram{
         scene.diagrams, {},           {}, hourLines(isochrones->lines, levels, listLimitMinutes(rule)),

@@ -5,6 +5,7 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/period_words.h"
 #include "core/measures/place_run.h"
+#include "core/study/prepare_review.h"
 #include "core/study/shadow_drawings.h"
 
 namespace noonmark {
@@ -132,14 +133,11 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
     diagrams->city = keepOwnBuildings(source.scenario, diagrams->proposal);
     diagrams->places = source.places;
     diagrams->streets = source.streets;
-    const bool alone = rule.occluders.casters == RuleCasters::proposal;
-    ReviewScene scene{source,
-                      settings,
-                      diagrams,
-                      alone ? diagrams->removed : source.baseline,
-                      alone ? diagrams->proposal : source.scenario,
-                      site.observer,
-                      *std::move(sun)};
+    diagrams->units = settings.units;
+    CastingCities casting = chooseCasters(rule, source.baseline, source.scenario);
+    ReviewScene scene{
+        source,        settings,       diagrams, std::move(casting.before), std::move(casting.after),
+        site.observer, *std::move(sun)};
     for (const RuleMoment& moment : *moments)
         if (moment.sun.altitudeDeg > lowestSunDeg)
             scene.moments.push_back(

@@ -143,7 +143,12 @@ Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& 
         diagram->caption.first += QStringLiteral(": the most incremental shadow on a place at one moment");
     page.items.push_back({picture, *std::move(diagram)});
     page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot},
-                          DiagramFoot{layout.scale, plainText(nameOf(setup.paper)), {}, textScale(setup)}});
+                          DiagramFoot{layout.scale,
+                                      plainText(nameOf(setup.paper)),
+                                      {},
+                                      textScale(setup),
+                                      DiagramFoot::Subject::shadows,
+                                      scene.settings.units}});
     return {};
 }
 
