@@ -8,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/commands/point_command.h"
+#include "app/cli/help_format.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
 #include "core/simd/instruction_set.h"
@@ -82,6 +83,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         if (const auto chosen = useInstructionSetOfEnvironment(); !chosen)
             return fail(console, chosen.error(), exitUsage);
         CLI::App app("Measures the shadows that buildings cast on a city.", "noonmark-cli");
+        app.formatter(std::make_shared<HelpFormat>());
         app.set_version_flag("--version", buildFactsText);
         app.require_subcommand(1);
         Run run;

@@ -33,6 +33,12 @@ std::vector<std::string> study(std::vector<std::string> more) {
     return arguments;
 }
 
+TEST(Usage, HelpListsExcludedOptionsAlphabetically) {
+    EXPECT_THAT(noonmarkCli({"study", "--help"}).out,
+                HasSubstr("Excludes: --centre --days --from --hours --no-refraction --start --step --window "
+                          "--zone"));
+}
+
 TEST(Usage, HelpAndVersionAreAnswers) {
     EXPECT_EQ(noonmarkCli({"--help"}).code, exitOk);
     EXPECT_THAT(noonmarkCli({"--help"}).out, HasSubstr("study"));

@@ -30,8 +30,9 @@ Result<Region> regionIn(const Project& project, const City& city, const std::str
     const std::string advice = project.places.empty() || !close.error().advice.starts_with("Did you mean")
                                    ? region.error().advice
                                    : close.error().advice;
+    const std::string alternative = advice.ends_with('?') ? " Otherwise give" : "; or give";
     return failure("There is no such region or place", region.error().where,
-                   advice + "; or give a box, a polygon or a file");
+                   advice + alternative + " a box, a polygon or a file");
 }
 
 void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, std::string& name) {

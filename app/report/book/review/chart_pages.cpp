@@ -27,16 +27,16 @@ public:
     }
     [[nodiscard]] bool coversARange() const { return days_.size() > mostFixedDays; }
 
-    [[nodiscard]] std::vector<BookPage> timelinePages() const {
-        const PageSetup& setup = scene_.settings.setup;
-        const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 4);
-        std::vector<BookPage> pages;
-        const auto drawn = drawnDays();
-        for (std::size_t i = 0; i < drawn.size(); ++i) {
-            if (i % areas.size() == 0) pages.push_back(page(QStringLiteral("Timelines"), i == 0));
-            pages.back().items.push_back({areas[i % areas.size()], timelineOf(*drawn[i])});
-        }
-        return pages;
+    [[nodiscard]] QString name() const { return plainText(review_.name); }
+
+    [[nodiscard]] std::vector<PageChart> timelines() const {
+        std::vector<PageChart> charts;
+        for (const DayTimeline* day : drawnDays()) charts.push_back(timelineOf(*day));
+        return charts;
+    }
+
+    [[nodiscard]] BookPage timelinePage(bool isFirst) const {
+        return page(QStringLiteral("Timelines"), isFirst);
     }
 
     [[nodiscard]] std::vector<BookPage> yearPages() const {
@@ -56,11 +56,10 @@ private:
     }
 
     [[nodiscard]] BookPage page(const QString& what, bool isFirst) const {
-        const QString name = plainText(review_.name);
-        return {what + QStringLiteral(": ") + name,
+        return {what + QStringLiteral(": ") + name(),
                 QStringLiteral("%1 measured. Clock: %2.")
                     .arg(areaText(review_.areaM2), plainText(scene_.source.study.clock)),
-                isFirst ? name : QString(),
+                isFirst ? name() : QString(),
                 1,
                 {}};
     }
@@ -116,16 +115,65 @@ private:
     const std::vector<DayTimeline>& days_;
 };
 
+/// Places whose timelines fill no more than half a page share pages; the others have their own.
+class ChartPages {
+public:
+    explicit ChartPages(const ReviewScene& scene)
+        : scene_(scene),
+          areas_(gridAreas(scene.settings.setup, scene.settings.setup.landscape ? 2 : 1,
+                           scene.settings.setup.landscape ? 2 : 4)) {}
+
+    void add(const PlaceCharts& charts) {
+        const std::vector<PageChart> drawn = charts.timelines();
+        if (drawn.size() * 2 <= areas_.size())
+            share(charts.name(), drawn);
+        else
+            fill(charts, drawn);
+        std::vector<BookPage> years = charts.yearPages();
+        if (!years.empty()) isShared_ = false;
+        appendPages(pages_, std::move(years));
+    }
+
+    std::vector<BookPage> finish() { return std::move(pages_); }
+
+private:
+    void share(const QString& name, std::vector<PageChart> drawn) {
+        if (!isShared_ || pages_.back().items.size() + drawn.size() > areas_.size())
+            pages_.push_back({QStringLiteral("Timelines"),
+                              QStringLiteral("Clock: %1.").arg(plainText(scene_.source.study.clock)),
+                              {},
+                              1,
+                              {}});
+        isShared_ = true;
+        BookPage& page = pages_.back();
+        page.bookmark += (page.bookmark.isEmpty() ? QString() : QStringLiteral("; ")) + name;
+        for (PageChart& chart : drawn) {
+            chart.caption.first = name + QStringLiteral(", ") + chart.caption.first;
+            page.items.push_back({areas_[page.items.size()], std::move(chart)});
+        }
+    }
+
+    void fill(const PlaceCharts& charts, const std::vector<PageChart>& drawn) {
+        isShared_ = false;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            if (i % areas_.size() == 0) pages_.push_back(charts.timelinePage(i == 0));
+            pages_.back().items.push_back({areas_[i % areas_.size()], drawn[i]});
+        }
+    }
+
+    const ReviewScene& scene_;
+    std::vector<QRectF> areas_;
+    std::vector<BookPage> pages_;
+    bool isShared_ = false;  // the last page
+};
+
 }  // namespace
 
 std::vector<BookPage> makeChartPages(const ReviewScene& scene) {
-    std::vector<BookPage> pages;
-    for (std::size_t i = 0; i < scene.source.study.timelines.size(); ++i) {
-        const PlaceCharts charts(scene, i);
-        if (!charts.isTouched()) continue;
-        appendPages(pages, charts.timelinePages());
-        appendPages(pages, charts.yearPages());
-    }
+    ChartPages book(scene);
+    for (std::size_t i = 0; i < scene.source.study.timelines.size(); ++i)
+        if (const PlaceCharts charts(scene, i); charts.isTouched()) book.add(charts);
+    std::vector<BookPage> pages = book.finish();
     if (!pages.empty()) {
         pages.front().bookmark = QStringLiteral("Timelines of places");
         pages.front().level = 0;
