@@ -67,7 +67,9 @@ MainWindow::MainWindow(QSettings& settings)
       recovery_(workbench_, store_, saving_, panel_->messages()),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.warnings, docks_.scenarios->table()}),
-      results_(workbench_, mode_, display_, *panel_, *docks_.project, *this),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, *this),
+      copying_(results_, *docks_.results, *panel_),
+      movies_(workbench_, *panel_, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
@@ -103,8 +105,8 @@ void MainWindow::fitScreen() {
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
     QAction* quit = noonmark::fillMenus(
-        *menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_, region_, places_, reviews_,
-                     camera_, search_, mode_.actions(), docks, time_.actions()});
+        *menuBar(), {opening_, saving_, results_, movies_, copying_, edits_, scenarios_, study_, region_,
+                     places_, reviews_, camera_, search_, mode_.actions(), docks, time_.actions()});
     menuBar()->setCornerWidget(search_.field());
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
@@ -137,9 +139,10 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.opening());
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
-    for (JobSlot* slot :
-         {&workbench_.reading(), &workbench_.writing(), &saving_.writing(), &places_.reading()})
+    for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing(),
+                          &places_.reading(), &movies_.writing()})
         progress_->follow(*slot);
+    connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
     connect(&reviews_, &ReviewActions::dockWanted, this, &MainWindow::showReview);
     for (JobSlot* slot :
          {&workbench_.keeping(), &tools_.context().preview.working(), &time_.looking().working()})

@@ -24,6 +24,8 @@
 #include "app/window/actions/view_actions.h"
 #include "app/window/editing/edit_tools.h"
 #include "app/window/exploration/exploration.h"
+#include "app/window/export/copy_actions.h"
+#include "app/window/export/movie_actions.h"
 #include "app/window/frame/window_docks.h"
 #include "app/window/frame/window_view.h"
 #include "app/window/frame/workbench.h"
@@ -61,6 +63,8 @@ public:
     [[nodiscard]] ReviewSession& review() { return review_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] ResultActions& results() { return results_; }
+    [[nodiscard]] CopyActions& copying() { return copying_; }
+    [[nodiscard]] MovieActions& movies() { return movies_; }
 
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
 
@@ -105,6 +109,8 @@ private:
     RecoveryOffers recovery_;
     ResultDisplay display_;
     ResultActions results_;
+    CopyActions copying_;
+    MovieActions movies_;
     StudyActions study_;
     RegionActions region_;
     PlaceActions places_;

@@ -14,6 +14,8 @@
 #include "app/window/actions/search_actions.h"
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/view_actions.h"
+#include "app/window/export/copy_actions.h"
+#include "app/window/export/movie_actions.h"
 
 namespace noonmark {
 
@@ -27,6 +29,7 @@ QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.saving.actions());
     menu.addSeparator();
     menu.addActions(actions.results.fileActions());
+    menu.addAction(actions.movies.action());
     menu.addSeparator();
     QAction* quit = menu.addAction(tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);
@@ -35,6 +38,8 @@ QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
 
 void fillEditMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.edits.undoActions());
+    menu.addSeparator();
+    menu.addActions(actions.copying.actions());
     menu.addSeparator();
     menu.addActions(actions.edits.toolActions());
     menu.addSeparator();

@@ -7,7 +7,9 @@ class QMenuBar;
 
 namespace noonmark {
 
+class CopyActions;
 class EditActions;
+class MovieActions;
 class OpeningActions;
 class PlaceActions;
 class RegionActions;
@@ -24,6 +26,8 @@ struct WindowActions {
     const OpeningActions& opening;
     const SavingActions& saving;
     const ResultActions& results;
+    const MovieActions& movies;
+    const CopyActions& copying;
     const EditActions& edits;
     const ScenarioActions& scenarios;
     const StudyActions& study;

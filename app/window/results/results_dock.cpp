@@ -30,6 +30,7 @@ ResultsDock::ResultsDock(QWidget* parent)
 void ResultsDock::show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months) {
     while (form_->rowCount() > fixedRows_) form_->removeRow(fixedRows_);
     filled_ = !rows.empty();
+    rows_ = rows;
     setNote({});
     offerWayBack(false);
     months_->show(months);
