@@ -172,7 +172,7 @@ TEST_F(AnswersWindow, AllWordsOfTheResultsAreSeenWhateverWasShownBefore) {
     const auto before = workbench().city();
     window->open({QStringLiteral("sample:grid")});
     ASSERT_TRUE(waitFor([&] { return workbench().city() != before; }));
-    EXPECT_EQ(note(), QStringLiteral("No study yet."));
+    EXPECT_TRUE(note().startsWith(QStringLiteral("No study yet."))) << note().toStdString();
     expectWhole("another city");
 }
 

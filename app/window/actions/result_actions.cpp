@@ -31,10 +31,11 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
       panel_(panel),
       window_(window),
       savePicture_(makeAction(this, tr("Save &picture..."), QKeySequence(tr("Ctrl+P")),
-                              tr("The view with its legend, as a PNG file"))),
+                              tr("The view with its legend, as a PNG file"), "picture")),
       export_(makeAction(this, tr("&Export..."), QKeySequence(tr("Ctrl+E")),
                          tr("The displayed result, all scenarios or the review, as PDF, picture, GeoTIFF, "
-                            "tables and JSON"))),
+                            "tables and JSON"),
+                         "export")),
       saveResult_(makeAction(this, tr("&Save result"), {},
                              tr("Stores the displayed map and figures in the project"))),
       review_(review) {

@@ -17,10 +17,10 @@ CopyActions::CopyActions(ResultActions& results, ResultsDock& figures, ViewPanel
       dock_(figures),
       panel_(panel),
       copy_(makeAction(this, tr("&Copy"), QKeySequence::Copy,
-                       tr("The table or text last clicked, else the picture of the view"))),
+                       tr("The table or text last clicked, else the picture of the view"), "copy")),
       figures_(makeAction(this, tr("Copy &figures"), {}, tr("The figures of the dock Results, as a table"))),
       picture_(makeAction(this, tr("Copy p&icture"), QKeySequence(tr("Ctrl+Shift+C")),
-                          tr("The view with title, legend, scale and north"))) {
+                          tr("The view with title, legend, scale and north"), "picture")) {
     connect(copy_, &QAction::triggered, this, &CopyActions::copy);
     connect(figures_, &QAction::triggered, this, &CopyActions::copyFigures);
     connect(picture_, &QAction::triggered, &results_, &ResultActions::copyPicture);

@@ -15,7 +15,8 @@ MovieActions::MovieActions(Workbench& workbench, ViewPanel& panel, QWidget& wind
       window_(window),
       export_(makeAction(this, tr("Export &movie..."), QKeySequence(tr("Ctrl+Shift+E")),
                          tr("The shadows of a day, of a year, or of the change by a scenario, as MP4 or "
-                            "GIF"))) {
+                            "GIF"),
+                         "movie")) {
     connect(export_, &QAction::triggered, this, &MovieActions::ask);
 }
 

@@ -11,6 +11,8 @@
 #include <QToolBar>
 
 #include "app/window/frame/window_menus.h"
+#include "app/window/frame/window_toolbar.h"
+#include "app/window/looks/theme_menu.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
 #include "app/window/review/review_dock.h"
@@ -29,7 +31,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 6;
+constexpr int layoutVersion = 7;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -79,13 +81,15 @@ MainWindow::MainWindow(QSettings& settings)
       edits_(workbench_, tools_, mode_, *panel_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
       search_(workbench_, tools_, *panel_),
-      time_(workbench_, mode_, *panel_, horizons_) {
+      help_(opening_, settings_, *this),
+      time_(workbench_, mode_, *panel_, horizons_),
+      presets_(*panel_, time_),
+      context_(workbench_, tools_, region_, places_, *panel_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
     fillMenus(placeDocks(*this, docks_));
     makeStatusBar();
-    makeModeBar();
     connectJobs();
     connectWorkbench();
     connectDocks();
@@ -104,9 +108,13 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    QAction* quit = noonmark::fillMenus(
-        *menuBar(), {opening_, saving_, results_, movies_, copying_, edits_, scenarios_, study_, region_,
-                     places_, reviews_, camera_, search_, mode_.actions(), docks, time_.actions()});
+    const WindowActions actions{opening_,        saving_, results_,       movies_,
+                                copying_,        edits_,  scenarios_,     study_,
+                                region_,         places_, reviews_,       camera_,
+                                presets_,        search_, help_,          new ThemeMenu(settings_, this),
+                                mode_.actions(), docks,   time_.actions()};
+    QAction* quit = noonmark::fillMenus(*menuBar(), actions);
+    makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
@@ -127,10 +135,13 @@ void MainWindow::makeStatusBar() {
             [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
 }
 
-void MainWindow::makeModeBar() {
+void MainWindow::makeToolBars(const WindowActions& actions) {
+    QToolBar* tools = addToolBar(tr("Tools"));
+    tools->setObjectName(QStringLiteral("toolBar"));
+    fillToolBar(*tools, actions);
     QToolBar* bar = addToolBar(tr("Mode"));
     bar->setObjectName(QStringLiteral("modeBar"));
-    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addActions(mode_.actions());
     bar->addWidget(new ScenarioBar(workbench_.session()));
 }

@@ -3,12 +3,14 @@
 #include <QList>
 
 class QAction;
+class QMenu;
 class QMenuBar;
 
 namespace noonmark {
 
 class CopyActions;
 class EditActions;
+class HelpActions;
 class MovieActions;
 class OpeningActions;
 class PlaceActions;
@@ -20,6 +22,7 @@ class ScenarioActions;
 class SearchActions;
 class StudyActions;
 class ViewActions;
+class ViewPresets;
 
 /// The entries of the menus. Their owners make and connect them.
 struct WindowActions {
@@ -35,7 +38,10 @@ struct WindowActions {
     const PlaceActions& places;
     const ReviewActions& review;
     const ViewActions& view;
+    const ViewPresets& presets;
     const SearchActions& search;
+    const HelpActions& help;
+    QMenu* themes;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock
     QList<QAction*> sun;    ///< plays and moves the sun

@@ -25,7 +25,7 @@ public:
     /// Text above the figures; empty: none. `warns`: in amber, and the figures are greyed out, since they do
     /// not belong to what is displayed.
     void setNote(const QString& note, bool warns = true);
-    void setHint(const QString& hint);                   ///< shown while there are no figures
+    void setHint(const QString& hint);  ///< shown while there are no figures; empty: the usual one
     [[nodiscard]] bool faded() const { return faded_; }  ///< greyed out by a note that warns
     [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
     void offerWayBack(bool offered);  ///< shows a button back to the study
