@@ -7,6 +7,8 @@
 #include <QGuiApplication>
 #include <QImage>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardItemModel>
@@ -35,8 +37,9 @@ struct ExportWindow : AnswersWindow {
     QString out = folder.filePath(QStringLiteral("out"));
 
     void trigger(const char* keys) {
-        for (QAction* action : window->findChildren<QAction*>())
-            if (action->shortcut() == QKeySequence(QLatin1String(keys))) return action->trigger();
+        for (const QMenu* menu : window->menuBar()->findChildren<QMenu*>())
+            for (QAction* action : menu->actions())
+                if (action->shortcut() == QKeySequence(QLatin1String(keys))) return action->trigger();
         ADD_FAILURE() << "no action for " << keys;
     }
     template <class Dialog>
