@@ -58,5 +58,6 @@ int main(int argc, char** argv) {
     noonmark::MainWindow window(settings);
     window.show();
     window.open(filesOf(arguments));
+    if (arguments.files.empty()) window.help().showStart();
     return QApplication::exec();
 }

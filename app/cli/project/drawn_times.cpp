@@ -1,60 +1,11 @@
 #include "app/cli/project/drawn_times.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "app/cli/options/number_range.h"
 #include "app/cli/project/project_question.h"
-#include "core/measures/place_run.h"
-#include "core/sun/window_steps.h"
 
 namespace noonmark::cli {
 
 namespace {
-
-/// Minutes since midnight, in order.
-Result<std::vector<std::chrono::minutes>> timesOfDay(const DrawnTimeOptions& options) {
-    std::vector<std::chrono::minutes> times;
-    for (const std::string& text : options.times) {
-        const auto time = parseTimeOfDay(text);
-        if (!time) return tl::make_unexpected(time.error());
-        times.push_back(*time);
-    }
-    for (int minute = 0; options.everyMin > 0 && minute < 24 * 60; minute += options.everyMin)
-        times.emplace_back(minute);
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    if (times.empty())
-        return failure("The times are missing", "times", "Give --times 09:00,12:00 or --every 60");
-    return times;
-}
-
-struct NamedWindow {
-    DayWindow window;
-    std::string clock;  // "09:00"
-};
-
-Result<std::vector<NamedWindow>> windowsOf(const DrawnTimeOptions& options, const Zone& zone) {
-    const auto times = timesOfDay(options);
-    if (!times) return tl::make_unexpected(times.error());
-    std::vector<NamedWindow> windows;
-    for (const std::string& text : options.days) {
-        const auto day = parseDate(text);
-        if (!day) return tl::make_unexpected(day.error());
-        for (const std::chrono::minutes time : *times)
-            windows.push_back({{*day, zone.instantAt(*day, time), 1}, formatText(time)});
-    }
-    std::ranges::stable_sort(windows, {}, [](const NamedWindow& named) { return named.window.from; });
-    return windows;
-}
-
-DrawnTime timeOf(const NamedWindow& named, const SunStep& sun, const Zone& zone) {
-    const std::string day = formatText(named.window.date);
-    std::string digits = named.clock;
-    std::erase(digits, ':');
-    return {day + "_" + digits, day, fmt::format("{} {} {}", day, named.clock, zone.name()), sun};
-}
 
 Result<Box2> boxOfPlaces(const std::vector<std::string>& names, const Project& project) {
     Box2 box;
@@ -68,29 +19,7 @@ Result<Box2> boxOfPlaces(const std::vector<std::string>& names, const Project& p
 
 }  // namespace
 
-Result<std::vector<DrawnTime>> listDrawnTimes(const DrawnTimeOptions& options, const City& city,
-                                              Warnings& warnings) {
-    const auto zone = Zone::named(options.zone);
-    if (!zone) return tl::make_unexpected(zone.error());
-    const auto named = windowsOf(options, *zone);
-    if (!named) return tl::make_unexpected(named.error());
-    std::vector<DayWindow> windows;
-    for (const NamedWindow& one : *named) windows.push_back(one.window);
-    const auto sun = computeSunSteps(windows, {.stepMinutes = 1}, observerOfPlaces(city));
-    if (!sun) return tl::make_unexpected(sun.error());
-    std::vector<DrawnTime> times;
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-        if (sun->days[i].count > 0)
-            times.push_back(timeOf((*named)[i], sun->steps[sun->days[i].first], *zone));
-        else if (options.everyMin == 0)
-            warnings.push_back({WarningKind::leftOut, "a time with the sun below the horizon",
-                                formatText(windows[i].date) + " " + (*named)[i].clock});
-    }
-    if (!times.empty()) return times;
-    return failure("The sun is below the horizon at all times", "times", "Choose other times or days");
-}
-
-CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeOptions& options) {
+CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeChoice& options) {
     CLI::Option* day = command.add_option("--day", options.days, "A day; may be repeated")
                            ->delimiter(',')
                            ->type_name("YYYY-MM-DD");

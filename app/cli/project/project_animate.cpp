@@ -22,7 +22,7 @@ namespace {
 
 struct AnimateOptions {
     std::string file, from, to, out, title, size = "1280x720";
-    DrawnTimeOptions when;
+    DrawnTimeChoice when;
     DrawnAreaOptions where;
     DrawingSettings drawing;
     int year = 0;
@@ -30,16 +30,6 @@ struct AnimateOptions {
     bool swipe = false;
     bool overwrite = false;
 };
-
-/// Every day of a year.
-std::vector<std::string> daysOf(int year) {
-    using namespace std::chrono;
-    std::vector<std::string> days;
-    const sys_days end = std::chrono::year(year) / December / 31;
-    for (sys_days day = std::chrono::year(year) / January / 1; day <= end; day += std::chrono::days(1))
-        days.push_back(formatText(CivilDate(day)));
-    return days;
-}
 
 Result<QSize> sizeOf(const std::string& text) {
     int width = 0, height = 0;
@@ -58,8 +48,8 @@ Result<MovieFacts> animate(const AnimateOptions& options, const ProjectFile& dis
     if (!before) return tl::make_unexpected(before.error());
     const auto after = cityOf(project, options.to.empty() ? options.from : options.to);
     if (!after) return tl::make_unexpected(after.error());
-    DrawnTimeOptions when = options.when;
-    if (options.year != 0) when.days = daysOf(options.year);
+    DrawnTimeChoice when = options.when;
+    if (options.year != 0) when.days = listDaysOf(options.year);
     auto times = listDrawnTimes(when, before->city, warnings);
     if (!times) return tl::make_unexpected(times.error());
     const auto area = findDrawnArea(options.where, project, before->city);

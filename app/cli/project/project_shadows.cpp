@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 
 struct ShadowOptions {
     std::string file, from, to, out;
-    DrawnTimeOptions when;
+    DrawnTimeChoice when;
     DrawnAreaOptions where;
     std::vector<double> isochroneHours;
     ShadowFileSettings files;

@@ -1,10 +1,8 @@
 #include "app/report/book/answer_book.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/report/book/flow.h"
-#include "app/report/maps/palette.h"
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/score_report.h"
@@ -73,15 +71,8 @@ void addMaps(Book& book, const Sheet& sheet) {
 /// Gross shadow of one scenario, on a scale that both share.
 PageMap grossMap(const ImpactAnswer& answer, const AnswerSource& source, const ShadowField& field,
                  const Legend& legend, const std::string& name) {
-    const double top = legend.scale.top;
-    const auto image = [&field, top](int wantedPixels) {
-        const auto colour = [&](std::size_t cell) -> std::optional<QColor> {
-            const float value = field.grossMin[cell];
-            return std::isnan(value) ? std::nullopt : std::optional(shadowColour(double(value) / top));
-        };
-        return makeColourImage(field.grid, colour, wantedPixels);
-    };
-    const SheetMap map{{source.city, answer.settings.study.region, field.grid, image}, legend};
+    const SheetMap map{makeGrossScene(source.city, answer.settings.study.region, field, legend.scale.top),
+                       legend};
     return {std::make_shared<const SheetMap>(map), {plainText(name), legend.unit}};
 }
 

@@ -52,7 +52,7 @@ std::vector<std::string> namesOf(const std::string& answer, bool region, bool sh
 
 Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid, const Frame& frame,
                  const std::vector<RasterBand>& bands, const Path& folder, const OutputRules& rules,
-                 const std::optional<Book>& book) {
+                 const std::optional<Book>& book, int width) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
     if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty(), book.has_value()), rules);
         !may)
@@ -63,7 +63,7 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     files.add(texts.name + ".tif",
               [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
     files.add(texts.name + ".png",
-              [&](QIODevice& device) { return writePng(makePicture(sheet), texts.tags, device); });
+              [&](QIODevice& device) { return writePng(makePicture(sheet, width), texts.tags, device); });
     files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
     files.add(texts.name + ".json", textContent(texts.json));
     files.add(texts.name + ".csv", textContent(texts.csv));
@@ -75,7 +75,7 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
 }  // namespace
 
 Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
-                       const Path& folder, const OutputRules& rules, const BookSettings* sheets) {
+                       const Path& folder, const OutputRules& rules, const BookSettings* sheets, int width) {
     const auto book = sheets ? std::optional(makeImpactBook(answer, source, scale, *sheets)) : std::nullopt;
     const Impact& impact = answer.study.total;
     const Frame& frame = source.city.frame;
@@ -83,11 +83,11 @@ Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, c
                        regionFileOf(answer.settings.study.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source, scale), impact.grid, frame, bandsOf(impact), folder, rules,
-                      book);
+                      book, width);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
-                      const OutputRules& rules, const BookSettings* sheets) {
+                      const OutputRules& rules, const BookSettings* sheets, int width) {
     const auto book = sheets ? std::optional(makeScoreBook(answer, source, *sheets)) : std::nullopt;
     const Score& score = answer.score;
     const Frame& frame = source.city.frame;
@@ -95,7 +95,7 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
                        regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source), score.grid, frame, {{"shadow score", "", &score.score}},
-                      folder, rules, book);
+                      folder, rules, book, width);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {

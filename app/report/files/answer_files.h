@@ -7,6 +7,7 @@
 #include "app/report/book/book.h"
 #include "app/report/files/answer_source.h"
 #include "app/report/maps/change_scale.h"
+#include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
@@ -16,18 +17,18 @@ namespace noonmark {
 /// Writes the files of a comparison into a folder, which is created if missing: impact.tif, impact.png,
 /// impact.pdf, impact.json, impact.csv, and region.geojson where the repeat command names it. The window and
 /// the command line write the same files. `rules`: which files may be replaced.
-/// `sheets`: also write sheets.pdf, a book so laid out. Returns the paths written; a
-/// file is written completely or not at all. Needs a QGuiApplication (the `offscreen` platform suffices).
+/// `sheets`: also write sheets.pdf, a book so laid out. `width` of the picture in pixels: see makePicture().
+/// Returns the paths written; a file is written completely or not at all. Needs a QGuiApplication (the
+/// `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeImpactFiles(
     const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
-    const std::filesystem::path& folder, const OutputRules& rules = {}, const BookSettings* sheets = nullptr);
+    const std::filesystem::path& folder, const OutputRules& rules = {}, const BookSettings* sheets = nullptr,
+    int width = pictureWidth);
 
 /// The same for a score: score.tif, score.png, score.pdf, score.json, score.csv.
-Result<std::vector<std::filesystem::path>> writeScoreFiles(const ScoreAnswer& answer,
-                                                           const AnswerSource& source,
-                                                           const std::filesystem::path& folder,
-                                                           const OutputRules& rules = {},
-                                                           const BookSettings* sheets = nullptr);
+Result<std::vector<std::filesystem::path>> writeScoreFiles(
+    const ScoreAnswer& answer, const AnswerSource& source, const std::filesystem::path& folder,
+    const OutputRules& rules = {}, const BookSettings* sheets = nullptr, int width = pictureWidth);
 
 /// The names of those files, known before the computation; `provenance` states the region.
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets = false);

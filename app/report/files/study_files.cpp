@@ -66,8 +66,8 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     OutputFolder files(folder, options.rules);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
     files.add("shadow.png", [&](QIODevice& device) {
-        return writePng(mapPicture(study, ShadowMeasure::gross), makeProvenanceTags(study.provenance),
-                        device);
+        return writePng(mapPicture(study, ShadowMeasure::gross, options.pictureWidth),
+                        makeProvenanceTags(study.provenance), device);
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
     files.addLast("study.json", [&](const FileSeconds& seconds) { return studyJson(study, seconds); });

@@ -8,14 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
 #include "core/study/study.h"
 
 namespace noonmark {
 
 struct StudyFileOptions {
-    bool cellsCsv = false;  ///< one line per receiver: see cells_csv.h
-    OutputRules rules{};    ///< which files may be replaced
+    bool cellsCsv = false;                      ///< one line per receiver: see cells_csv.h
+    OutputRules rules{};                        ///< which files may be replaced
+    int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
 };
 
 /// The names of the files of writeStudyFiles(), except region.geojson; known before the computation.

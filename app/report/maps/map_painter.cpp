@@ -7,6 +7,7 @@
 #include "app/report/maps/city_painter.h"
 #include "app/report/maps/context_painter.h"
 #include "app/report/maps/map_furniture.h"
+#include "app/report/maps/palette.h"
 
 namespace noonmark {
 
@@ -83,6 +84,17 @@ MapScene makeMapScene(const Study& study, ShadowMeasure measure) {
                 const double top = makeLegend(study.field, measure).scale.top;
                 return makeFieldImage(study.field, study.receivers, measure, top, wantedPixels);
             }};
+}
+
+MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field, double top) {
+    const auto image = [&field, top](int wantedPixels) {
+        const auto colour = [&](std::size_t cell) -> std::optional<QColor> {
+            const float value = field.grossMin[cell];
+            return std::isnan(value) ? std::nullopt : std::optional(shadowColour(double(value) / top));
+        };
+        return makeColourImage(field.grid, colour, wantedPixels);
+    };
+    return {city, region, field.grid, image};
 }
 
 MapView makeMapView(const MapScene& scene, const QRectF& frame) {

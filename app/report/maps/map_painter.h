@@ -24,6 +24,8 @@ struct MapScene {
     std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage()
 };
 MapScene makeMapScene(const Study& study, ShadowMeasure measure);
+/// Gross shadow alone, where `top` minutes have the last colour: for maps that share a scale.
+MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field, double top);
 
 /// The view of a scene's map in a frame: grid and region with a margin, north up.
 MapView makeMapView(const MapScene& scene, const QRectF& frame);

@@ -46,10 +46,11 @@ struct Sheet {
 /// Writes an A4 page. False if the device did not accept it.
 bool writePdf(const Sheet& sheet, QIODevice& device);
 
-constexpr int pictureWidth = 1600;
+/// Width of a picture, pixels: usual, and the range.
+constexpr int pictureWidth = 1600, leastPictureWidth = 400, mostPictureWidth = 12000;
 
-/// A picture for screens and slides, pictureWidth wide: title, map, legend, scale bar, north arrow, data
-/// credit. Its height follows from the region's shape.
-QImage makePicture(const Sheet& sheet);
+/// A picture for screens, slides and print: title, map, legend, scale bar, north arrow, data credit. All text
+/// grows with its width (pixels, in the range above); its height follows from the region's shape.
+QImage makePicture(const Sheet& sheet, int width = pictureWidth);
 
 }  // namespace noonmark

@@ -1,11 +1,12 @@
 #include "app/report/sheets/sheet.h"
 
+#include <algorithm>
+
 namespace noonmark {
 
 namespace {
 
 constexpr double widthPt = 640;
-constexpr double point = pictureWidth / widthPt;
 constexpr double marginPt = 22;
 constexpr double gapPt = 10;
 constexpr double smallPrintPt = 12;
@@ -16,7 +17,8 @@ struct Places {
     QRectF headline, map, foot, smallPrint;
 };
 
-Places placesOf(const Region& region) {
+Places placesOf(const Region& region, int widthPx) {
+    const double point = widthPx / widthPt;
     const double width = widthPt - 2 * marginPt;
     double y = marginPt;
     const auto next = [&](double height, double gap) {
@@ -29,19 +31,20 @@ Places placesOf(const Region& region) {
     places.map = next(width / aspectOf(bounds(region)), gapPt);
     places.foot = next(legendHeightPt, 4);
     places.smallPrint = next(smallPrintPt, marginPt * 0.6);
-    places.size = {pictureWidth, int(y * point)};
+    places.size = {widthPx, int(y * point)};
     return places;
 }
 
 }  // namespace
 
-QImage makePicture(const Sheet& sheet) {
-    const Places places = placesOf(sheet.map.scene.region);
+QImage makePicture(const Sheet& sheet, int width) {
+    width = std::clamp(width, leastPictureWidth, mostPictureWidth);
+    const Places places = placesOf(sheet.map.scene.region, width);
     QImage image(places.size, QImage::Format_RGB32);
     image.fill(ink::paper);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    const Canvas canvas{painter, point};
+    const Canvas canvas{painter, width / widthPt};
     const MapView view = makeMapView(sheet.map.scene, places.map);
     paintHeadline(canvas, places.headline, sheet.headline);
     paintMap(canvas, view, sheet.map.scene);

@@ -35,11 +35,12 @@ Sheet makeSheet(const Study& study) {
 
 bool writeReport(const Study& study, QIODevice& device) { return writePdf(makeSheet(study), device); }
 
-QImage mapPicture(const Study& study, ShadowMeasure measure) {
+QImage mapPicture(const Study& study, ShadowMeasure measure, int width) {
     const QString subject = isInstant(study.field) ? QStringLiteral("Shadow") : nameOf(measure);
     return makePicture(Sheet{.headline = makeHeadline(study, subject),
                              .map = mapOf(study, measure),
-                             .credit = describeData(study)});
+                             .credit = describeData(study)},
+                       width);
 }
 
 }  // namespace noonmark

@@ -13,7 +13,7 @@ Sheet makeSheet(const Study& study);
 /// checks it for write errors. False if the PDF could not be started.
 bool writeReport(const Study& study, QIODevice& device);
 
-/// The map of one measure as a picture.
-QImage mapPicture(const Study& study, ShadowMeasure measure);
+/// The map of one measure as a picture, so many pixels wide: see makePicture().
+QImage mapPicture(const Study& study, ShadowMeasure measure, int width = pictureWidth);
 
 }  // namespace noonmark

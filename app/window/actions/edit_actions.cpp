@@ -6,6 +6,7 @@
 
 #include "app/window/editing/edit_tools.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/looks/icons.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/study/warning_place.h"
 #include "app/window/study/warnings_dock.h"
@@ -23,6 +24,8 @@ EditActions::EditActions(Workbench& workbench, EditTools& tools, const ModeSwitc
       redo_(workbench.document().undoStack().createRedoAction(this)) {
     undo_->setShortcut(QKeySequence::Undo);
     redo_->setShortcut(QKeySequence::Redo);
+    undo_->setIcon(makeIcon(QStringLiteral("undo")));
+    redo_->setIcon(makeIcon(QStringLiteral("redo")));
     connectTools();
     connect(&mode_, &ModeSwitch::changed, this, &EditActions::askLive);
     connect(&workbench_.document(), &StudyDocument::changed, this, &EditActions::askLive);

@@ -44,7 +44,7 @@ void OpeningActions::makeActions() {
         makeAction(this, tr("&New project from a city..."), QKeySequence::New,
                    tr("Footprints, CityJSON, meshes, terrain; several files are combined into one city"));
     QAction* open = makeAction(this, tr("&Open..."), QKeySequence::Open,
-                               tr("A project, or city files, from which a new project is created"));
+                               tr("A project, or city files, from which a new project is created"), "open");
     QAction* withOptions = makeAction(this, tr("Open &with options..."), QKeySequence(tr("Ctrl+Shift+O")),
                                       tr("For files without location, unit or heights"));
     for (QAction* action : {newProject, open})

@@ -25,6 +25,7 @@ public:
 
     /// New project, open, open with options, samples, recent files.
     [[nodiscard]] QList<QAction*> actions() const;
+    [[nodiscard]] QAction* openAction() const { return actions_[1]; }
 
     /// Asks first if there is unsaved work.
     void open(const QStringList& files);

@@ -20,7 +20,7 @@ RegionActions::RegionActions(Workbench& workbench, ViewPanel& panel, StudyDock& 
       study_(study),
       window_(window),
       draw_(makeAction(this, tr("&Draw region"), QKeySequence(tr("Ctrl+D")),
-                       tr("Click corners on the ground; Enter finishes, Esc cancels"))),
+                       tr("Click corners on the ground; Enter finishes, Esc cancels"), "region")),
       fromFile_(makeAction(this, tr("Region from &file..."), {},
                            tr("Polygons from a file, in any coordinate system"))) {
     PolygonTool& tool = panel_.regionTool();

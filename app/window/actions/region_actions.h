@@ -28,6 +28,7 @@ public:
     /// The surroundings of a building (index in the displayed city) as the region: its box, widened by four
     /// times its height, and by 50 m at least.
     void takeSurroundings(std::uint32_t building);
+    void takeNamed(const std::string& name);  ///< a region of the project, or a place
 
 private:
     void connectDocks(ProjectDock& tree);
@@ -35,7 +36,6 @@ private:
     void change(const Region& region);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void takeWholeCity();
-    void takeNamed(const std::string& name);
     void listNames();
     void readFile();
     void saveInProject();

@@ -40,10 +40,10 @@ ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, Review
       settings_(settings),
       window_(window),
       show_(makeAction(this, tr("Re&view by a rule..."), QKeySequence(tr("Ctrl+Shift+R")),
-                       tr("Evaluate the rule of a review board on the places of the project"))),
-      export_(
-          makeAction(this, tr("&Sheets of the review..."), {},
-                     tr("Shows the sheets of the review, and writes them with its tables and drawings"))) {
+                       tr("Evaluate the rule of a review board on the places of the project"), "review")),
+      export_(makeAction(this, tr("&Sheets of the review..."), {},
+                         tr("Shows the sheets of the review, and writes them with its tables and drawings"),
+                         "sheets")) {
     connect(show_, &QAction::triggered, this, &ReviewActions::dockWanted);
     connect(export_, &QAction::triggered, this, &ReviewActions::showSheets);
     connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::showSheets);

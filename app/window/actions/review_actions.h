@@ -27,6 +27,7 @@ public:
                   PlaceActions& places, ViewPanel& panel, QSettings& settings, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {show_, export_}; }
+    [[nodiscard]] QAction* sheetsAction() const { return export_; }
 
 Q_SIGNALS:
     void dockWanted();

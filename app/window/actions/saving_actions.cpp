@@ -17,8 +17,8 @@ SavingActions::SavingActions(Workbench& workbench, RecoveryStore& store,
       window_(window),
       saving_(workbench.session(), std::move(view), store.file()),
       save_(makeAction(this, tr("&Save project"), QKeySequence::Save,
-                       tr("City, scenarios, lots, results and view in one file"))),
-      saveAs_(makeAction(this, tr("Save project &as..."), QKeySequence(tr("Ctrl+Shift+S")))),
+                       tr("City, scenarios, lots, results and view in one file"), "save")),
+      saveAs_(makeAction(this, tr("Save project &as..."), QKeySequence(tr("Ctrl+Shift+S")), {}, "save-as")),
       askUnsaved_([this] { return askUnsaved(); }),
       askSaveAs_([this](const QString& suggested) { return askForProject(&window_, suggested); }) {
     connectSaving();

@@ -8,13 +8,15 @@
 namespace noonmark {
 
 ScenarioActions::ScenarioActions(Workbench& workbench, ProjectDock& tree, ScenariosDock& scenarios)
-    : newScenario_(makeAction(this, tr("&New scenario"), {}, tr("Starts from the existing city"))),
+    : newScenario_(
+          makeAction(this, tr("&New scenario"), {}, tr("Starts from the existing city"), "scenario")),
       newFromThis_(makeAction(this, tr("New scenario &from this one"), {},
                               tr("Starts from the displayed scenario and inherits its later changes"))),
       compare_(makeAction(this, tr("&Compare with the existing city"), QKeySequence(tr("Ctrl+K")),
-                          tr("Shows how many minutes of shadow the scenario adds or removes"))),
+                          tr("Shows how many minutes of shadow the scenario adds or removes"), "compare")),
       measureAll_(makeAction(this, tr("&Measure all scenarios"), {},
-                             tr("Runs the same study for each scenario, for comparison side by side"))) {
+                             tr("Runs the same study for each scenario, for comparison side by side"),
+                             "analyse")) {
     compare_->setCheckable(true);
     ProjectSession& session = workbench.session();
     connect(newScenario_, &QAction::triggered, this, [&tree] { tree.addScenario({}); });

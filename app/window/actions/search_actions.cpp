@@ -26,7 +26,7 @@ SearchActions::SearchActions(Workbench& workbench, EditTools& tools, ViewPanel& 
       panel_(panel),
       field_(new SearchField),
       find_(makeAction(this, tr("&Find"), QKeySequence::Find,
-                       tr("A building by name or id, a street, a place, a lot or a position"))) {
+                       tr("A building by name or id, a street, a place, a lot or a position"), "find")) {
     connect(find_, &QAction::triggered, field_, &SearchField::begin);
     connect(field_, &SearchField::found, this, &SearchActions::show);
     connect(field_, &SearchField::nothingFound, this, [this](const QString& text) {

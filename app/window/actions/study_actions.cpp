@@ -17,9 +17,10 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
       mode_(mode),
       display_(display),
       panel_(panel),
-      run_(makeAction(this, tr("&Run"), QKeySequence(tr("Ctrl+R")), tr("Compute the shadow in the region"))),
-      cancel_(
-          makeAction(this, tr("&Cancel"), QKeySequence(tr("Ctrl+.")), tr("Stop the study that is running"))),
+      run_(makeAction(this, tr("&Run"), QKeySequence(tr("Ctrl+R")), tr("Compute the shadow in the region"),
+                      "run")),
+      cancel_(makeAction(this, tr("&Cancel"), QKeySequence(tr("Ctrl+.")),
+                         tr("Stop the study that is running"), "cancel")),
       gross_(makeAction(this, tr("Show &gross shadow"), QKeySequence(tr("Ctrl+1")),
                         tr("Minutes in shadow per day"))),
       continuous_(makeAction(this, tr("Show c&ontinuous shadow"), QKeySequence(tr("Ctrl+2")),
@@ -72,7 +73,7 @@ void StudyActions::runAgainIfQuick() {
 // the results dock says how to compute it again.
 void StudyActions::repeatSaved() {
     const ViewState& view = workbench_.openedView();
-    display_.setHint(tr("No study yet."));
+    display_.setHint({});
     if (view.answer.empty()) return;
     if (view.mode != ViewMode::exploration && view.answerSeconds < quickSeconds) return workbench_.run();
     display_.setHint(

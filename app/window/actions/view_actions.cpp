@@ -12,8 +12,10 @@ namespace {
 
 QString mouseAndKeys() {
     return QObject::tr(
-        "Left or middle drag rotates, right drag or Shift pans, the wheel zooms to the cursor. Arrow keys "
-        "pan, + and - zoom. Home: whole city. N: north up. T: top view. R: region. B: solid buildings or "
+        "Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms "
+        "to the cursor. Arrow keys "
+        "pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: "
+        "from the sun. R: region. B: solid buildings or "
         "wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. "
         "Click a building to "
         "select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M "
@@ -35,10 +37,11 @@ QAction* makeSwitch(QObject* owner, const QString& text, const QKeySequence& key
 ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& exploration, ProjectDock& tree)
     : workbench_(workbench),
       panel_(panel),
-      wholeCity_(makeAction(this, tr("Zoom to whole &city"), Qt::Key_Home)),
-      northUp_(makeAction(this, tr("&North up"), Qt::Key_N)),
-      fromAbove_(makeAction(this, tr("&Top view"), Qt::Key_T)),
-      region_(makeAction(this, tr("Zoom to &region"), Qt::Key_R, tr("The study region seen from above"))),
+      wholeCity_(makeAction(this, tr("Zoom to whole &city"), Qt::Key_Home, {}, "whole-city")),
+      northUp_(makeAction(this, tr("&North up"), Qt::Key_N, {}, "north")),
+      fromAbove_(makeAction(this, tr("&Top view"), Qt::Key_T, {}, "top-view")),
+      region_(makeAction(this, tr("Zoom to &region"), Qt::Key_R, tr("The study region seen from above"),
+                         "region")),
       faces_(makeSwitch(this, tr("&Solid buildings"), Qt::Key_B,
                         tr("Off: wireframe, so that the ground behind buildings is visible"), true)),
       map_(makeSwitch(this, tr("&Map on the ground"), Qt::Key_G,
@@ -47,7 +50,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                          tr("As in the paper, instead of rays: inexact at shadow edges, but hours that "
                             "look alike are computed once"),
                          false)),
-      keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence::HelpContents)) {
+      keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence(tr("Shift+F1")), {}, "keys")) {
     ViewNavigator& navigator = panel_.navigator();
     connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
     connect(northUp_, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);

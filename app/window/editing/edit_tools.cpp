@@ -6,6 +6,7 @@
 
 #include "app/window/editing/placing_panel.h"
 #include "app/window/editing/selection_panel.h"
+#include "app/window/looks/icons.h"
 #include "app/window/massing/massing_panel.h"
 #include "app/window/view/ground_lines.h"
 #include "app/window/widgets/file_dialogs.h"
@@ -66,6 +67,9 @@ void EditTools::makeActions() {
     const auto mesh =
         action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
     ofBuilding_ = {demolish, replace, move, lot};
+    draw->setIcon(makeIcon(QStringLiteral("lot")));
+    demolish->setIcon(makeIcon(QStringLiteral("delete")));
+    replace->setIcon(makeIcon(QStringLiteral("tower")));
     connect(draw, &QAction::triggered, this, &EditTools::drawLot);
     connect(demolish, &QAction::triggered, &building_, &BuildingEditing::demolish);
     connect(replace, &QAction::triggered, this, &EditTools::replace);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/window/looks/theme.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/study/region_words.h"
 #include "app/window/widgets/number_fields.h"
@@ -61,7 +62,7 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     facts_->setWordWrap(true);
     facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     error_->setWordWrap(true);
-    error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
+    showAsError(*error_);
     auto* inside = new QVBoxLayout(tools_);
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addWidget(makeButtons());

@@ -11,6 +11,8 @@
 #include <QToolBar>
 
 #include "app/window/frame/window_menus.h"
+#include "app/window/frame/window_toolbar.h"
+#include "app/window/looks/theme_menu.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
 #include "app/window/review/review_dock.h"
@@ -29,7 +31,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 6;
+constexpr int layoutVersion = 7;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -67,7 +69,9 @@ MainWindow::MainWindow(QSettings& settings)
       recovery_(workbench_, store_, saving_, panel_->messages()),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.warnings, docks_.scenarios->table()}),
-      results_(workbench_, mode_, display_, *panel_, *docks_.project, *this),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, *this),
+      copying_(results_, *docks_.results, *panel_),
+      movies_(workbench_, *panel_, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
@@ -77,13 +81,15 @@ MainWindow::MainWindow(QSettings& settings)
       edits_(workbench_, tools_, mode_, *panel_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
       search_(workbench_, tools_, *panel_),
-      time_(workbench_, mode_, *panel_, horizons_) {
+      help_(opening_, settings_, *this),
+      time_(workbench_, mode_, *panel_, horizons_),
+      presets_(*panel_, time_),
+      context_(workbench_, tools_, region_, places_, *panel_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
     fillMenus(placeDocks(*this, docks_));
     makeStatusBar();
-    makeModeBar();
     connectJobs();
     connectWorkbench();
     connectDocks();
@@ -102,9 +108,13 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    QAction* quit = noonmark::fillMenus(
-        *menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_, region_, places_, reviews_,
-                     camera_, search_, mode_.actions(), docks, time_.actions()});
+    const WindowActions actions{opening_,        saving_, results_,       movies_,
+                                copying_,        edits_,  scenarios_,     study_,
+                                region_,         places_, reviews_,       camera_,
+                                presets_,        search_, help_,          new ThemeMenu(settings_, this),
+                                mode_.actions(), docks,   time_.actions()};
+    QAction* quit = noonmark::fillMenus(*menuBar(), actions);
+    makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
@@ -125,10 +135,13 @@ void MainWindow::makeStatusBar() {
             [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
 }
 
-void MainWindow::makeModeBar() {
+void MainWindow::makeToolBars(const WindowActions& actions) {
+    QToolBar* tools = addToolBar(tr("Tools"));
+    tools->setObjectName(QStringLiteral("toolBar"));
+    fillToolBar(*tools, actions);
     QToolBar* bar = addToolBar(tr("Mode"));
     bar->setObjectName(QStringLiteral("modeBar"));
-    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addActions(mode_.actions());
     bar->addWidget(new ScenarioBar(workbench_.session()));
 }
@@ -137,9 +150,10 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.opening());
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
-    for (JobSlot* slot :
-         {&workbench_.reading(), &workbench_.writing(), &saving_.writing(), &places_.reading()})
+    for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing(),
+                          &places_.reading(), &movies_.writing()})
         progress_->follow(*slot);
+    connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
     connect(&reviews_, &ReviewActions::dockWanted, this, &MainWindow::showReview);
     for (JobSlot* slot :
          {&workbench_.keeping(), &tools_.context().preview.working(), &time_.looking().working()})

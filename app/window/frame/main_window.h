@@ -24,20 +24,26 @@
 #include "app/window/actions/view_actions.h"
 #include "app/window/editing/edit_tools.h"
 #include "app/window/exploration/exploration.h"
+#include "app/window/export/copy_actions.h"
+#include "app/window/export/movie_actions.h"
 #include "app/window/frame/window_docks.h"
 #include "app/window/frame/window_view.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/help/help_actions.h"
 #include "app/window/results/result_display.h"
 #include "app/window/review/review_session.h"
 #include "app/window/study_form/what_form.h"
 #include "app/window/time/time_display.h"
+#include "app/window/view/context_menu.h"
 #include "app/window/view/mode_switch.h"
+#include "app/window/view/view_presets.h"
 
 class QLabel;
 
 namespace noonmark {
 
 class ProgressStrip;
+struct WindowActions;
 class ViewPanel;
 
 /// The main window: the view in the middle, docks around it. It computes nothing itself.
@@ -61,6 +67,10 @@ public:
     [[nodiscard]] ReviewSession& review() { return review_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] ResultActions& results() { return results_; }
+    [[nodiscard]] CopyActions& copying() { return copying_; }
+    [[nodiscard]] MovieActions& movies() { return movies_; }
+    [[nodiscard]] HelpActions& help() { return help_; }
+    [[nodiscard]] ContextMenu& context() { return context_; }
 
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
 
@@ -69,7 +79,7 @@ protected:
 
 private:
     void makeStatusBar();
-    void makeModeBar();
+    void makeToolBars(const WindowActions& actions);
     void fillMenus(const QList<QAction*>& docks);
     void fitScreen();
     void connectJobs();
@@ -105,6 +115,8 @@ private:
     RecoveryOffers recovery_;
     ResultDisplay display_;
     ResultActions results_;
+    CopyActions copying_;
+    MovieActions movies_;
     StudyActions study_;
     RegionActions region_;
     PlaceActions places_;
@@ -113,7 +125,10 @@ private:
     EditActions edits_;
     ViewActions camera_;
     SearchActions search_;
+    HelpActions help_;
     TimeDisplay time_;
+    ViewPresets presets_;
+    ContextMenu context_;
 };
 
 }  // namespace noonmark

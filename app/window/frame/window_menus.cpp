@@ -14,6 +14,11 @@
 #include "app/window/actions/search_actions.h"
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/view_actions.h"
+#include "app/window/export/copy_actions.h"
+#include "app/window/export/movie_actions.h"
+#include "app/window/help/help_actions.h"
+#include "app/window/looks/icons.h"
+#include "app/window/view/view_presets.h"
 
 namespace noonmark {
 
@@ -27,14 +32,17 @@ QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.saving.actions());
     menu.addSeparator();
     menu.addActions(actions.results.fileActions());
+    menu.addAction(actions.movies.action());
     menu.addSeparator();
-    QAction* quit = menu.addAction(tr("&Quit"));
+    QAction* quit = menu.addAction(makeIcon(QStringLiteral("quit")), tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);
     return quit;
 }
 
 void fillEditMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.edits.undoActions());
+    menu.addSeparator();
+    menu.addActions(actions.copying.actions());
     menu.addSeparator();
     menu.addActions(actions.edits.toolActions());
     menu.addSeparator();
@@ -54,6 +62,7 @@ void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
 
 void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.view.cameraActions());
+    menu.addMenu(tr("&From a side"))->addActions(actions.presets.actions());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());
@@ -62,6 +71,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addMenu(tr("&Mode"))->addActions(actions.modes);
     menu.addAction(actions.view.exploreByMaps());
     menu.addMenu(tr("&Panels"))->addActions(actions.docks);
+    menu.addMenu(actions.themes);
 }
 
 }  // namespace
@@ -72,7 +82,10 @@ QAction* fillMenus(QMenuBar& bar, const WindowActions& actions) {
     bar.addMenu(tr("S&cenario"))->addActions(actions.scenarios.actions());
     fillStudyMenu(*bar.addMenu(tr("&Study")), actions);
     fillViewMenu(*bar.addMenu(tr("&View")), actions);
-    bar.addMenu(tr("&Help"))->addAction(actions.view.help());
+    QMenu* help = bar.addMenu(tr("&Help"));
+    help->addActions({actions.help.guide(), actions.view.help(), actions.help.start()});
+    help->addSeparator();
+    help->addAction(actions.help.about());
     return quit;
 }
 

@@ -3,11 +3,15 @@
 #include <QList>
 
 class QAction;
+class QMenu;
 class QMenuBar;
 
 namespace noonmark {
 
+class CopyActions;
 class EditActions;
+class HelpActions;
+class MovieActions;
 class OpeningActions;
 class PlaceActions;
 class RegionActions;
@@ -18,12 +22,15 @@ class ScenarioActions;
 class SearchActions;
 class StudyActions;
 class ViewActions;
+class ViewPresets;
 
 /// The entries of the menus. Their owners make and connect them.
 struct WindowActions {
     const OpeningActions& opening;
     const SavingActions& saving;
     const ResultActions& results;
+    const MovieActions& movies;
+    const CopyActions& copying;
     const EditActions& edits;
     const ScenarioActions& scenarios;
     const StudyActions& study;
@@ -31,7 +38,10 @@ struct WindowActions {
     const PlaceActions& places;
     const ReviewActions& review;
     const ViewActions& view;
+    const ViewPresets& presets;
     const SearchActions& search;
+    const HelpActions& help;
+    QMenu* themes;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock
     QList<QAction*> sun;    ///< plays and moves the sun

@@ -3,18 +3,11 @@
 #include <QFileInfo>
 #include <limits>
 
-#include "app/input/output_rules.h"
-#include "app/report/files/answer_files.h"
-#include "app/report/files/study_files.h"
 #include "app/window/frame/recent_files.h"
-#include "app/window/project/answer_origin.h"
-#include "core/study/text/region_text.h"
 
 namespace noonmark {
 
 namespace {
-
-using Paths = std::vector<std::filesystem::path>;
 
 std::vector<std::string> textsOf(const QStringList& files) {
     std::vector<std::string> texts;
@@ -158,62 +151,6 @@ Workbench::Shown Workbench::shown() const {
     if (score_) return Shown::score;
     if (comparison_) return Shown::comparison;
     return study_ ? Shown::study : Shown::nothing;
-}
-
-// Captures the result displayed now, since another may be displayed by the time of writing.
-Workbench::Write Workbench::whatToWrite(const ChangeScale& scale) const {
-    const AnswerOrigin origin(session_);
-    if (score_)
-        return [score = score_, origin, city = session_.city(), rules = exportRules()](const auto& folder) {
-            return writeScoreFiles(origin.stated(*score), {*city}, folder, rules);
-        };
-    if (comparison_)
-        return [comparison = comparison_, origin, city = session_.city(), scale,
-                rules = exportRules()](const auto& folder) {
-            return writeImpactFiles(origin.stated(*comparison), {*city}, scale, folder, rules);
-        };
-    return [study = study_, origin, rules = exportRules()](const auto& folder) {
-        return writeStudyFiles(origin.stated(*study), folder, {.cellsCsv = true, .rules = rules});
-    };
-}
-
-OutputRules Workbench::exportRules() const {
-    std::vector<std::string> named;
-    if (session_.file()) named.push_back(session_.file()->path().string());
-    return outputRules(named, session_.project().inputs, true);
-}
-
-// Always includes region.geojson, because whether it is written is known only when the provenance is stated.
-QStringList Workbench::filesInTheWay(const std::filesystem::path& folder) const {
-    Provenance anyRegion;
-    anyRegion.region = regionFileName;
-    std::vector<std::string> names;
-    if (shown() == Shown::score) names = scoreFileNames(anyRegion);
-    if (shown() == Shown::comparison) names = impactFileNames(anyRegion);
-    if (shown() == Shown::study) {
-        names = studyFileNames(study_->settings, {.cellsCsv = true});
-        names.emplace_back(regionFileName);
-    }
-    QStringList there;
-    for (const std::string& name : findExistingOutputs(folder, names)) there << QString::fromStdString(name);
-    return there;
-}
-
-void Workbench::exportShown(const std::filesystem::path& folder, const ChangeScale& scale) {
-    if (shown() == Shown::nothing) return tell({"There is no result to export", {}, "Press Run first"});
-    if (shown() == Shown::savedResult)
-        return tell({"A saved result cannot be exported: it is stored in the project file", saved_->name,
-                     "Open the project file in QGIS, or show the study again and export it"});
-    writing_.start<Paths>(
-        tr("Exporting"),
-        [write = whatToWrite(scale), folder](Progress&, std::stop_token) { return write(folder); },
-        [this, folder](Result<Paths> paths) {
-            if (!paths) return tell(paths.error());
-            QStringList names;
-            for (const auto& path : *paths) names << QString::fromStdString(path.filename().string());
-            Q_EMIT noted(
-                tr("Exported to %1: %2").arg(QString::fromStdString(folder.string()), names.join(tr(", "))));
-        });
 }
 
 void Workbench::tell(const Error& error) {

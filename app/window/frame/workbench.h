@@ -6,7 +6,8 @@
 #include <map>
 #include <memory>
 
-#include "app/report/maps/change_scale.h"
+#include "app/report/book/book.h"
+#include "app/window/export/export_choice.h"
 #include "app/window/project/open_project.h"
 #include "app/window/project/project_session.h"
 #include "app/window/results/shown_result.h"
@@ -43,14 +44,18 @@ public:
     void runQuicker();
     /// Runs the study for all scenarios that have no result with the document's settings yet.
     void measureAll();
-    /// The kind of the displayed result. exportShown() writes the same files as the command line; it refuses
-    /// a saved result, which is stored in the project file.
+    /// The kind of the displayed result. exportShown() writes the same files as the command line.
     enum class Shown { nothing, study, comparison, score, savedResult };
     [[nodiscard]] Shown shown() const;
     /// Existing files are replaced as far as exportRules() allow; ask the user before, see filesInTheWay().
-    void exportShown(const std::filesystem::path& folder, const ChangeScale& scale);
-    /// Names of existing files in the folder that exportShown() may replace.
-    [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder) const;
+    void exportShown(const std::filesystem::path& folder, const ExportChoice& choice);
+    /// Names of the files that exportShown() writes, and of those of them that the folder has already.
+    /// region.geojson is always named, since whether it is written is known only then.
+    [[nodiscard]] QStringList filesOf(const ExportChoice& choice);
+    [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder,
+                                            const ExportChoice& choice = {});
+    /// Scenarios measured with the document's settings, in the project's order.
+    [[nodiscard]] std::vector<std::string> measuredScenarios();
     /// Which files an export may overwrite after the user agreed: never the input files of the open city, nor
     /// its project file.
     [[nodiscard]] OutputRules exportRules() const;
@@ -160,7 +165,9 @@ private:
     void reweigh();
     using Files = Result<std::vector<std::filesystem::path>>;
     using Write = std::function<Files(const std::filesystem::path& folder)>;
-    [[nodiscard]] Write whatToWrite(const ChangeScale& scale) const;
+    [[nodiscard]] Write whatToWrite(const ExportChoice& choice) const;
+    [[nodiscard]] Write scenariosToWrite(const ExportChoice& choice);
+    [[nodiscard]] BookSettings bookSettings(const ExportChoice& choice) const;
     using Keep = std::function<SavedResult(const Project&)>;
     [[nodiscard]] Keep whatToKeep() const;
     void keep(const Keep& keep, const QString& name);

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/window/looks/theme.h"
 #include "app/window/massing/massing_form.h"
 #include "app/window/study/region_words.h"
 #include "app/window/widgets/number_words.h"
@@ -90,7 +91,7 @@ QWidget* MassingPanel::makeFigures() {
     error_ = new QLabel;
     error_->setWordWrap(true);
     error_->setObjectName(QStringLiteral("massingError"));
-    error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
+    showAsError(*error_);
     apply_ = pushButton(tr("Build"), "applyMassing",
                         tr("Adds the tower to the scenario, as one undo step (Enter over the view)"));
     auto* cancel =
@@ -114,7 +115,7 @@ void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
     lots_ = lots;
     lot_->clear();
     for (const NamedLot& lot : lots) lot_->addItem(QString::fromStdString(lot.name));
-    if (lots.empty()) lot_->addItem(tr("No lots yet"));
+    if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
     lot_->setEnabled(!lots.empty());
     design_->setEnabled(!lots.empty());

@@ -5,8 +5,8 @@ namespace noonmark {
 AnswerOrigin::AnswerOrigin(const ProjectSession& session)
     : project_(session.project()), file_(session.file()), scenario_(session.scenario()) {}
 
-Study AnswerOrigin::stated(Study study) const {
-    study.provenance = of({scenario_, {}, study.settings.region, {}});
+Study AnswerOrigin::stated(Study study, const std::string& scenario) const {
+    study.provenance = of({scenario, {}, study.settings.region, {}});
     return study;
 }
 

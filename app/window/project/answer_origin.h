@@ -15,7 +15,8 @@ public:
     explicit AnswerOrigin(const ProjectSession& session);
 
     /// The study is of the scenario displayed at the time of the snapshot.
-    [[nodiscard]] Study stated(Study study) const;
+    [[nodiscard]] Study stated(Study study) const { return stated(std::move(study), scenario_); }
+    [[nodiscard]] Study stated(Study study, const std::string& scenario) const;
     [[nodiscard]] ImpactAnswer stated(ImpactAnswer answer) const;
     [[nodiscard]] ScoreAnswer stated(ScoreAnswer answer) const;
 

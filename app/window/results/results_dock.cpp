@@ -5,10 +5,21 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/window/looks/theme.h"
 #include "app/window/results/month_chart.h"
 #include "app/window/widgets/push_button.h"
 
 namespace noonmark {
+
+namespace {
+
+QString usualHint() {
+    return ResultsDock::tr(
+        "No study yet.\nChoose what, when and where in the dock Study, and press Run study (Ctrl+R). The "
+        "figures of the study then stand here.");
+}
+
+}  // namespace
 
 ResultsDock::ResultsDock(QWidget* parent)
     : QWidget(parent),
@@ -17,7 +28,7 @@ ResultsDock::ResultsDock(QWidget* parent)
                        tr("Replaces this result by the current study or comparison"))),
       months_(new MonthChart),
       form_(new QFormLayout(this)),
-      hint_(tr("No study yet.")) {
+      hint_(usualHint()) {
     note_->setObjectName(QStringLiteral("resultNote"));
     note_->setWordWrap(true);
     // A single layout: in a nested one, wrapped text gets too little height.
@@ -30,6 +41,7 @@ ResultsDock::ResultsDock(QWidget* parent)
 void ResultsDock::show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months) {
     while (form_->rowCount() > fixedRows_) form_->removeRow(fixedRows_);
     filled_ = !rows.empty();
+    rows_ = rows;
     setNote({});
     offerWayBack(false);
     months_->show(months);
@@ -45,9 +57,11 @@ void ResultsDock::show(const std::vector<ResultRow>& rows, const std::vector<Mon
 
 void ResultsDock::setNote(const QString& note, bool warns) {
     const bool amber = filled_ && warns;
-    note_->setStyleSheet(amber ? QStringLiteral("background: #ffd58a; color: #1d2027; padding: 4px;")
+    const NoteColours colours = warningColours(themeInUse());
+    note_->setStyleSheet(amber ? QStringLiteral("background: %1; color: %2; padding: 4px;")
+                                     .arg(colours.background.name(), colours.text.name())
                                : QString());
-    if (filled_) hint_ = tr("No study yet.");
+    if (filled_) hint_ = usualHint();
     note_->setText(filled_ ? note : hint_);
     setFaded(amber && !note.isEmpty());
     note_->setVisible(!note_->text().isEmpty());
@@ -68,7 +82,7 @@ void ResultsDock::resizeEvent(QResizeEvent* event) {
 }
 
 void ResultsDock::setHint(const QString& hint) {
-    hint_ = hint;
+    hint_ = hint.isEmpty() ? usualHint() : hint;
     if (!filled_) setNote({});
 }
 
@@ -78,7 +92,7 @@ void ResultsDock::setFaded(bool faded) {
     for (int row = fixedRows_; row < form_->rowCount(); ++row)
         for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole})
             if (QLayoutItem* item = form_->itemAt(row, role))
-                item->widget()->setStyleSheet(faded ? QStringLiteral("color: #9a9ea6;") : QString());
+                item->widget()->setStyleSheet(faded ? QStringLiteral("color: #8b909a;") : QString());
 }
 
 void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }

@@ -25,9 +25,10 @@ public:
     /// Text above the figures; empty: none. `warns`: in amber, and the figures are greyed out, since they do
     /// not belong to what is displayed.
     void setNote(const QString& note, bool warns = true);
-    void setHint(const QString& hint);                   ///< shown while there are no figures
+    void setHint(const QString& hint);  ///< shown while there are no figures; empty: the usual one
     [[nodiscard]] bool faded() const { return faded_; }  ///< greyed out by a note that warns
-    void offerWayBack(bool offered);                     ///< shows a button back to the study
+    [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
+    void offerWayBack(bool offered);  ///< shows a button back to the study
 
 Q_SIGNALS:
     void studyWanted();
@@ -44,6 +45,7 @@ private:
     MonthChart* months_;
     QFormLayout* form_;
     QString hint_;
+    std::vector<ResultRow> rows_;
     int fixedRows_ = 0;  // the rows above the figures
     bool filled_ = false;
     bool faded_ = false;

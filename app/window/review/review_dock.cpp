@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/window/looks/theme.h"
 #include "app/window/project/project_session.h"
 #include "app/window/review/day_panel.h"
 #include "app/window/review/place_list.h"
@@ -268,7 +269,8 @@ void ReviewDock::showState() {
                  QString::fromStdString(answer_->question.from).toHtmlEscaped(), describeVerdicts(study));
     if (review_.isLive()) text += tr("<br><i>Follows the building being designed.</i>");
     if (const QString why = review_.whyOutdated(); !why.isEmpty())
-        text += QStringLiteral("<br><span style=\"color:#a02410\">%1</span>").arg(why.toHtmlEscaped());
+        text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
+                    .arg(errorTextColour(themeInUse()).name(), why.toHtmlEscaped());
     state_->setText(text);
 }
 

@@ -1,6 +1,7 @@
 #include "app/window/scenarios/scenarios_dock.h"
 
 #include <QHeaderView>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -20,11 +21,20 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
     view->verticalHeader()->hide();
     view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    auto* hint = new QLabel(
+        tr("Only the existing city so far. Select a building and change it, or design a tower on a lot: the "
+           "first change begins a scenario, which is listed here."));
+    hint->setObjectName(QStringLiteral("scenariosHint"));
+    hint->setWordWrap(true);
+    const auto follow = [hint, &session] { hint->setVisible(session.project().scenarios.empty()); };
+    connect(&session, &ProjectSession::changed, hint, follow);
+    follow();
     auto* measure = new QPushButton(tr("Measure all"));
     measure->setToolTip(
         tr("Runs the study for scenarios without figures, with the current period and region"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(view);
+    column->addWidget(hint);
     column->addWidget(measure);
     connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
     connect(view, &QTableView::doubleClicked, this,

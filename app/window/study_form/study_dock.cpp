@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "app/input/all_engines.h"
+#include "app/window/looks/theme.h"
 #include "app/window/study/study_document.h"
 #include "app/window/study_form/accuracy_section.h"
 #include "app/window/study_form/run_forecast.h"
@@ -50,7 +51,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
       refusal_(lineOf("engineRefusal")),
       run_(pushButton({}, "run", tr("Compute the minutes of shadow in every cell of the region (Ctrl+R)"))),
       progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
-    refusal_->setStyleSheet(QStringLiteral("color: #a02410;"));
+    showAsError(*refusal_);
     placeForms();
     connectForms();
     connectRegion();

@@ -16,6 +16,7 @@ namespace noonmark {
 
 WhereForm::WhereForm(QWidget* parent) : QWidget(parent), names_(new QComboBox), region_(new QLabel) {
     region_->setWordWrap(true);
+    region_->setMinimumHeight(2 * fontMetrics().lineSpacing() + 2);  // name and size, also in a low window
     makeList();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -30,6 +30,7 @@ public:
     [[nodiscard]] TimeLooking& looking() { return looking_; }
     [[nodiscard]] const TimeLooking& looking() const { return looking_; }
     [[nodiscard]] const SunShadow& shadow() const { return shadow_; }
+    [[nodiscard]] const SunAtMoment& sun() const { return sun_; }  ///< at the date and time of the strip
     /// Plays and moves the sun, for a menu.
     [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
 

@@ -14,6 +14,7 @@
 #include <array>
 
 #include "app/window/frame/qt_dates.h"
+#include "app/window/looks/icons.h"
 #include "app/window/widgets/marked_slider.h"
 #include "app/window/widgets/push_button.h"
 
@@ -93,7 +94,7 @@ void TimeStrip::makePlayer() {
     play_->setCheckable(true);
     play_->setAutoRaise(true);
     play_->setToolTip(tr("Plays the sun and its shadows (Shift+Space)"));
-    play_->setIcon(style()->standardIcon(QStyle::SP_MediaPlay));
+    play_->setIcon(makeIcon(QStringLiteral("play")));
     loop_ = shortList("playLoop", {tr("through the day"), tr("through the year")},
                       tr("Play from sunrise to sunset of one date, or one time of day through the year"));
     speed_ =
@@ -134,9 +135,10 @@ QSize TimeStrip::minimumSizeHint() const { return {leastWidth, QWidget::minimumS
 void TimeStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool full = width() >= fullWidth;
+    const int sunWidth = fontMetrics().horizontalAdvance(QStringLiteral("Sun 208° SSW, 88° high "));
     for (QWidget* widget : std::initializer_list<QWidget*>{loop_, speed_, sunWords_, words_})
         widget->setVisible(full);
-    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(3, full ? 130 : 0);
+    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(3, full ? sunWidth : 0);
 }
 
 void TimeStrip::connectFields() {
@@ -204,7 +206,7 @@ void TimeStrip::move(int minutes, int days) { takeMoment(nudged(look_, minutes, 
 void TimeStrip::setPlaying(bool playing) {
     const QSignalBlocker quiet(play_);
     play_->setChecked(playing);
-    play_->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+    play_->setIcon(makeIcon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
     if (!playing) return ticks_->stop();
     sinceStep_.start();
     ticks_->start();

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QActionGroup>
 
+#include "app/window/looks/icons.h"
 #include "app/window/study/study_document.h"
 
 namespace noonmark {
@@ -26,6 +27,8 @@ ModeSwitch::ModeSwitch(StudyDocument& document, QObject* parent)
 void ModeSwitch::makeAction(ViewMode mode, const QKeySequence& keys) {
     QAction* action = group_->addAction(nameOf(mode));
     action->setObjectName(QStringLiteral("mode%1").arg(int(mode)));
+    const char* const icons[] = {"explore", "analyse", "reference"};
+    action->setIcon(makeIcon(QString::fromLatin1(icons[int(mode)])));
     action->setCheckable(true);
     action->setShortcut(keys);
     action->setToolTip(

@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/window/looks/theme.h"
 #include "app/window/project/project_session.h"
 #include "app/window/weights/weight_bar.h"
 #include "app/window/weights/weights_model.h"
@@ -32,7 +33,7 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
         tr("The weight table to edit and to compute scores with; rename it with F2 in the project tree"));
     refusal_->setObjectName(QStringLiteral("refusal"));
     refusal_->setWordWrap(true);
-    refusal_->setStyleSheet(QStringLiteral("color: #a02410;"));
+    showAsError(*refusal_);
     makeView();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);

@@ -59,6 +59,13 @@ QString askForPicture(QWidget* parent) {
     return file + QStringLiteral(".png");
 }
 
+QString askForMovie(QWidget* parent, const QString& suggested) {
+    const QString file = QFileDialog::getSaveFileName(
+        parent, tr("Export movie"), suggested + QStringLiteral(".mp4"), tr("Movies (*.mp4 *.gif)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".mp4");
+}
+
 QString askForLogo(QWidget* parent) {
     return QFileDialog::getOpenFileName(parent, tr("Logo for the title block"), {},
                                         tr("Pictures (*.png *.jpg *.jpeg)"));

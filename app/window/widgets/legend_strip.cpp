@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/report/maps/map_furniture.h"
+#include "app/window/looks/theme.h"
 
 namespace noonmark {
 
@@ -25,6 +26,7 @@ constexpr int needleRoom = 56;
 constexpr int scaleRoom = 104;       // of the scale bar left of the needle
 constexpr int leastWithScale = 560;  // a narrower strip has no scale bar
 constexpr int longestBarPx = 72;
+constexpr QColor dimPaper{0xdd, 0xe0, 0xe4};  // of a dark window: legends are read on paper
 constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
 void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
@@ -225,7 +227,7 @@ void LegendStrip::resizeEvent(QResizeEvent* event) {
 void LegendStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), ink::paper);
+    painter.fillRect(rect(), themeInUse() == Theme::dark ? dimPaper : ink::paper);
     painter.fillRect(QRect(0, 0, width(), 1), ink::line);
     paintCompass(painter, {width() - needleRoom / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
     paintScale(painter);

@@ -7,18 +7,22 @@
 #include <QToolButton>
 #include <utility>
 
+#include "app/window/looks/theme.h"
+
 namespace noonmark {
 
 namespace {
 
 constexpr int noteMs = 12000;
-constexpr const char* noteColours = "background: #e4eef7; border-bottom: 1px solid #8fb2d1; color: #15324b;";
+
+QString firstLine(const QString& text) { return text.section(QLatin1Char('\n'), 0, 0); }
 
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent),
       label_(new QLabel),
+      more_(new QToolButton),
       remedy_{new QPushButton, {}},
       other_{new QPushButton, {}},
       leave_(new QTimer(this)) {
@@ -26,6 +30,10 @@ MessageBar::MessageBar(QWidget* parent)
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    more_->setObjectName(QStringLiteral("messageMore"));
+    more_->setAutoRaise(true);
+    more_->setToolTip(tr("Shows or hides the other lines of this message"));
+    connect(more_, &QToolButton::clicked, this, [this] { unfold(!unfolded_); });
     auto* close = new QToolButton;
     close->setText(QStringLiteral("\u2715"));
     close->setAutoRaise(true);
@@ -34,6 +42,7 @@ MessageBar::MessageBar(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 5, 5, 5);
     row->addWidget(label_, 1);
+    row->addWidget(more_, 0, Qt::AlignTop);
     add(remedy_, "remedy", *row);
     add(other_, "otherRemedy", *row);
     row->addWidget(close, 0, Qt::AlignTop);
@@ -41,11 +50,13 @@ MessageBar::MessageBar(QWidget* parent)
     leave_->setInterval(noteMs);
     connect(leave_, &QTimer::timeout, this, &QWidget::hide);
     hide();
+    followTheme(*this, [this] { paintColours(); });
 }
 
 void MessageBar::showError(const Error& error) {
-    show(QString::fromStdString(error.text()),
-         "background: #fbe4df; border-bottom: 1px solid #d9806c; color: #5c1606;");
+    isError_ = true;
+    show(QString::fromStdString(error.text()));
+    unfold(true);
 }
 
 void MessageBar::add(Remedy& remedy, const char* name, QHBoxLayout& row) {
@@ -72,23 +83,44 @@ void MessageBar::offerToo(const QString& remedy, std::function<void()> done) {
 }
 
 void MessageBar::showNote(const QString& text) {
-    show(text, noteColours);
+    isError_ = false;
+    show(text);
     leave_->start();
 }
 
-void MessageBar::showHelp(const QString& text) { show(text, noteColours); }
+void MessageBar::showHelp(const QString& text) {
+    isError_ = false;
+    show(text);
+}
 
 void MessageBar::dismiss() {
     if (remedy_.button->isHidden()) hide();
 }
 
-QString MessageBar::text() const { return isHidden() ? QString() : label_->text(); }
+QString MessageBar::text() const { return isHidden() ? QString() : text_; }
 
-void MessageBar::show(const QString& text, const char* colours) {
-    setStyleSheet(QStringLiteral("#messageBar { %1 } #messageBar QLabel { border: none; }")
-                      .arg(QLatin1String(colours)));
+// Of several lines only the first is shown, so that a message takes no more of the view than it must.
+void MessageBar::unfold(bool all) {
+    const auto others = text_.count(QLatin1Char('\n'));
+    unfolded_ = all;
+    label_->setText(all ? text_ : firstLine(text_));
+    const QString more = others == 1 ? tr("1 more line") : tr("%1 more lines").arg(others);
+    more_->setText(all ? tr("Less") : more);
+    more_->setVisible(others > 0);
+}
+
+void MessageBar::paintColours() {
+    const NoteColours colours = isError_ ? errorColours(themeInUse()) : noteColours(themeInUse());
+    setStyleSheet(QStringLiteral("#messageBar { background: %1; border-bottom: 1px solid %2; } "
+                                 "#messageBar QLabel, #messageBar QToolButton { color: %3; border: none; }")
+                      .arg(colours.background.name(), colours.border.name(), colours.text.name()));
+}
+
+void MessageBar::show(const QString& text) {
     leave_->stop();
-    label_->setText(text);
+    text_ = text;
+    paintColours();
+    unfold(false);
     for (const Remedy* remedy : {&remedy_, &other_}) remedy->button->hide();
     QFrame::show();
 }

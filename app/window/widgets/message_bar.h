@@ -9,10 +9,12 @@ class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QTimer;
+class QToolButton;
 
 namespace noonmark {
 
-/// A bar above the view for errors and notices. It is not modal and stays until closed.
+/// A bar above the view for errors and notices. It is not modal and stays until closed. Of a notice of
+/// several lines it shows the first, and the others on request.
 class MessageBar final : public QFrame {
     Q_OBJECT
 public:
@@ -25,12 +27,18 @@ public:
     void offer(const QString& remedy, std::function<void()> done);
     /// Adds a second button; likewise.
     void offerToo(const QString& remedy, std::function<void()> done);
-    void dismiss();  ///< hides the message unless it offers something
-    [[nodiscard]] QString text() const;
+    void dismiss();                      ///< hides the message unless it offers something
+    [[nodiscard]] QString text() const;  ///< all lines; empty: no message
 
 private:
-    void show(const QString& text, const char* colours);
+    void show(const QString& text);
+    void unfold(bool all);
+    void paintColours();
     QLabel* label_;
+    QToolButton* more_;
+    QString text_;
+    bool isError_ = false;
+    bool unfolded_ = false;
     struct Remedy {
         QPushButton* button;
         std::function<void()> chosen;

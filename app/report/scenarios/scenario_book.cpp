@@ -1,0 +1,95 @@
+#include "app/report/scenarios/scenario_book.h"
+
+#include <algorithm>
+
+#include "app/report/book/flow.h"
+#include "app/report/scenarios/scenario_text.h"
+#include "app/report/sheets/period_words.h"
+#include "core/measures/has_runs.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double figuresPt = 8;
+
+QString describeWhere(const Study& study) {
+    return plainText(study.settings.region.name) + QStringLiteral(", ") +
+           describePlace(study.settings.region, study.city.frame);
+}
+
+QString minutesText(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
+
+std::vector<QString> rowOf(const ScenarioStudies& scenarios, const ScenarioStudy& scenario,
+                           UnitSystem units) {
+    const auto area = [units](double m2) { return QString::fromStdString(formatSmallArea(m2, units)); };
+    const ShadowStatistics& figures = scenario.study->statistics;
+    const bool isFirst = &scenario == &scenarios.front();
+    const double change = computeShadowAreaChange(scenarios, scenario);
+    return {plainText(scenario.name),
+            describeCount(countChanges(scenario)),
+            area(figures.shadowAreaM2),
+            isFirst ? QString() : (change > 0 ? QStringLiteral("+") : QString()) + area(change),
+            minutesText(figures.meanGrossMin),
+            hasRuns(figures) ? minutesText(figures.meanContinuousMin) : QStringLiteral("not counted")};
+}
+
+std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSettings& settings) {
+    PageTable table{{QStringLiteral("Scenario"), QStringLiteral("Changes"), QStringLiteral("Shadow area"),
+                     QStringLiteral("Change of shadow area"), QStringLiteral("Mean gross shadow a day"),
+                     QStringLiteral("Mean continuous shadow")},
+                    {},
+                    {},
+                    {},
+                    figuresPt * textScale(settings.setup)};
+    for (const ScenarioStudy& scenario : scenarios)
+        table.rows.push_back(rowOf(scenarios, scenario, settings.units));
+    const Study& first = *scenarios.front().study;
+    const QString title = QStringLiteral("Scenarios"),
+                  note = QStringLiteral(
+                             "Shadow area: sum over the receivers of share of the sunlit time in "
+                             "shadow x cell area. Change: from %1. Engine: %2.")
+                             .arg(plainText(scenarios.front().name), describeEngineUsed(first.field.engine));
+    return makeTablePages(
+        settings.setup,
+        {title,
+         describePeriod(first.settings.period) + QStringLiteral(". ") + describeWhere(first),
+         title,
+         0,
+         {}},
+        {{QStringLiteral("The same study of each scenario"), note, std::move(table)}});
+}
+
+/// The legend of the scenario with most shadow at any receiver.
+Legend commonLegend(const ScenarioStudies& scenarios) {
+    const auto most = std::ranges::max_element(
+        scenarios, {}, [](const ScenarioStudy& scenario) { return scenario.study->statistics.maxGrossMin; });
+    return makeLegend(most->study->field, ShadowMeasure::gross);
+}
+
+BookPage mapPage(const ScenarioStudy& scenario, const Legend& legend, const PageSetup& setup) {
+    const Study& study = *scenario.study;
+    const QString name = plainText(scenario.name);
+    const SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, legend.scale.top),
+                       legend};
+    return {name,
+            describePeriod(study.settings.period) + QStringLiteral(". ") + describeWhere(study),
+            name,
+            0,
+            {{contentArea(setup), PageMap{std::make_shared<const SheetMap>(map)}}}};
+}
+
+}  // namespace
+
+Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings) {
+    Book book = beginBook(settings, QStringLiteral("Scenarios side by side"),
+                          scenarios.front().study->provenance.attribution);
+    book.record = {QStringLiteral("scenarios.json"), scenariosJson(scenarios)};
+    book.pages = tablePages(scenarios, settings);
+    const Legend legend = commonLegend(scenarios);
+    for (const ScenarioStudy& scenario : scenarios)
+        book.pages.push_back(mapPage(scenario, legend, settings.setup));
+    return book;
+}
+
+}  // namespace noonmark

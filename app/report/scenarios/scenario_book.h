@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/report/book/book.h"
+#include "app/report/scenarios/scenario_study.h"
+
+namespace noonmark {
+
+/// The book of several scenarios: their figures in one table, then a page for each with its map of gross
+/// shadow, all on the scale of the largest value. `scenarios`, at least one, must outlive the book.
+Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings);
+
+}  // namespace noonmark

@@ -1,0 +1,72 @@
+#include "app/report/scenarios/scenario_text.h"
+
+#include <fmt/format.h>
+
+#include "core/measures/has_runs.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/settings_json.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json figuresJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenario) {
+    const ShadowStatistics& figures = scenario.study->statistics;
+    const bool runs = hasRuns(figures);
+    return {{"receivers", figures.receivers},
+            {"receiver_area_m2", figures.receiverAreaM2},
+            {"shadow_area_m2", figures.shadowAreaM2},
+            {"shadow_area_change_m2", computeShadowAreaChange(scenarios, scenario)},
+            {"mean_gross_min", figures.meanGrossMin},
+            {"max_gross_min", figures.maxGrossMin},
+            {"mean_continuous_min", runs ? Json(figures.meanContinuousMin) : Json()},
+            {"max_continuous_min", runs ? Json(figures.maxContinuousMin) : Json()}};
+}
+
+std::string runsText(const ShadowStatistics& figures) {
+    if (!hasRuns(figures)) return ",";
+    return fmt::format("{:.3f},{:.3f}", figures.meanContinuousMin, figures.maxContinuousMin);
+}
+
+}  // namespace
+
+std::string scenariosCsv(const ScenarioStudies& scenarios) {
+    std::string csv =
+        "name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,"
+        "mean_continuous_min,max_continuous_min" +
+        std::string(sourceColumns) + "\r\n";
+    for (const ScenarioStudy& scenario : scenarios) {
+        const ShadowStatistics& figures = scenario.study->statistics;
+        csv += fmt::format("{},{},{:.1f},{:.1f},{:.1f},{:.3f},{}{}\r\n", csvField(scenario.name),
+                           countChanges(scenario), figures.receiverAreaM2, figures.shadowAreaM2,
+                           computeShadowAreaChange(scenarios, scenario), figures.meanGrossMin,
+                           runsText(figures), sourceFields(scenario.study->provenance));
+    }
+    return csv;
+}
+
+std::string scenariosJson(const ScenarioStudies& scenarios) {
+    Json json = settingsJson(scenarios.front().study->settings);
+    json["compared_with"] = scenarios.front().name;
+    json["scenarios"] = Json::array();
+    for (const ScenarioStudy& scenario : scenarios) {
+        Json one{{"name", scenario.name},
+                 {"changes", countChanges(scenario)},
+                 {"engine", scenario.study->field.engine},
+                 {"figures", figuresJson(scenarios, scenario)}};
+        addProvenance(one, scenario.study->provenance);
+        json["scenarios"].push_back(std::move(one));
+    }
+    json["definitions"] = {
+        {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"},
+        {"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},
+        {"gross", "minutes in shadow per day, mean over the days"},
+        {"continuous", "longest unbroken run in shadow on any day, minutes"}};
+    return toJsonText(json);
+}
+
+}  // namespace noonmark

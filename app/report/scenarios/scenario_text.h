@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "app/report/scenarios/scenario_study.h"
+
+namespace noonmark {
+
+/// Columns: name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,
+/// mean_continuous_min,max_continuous_min and the source columns (source_columns.h); one row per scenario.
+/// RFC 4180; fields of continuous shadow are empty where it was not counted.
+std::string scenariosCsv(const ScenarioStudies& scenarios);
+
+/// The settings of the study, and figures and provenance of every scenario. Stable keys with their units.
+/// `scenarios` has at least one.
+std::string scenariosJson(const ScenarioStudies& scenarios);
+
+}  // namespace noonmark

@@ -1,0 +1,51 @@
+#pragma once
+
+// How the window looks. theme.h has the light and the dark palette and the colours of notes and errors in
+// either; icons.h draws the icons of resources/icons in the colours of the palette.
+
+#include <QColor>
+#include <QPalette>
+#include <functional>
+
+class QLabel;
+class QSettings;
+class QWidget;
+
+namespace noonmark {
+
+enum class Theme { light, dark };
+
+/// Which theme the user wants.
+enum class ThemeChoice { system, light, dark };
+
+/// The theme of a palette: dark where its text is lighter than its windows.
+Theme themeOf(const QPalette& palette);
+/// That of the application now.
+Theme themeInUse();
+
+QPalette makePalette(Theme theme);
+
+/// The choice saved in the settings; the system's at first.
+ThemeChoice readThemeChoice(const QSettings& settings);
+void saveThemeChoice(ThemeChoice choice, QSettings& settings);
+/// The property of the application that holds its palette before any theme was applied.
+inline constexpr const char* systemPaletteName = "systemPalette";
+/// Applies a choice to the whole application. `system`: the palette before any theme was applied.
+void applyTheme(ThemeChoice choice, const QPalette& system);
+
+/// Colours of a bar or label.
+struct NoteColours {
+    QColor background, border, text;
+};
+NoteColours noteColours(Theme theme);     ///< of notices
+NoteColours errorColours(Theme theme);    ///< of errors
+NoteColours warningColours(Theme theme);  ///< of results that are out of date
+
+/// Calls `look` now and whenever the theme changes, as long as the widget lives.
+void followTheme(QWidget& widget, std::function<void()> look);
+
+QColor errorTextColour(Theme theme);  ///< of errors without a background of their own
+/// Shows a label's text in that colour.
+void showAsError(QLabel& label);
+
+}  // namespace noonmark

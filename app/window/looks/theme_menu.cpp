@@ -1,0 +1,28 @@
+#include "app/window/looks/theme_menu.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QSettings>
+
+#include "app/window/looks/theme.h"
+
+namespace noonmark {
+
+ThemeMenu::ThemeMenu(QSettings& settings, QWidget* parent) : QMenu(tr("&Colours"), parent) {
+    auto* group = new QActionGroup(this);
+    const ThemeChoice now = readThemeChoice(settings);
+    for (const auto& [choice, name] :
+         {std::pair{ThemeChoice::system, tr("As the &system")}, std::pair{ThemeChoice::light, tr("&Light")},
+          std::pair{ThemeChoice::dark, tr("&Dark")}}) {
+        QAction* action = group->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(choice == now);
+        connect(action, &QAction::triggered, this, [choice = choice, &settings] {
+            saveThemeChoice(choice, settings);
+            applyTheme(choice, qApp->property(systemPaletteName).value<QPalette>());
+        });
+    }
+    addActions(group->actions());
+}
+
+}  // namespace noonmark

@@ -1,0 +1,101 @@
+#include "app/window/view/context_menu.h"
+
+#include <QClipboard>
+#include <QCursor>
+#include <QGuiApplication>
+
+#include "app/report/sheets/study_words.h"
+#include "app/window/actions/place_actions.h"
+#include "app/window/actions/region_actions.h"
+#include "app/window/editing/edit_tools.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/looks/icons.h"
+#include "app/window/view/view_panel.h"
+
+namespace noonmark {
+
+namespace {
+
+QString nameOfBuilding(const Building& building) {
+    QString name = QString::fromStdString(building.name.empty() ? building.sourceId : building.name);
+    return name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
+// Places may lie inside each other; the menu names those that the cursor is in.
+bool isIn(const Place& place, glm::dvec2 point) {
+    return std::ranges::any_of(place.polygons,
+                               [&](const Footprint& polygon) { return contains(polygon, point); });
+}
+
+}  // namespace
+
+ContextMenu::ContextMenu(Workbench& workbench, EditTools& tools, RegionActions& region, PlaceActions& places,
+                         ViewPanel& panel)
+    : workbench_(workbench), tools_(tools), region_(region), places_(places), panel_(panel) {
+    connect(&panel_.navigator(), &ViewNavigator::rightClicked, this, &ContextMenu::popUp);
+}
+
+void ContextMenu::popUp(QPointF pixel) {
+    if (panel_.drawing() || tools_.tower().active() || tools_.mesh().active()) return;
+    std::unique_ptr<QMenu> menu = makeMenu(pixel);
+    if (menu->isEmpty()) return;
+    QMenu* shown = menu.release();
+    shown->setAttribute(Qt::WA_DeleteOnClose);
+    shown->popup(QCursor::pos());
+}
+
+std::unique_ptr<QMenu> ContextMenu::makeMenu(QPointF pixel) {
+    auto menu = std::make_unique<QMenu>();
+    if (!workbench_.city()) return menu;
+    const auto pick = panel_.navigator().pickAt(pixel);
+    if (!pick) return menu;
+    const glm::dvec2 at{pick->position.x, pick->position.y};
+    if (pick->building)
+        addBuilding(*menu, *pick->building);
+    else
+        addPlaces(*menu, at);
+    addGround(*menu, at);
+    return menu;
+}
+
+void ContextMenu::addBuilding(QMenu& menu, std::uint32_t building) {
+    menu.addSection(nameOfBuilding(*workbench_.city()->city().buildings[building]));
+    const auto add = [&](const QString& icon, const QString& text, const std::function<void()>& done) {
+        menu.addAction(makeIcon(icon), text, this, [this, building, done] {
+            tools_.building().select(building);
+            done();
+        });
+    };
+    add(QStringLiteral("find"), tr("Select"), [] {});
+    add(QStringLiteral("tower"), tr("Replace by tower"), [this] { tools_.replace(); });
+    add(QStringLiteral("slanted-view"), tr("Move"), [this] { tools_.building().setMoving(true); });
+    add(QStringLiteral("delete"), tr("Demolish"), [this] { tools_.building().demolish(); });
+    add(QStringLiteral("region"), tr("Study its surroundings"),
+        [this, building] { region_.takeSurroundings(building); });
+    add(QStringLiteral("place"), tr("Make its outline a place"), [this] { places_.makeFromBuilding(); });
+}
+
+void ContextMenu::addPlaces(QMenu& menu, glm::dvec2 at) {
+    for (const Place& place : workbench_.session().project().places) {
+        if (!isIn(place, at)) continue;
+        QString title = QString::fromStdString(place.name);
+        menu.addSection(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
+        menu.addAction(makeIcon(QStringLiteral("region")), tr("Study this place"), this,
+                       [this, name = place.name] { region_.takeNamed(name); });
+        menu.addAction(makeIcon(QStringLiteral("whole-city")), tr("Zoom to it"), this,
+                       [this, name = place.name] { places_.zoomTo(name); });
+    }
+}
+
+void ContextMenu::addGround(QMenu& menu, glm::dvec2 at) {
+    menu.addSection(tr("Here"));
+    menu.addAction(makeIcon(QStringLiteral("lot")), tr("Draw lot"), &tools_, &EditTools::drawLot);
+    menu.addAction(makeIcon(QStringLiteral("place")), tr("Draw place"), &places_, &PlaceActions::draw);
+    menu.addAction(makeIcon(QStringLiteral("region")), tr("Draw region"), region_.actions().first(),
+                   &QAction::trigger);
+    const QString position = describeLatLon(workbench_.city()->city().frame.lonLatFromLocal(at));
+    menu.addAction(makeIcon(QStringLiteral("copy")), tr("Copy position: %1").arg(position), this,
+                   [position] { QGuiApplication::clipboard()->setText(position); });
+}
+
+}  // namespace noonmark

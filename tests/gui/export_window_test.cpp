@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QImage>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <QTableView>
+
+#include "app/window/export/export_dialog.h"
+#include "app/window/export/movie_dialog.h"
+#include "app/window/export/table_text.h"
+#include "tests/gui/answers_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::AnswersWindow;
+using test::waitFor;
+using testing::HasSubstr;
+
+QByteArray contentOfFile(const QString& name) {
+    QFile file(name);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+    return file.readAll();
+}
+
+/// The window with its dialogs of export.
+struct ExportWindow : AnswersWindow {
+    QString out = folder.filePath(QStringLiteral("out"));
+
+    void trigger(const char* keys) {
+        for (const QMenu* menu : window->menuBar()->findChildren<QMenu*>())
+            for (QAction* action : menu->actions())
+                if (action->shortcut() == QKeySequence(QLatin1String(keys))) return action->trigger();
+        ADD_FAILURE() << "no action for " << keys;
+    }
+    template <class Dialog>
+    Dialog* openDialog(const char* keys) {
+        trigger(keys);
+        return window->findChild<Dialog*>();
+    }
+    template <class Field>
+    static Field* fieldOf(const QWidget& dialog, const char* name) {
+        return dialog.findChild<Field*>(QLatin1String(name));
+    }
+    static bool choose(const ExportDialog& dialog, ExportChoice::Subject subject) {
+        auto* subjects = fieldOf<QComboBox>(dialog, "exportSubject");
+        const int at = subjects->findData(int(subject));
+        if (at >= 0) subjects->setCurrentIndex(at);
+        return at >= 0;
+    }
+    void write(const ExportDialog& dialog) {
+        fieldOf<QLineEdit>(dialog, "exportFolder")->setText(out);
+        fieldOf<QPushButton>(dialog, "exportWrite")->click();
+        ASSERT_TRUE(waitFor([this] { return !workbench().writing().busy(); }));
+    }
+    [[nodiscard]] QString inFolder(const char* name) const {
+        return out + QLatin1Char('/') + QLatin1String(name);
+    }
+    std::string message() { return window->panel().messages().text().toStdString(); }
+};
+
+TEST_F(ExportWindow, WithoutAResultThereIsNothingToAskFor) {
+    EXPECT_EQ(openDialog<ExportDialog>("Ctrl+E"), nullptr);
+    EXPECT_THAT(message(), HasSubstr("no result to export"));
+}
+
+TEST_F(ExportWindow, APictureIsAsWideAsAsked) {
+    study();
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_FALSE(fieldOf<QPushButton>(*dialog, "exportWrite")->isEnabled()) << "no folder yet";
+    EXPECT_FALSE(choose(*dialog, ExportChoice::Subject::scenarios)) << "one scenario alone";
+    EXPECT_FALSE(choose(*dialog, ExportChoice::Subject::review)) << "there is no review";
+    fieldOf<QSpinBox>(*dialog, "exportPixels")->setValue(800);
+    write(*dialog);
+    EXPECT_EQ(QImage(inFolder("shadow.png")).width(), 800) << message();
+    EXPECT_TRUE(QFile::exists(inFolder("cells.csv")));
+}
+
+TEST_F(ExportWindow, MeasuredScenariosAreExportedSideBySide) {
+    workbench().measureAll();
+    ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }));
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_TRUE(choose(*dialog, ExportChoice::Subject::scenarios));
+    EXPECT_FALSE(fieldOf<QSpinBox>(*dialog, "exportPixels")->isEnabled()) << "there is no picture";
+    write(*dialog);
+    const QList<QByteArray> lines = contentOfFile(inFolder("scenarios.csv")).trimmed().split('\n');
+    ASSERT_EQ(lines.size(), 3) << message();
+    EXPECT_TRUE(lines[1].startsWith("Existing,0,"));
+    EXPECT_TRUE(lines[2].startsWith("Tower,1,")) << "one change: the new tower";
+    EXPECT_TRUE(contentOfFile(inFolder("scenarios.pdf")).startsWith("%PDF"));
+    EXPECT_FALSE(contentOfFile(inFolder("scenarios.tif")).isEmpty());
+}
+
+TEST_F(ExportWindow, AMovieOfADayIsWritten) {
+    const QString file = folder.filePath(QStringLiteral("day.gif"));
+    MovieChoice choice;
+    choice.area = MovieChoice::Area::region;
+    choice.everyMin = 240;
+    choice.format.size = {128, 72};
+    window->movies().writeTo(file, choice);
+    ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
+    const QByteArray gif = contentOfFile(file);
+    EXPECT_TRUE(gif.startsWith("GIF89a")) << message();
+    const auto frames = gif.count(QByteArray::fromHex("21f904"));  // a graphic control extension each
+    EXPECT_THAT(frames, testing::AllOf(testing::Ge(2), testing::Le(4))) << "every four hours with the sun up";
+    EXPECT_THAT(message(), HasSubstr("frames"));
+    window->movies().writeTo(folder.filePath(QStringLiteral("movie.txt")), choice);
+    ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
+    EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("movie.txt"))));
+}
+
+TEST_F(ExportWindow, ASwipeIsOfferedOnlyWithABaseline) {
+    auto* alone = openDialog<MovieDialog>("Ctrl+Shift+E");
+    ASSERT_NE(alone, nullptr);
+    EXPECT_EQ(fieldOf<QComboBox>(*alone, "movieKind")->count(), 2);
+    delete alone;
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    auto* comparing = openDialog<MovieDialog>("Ctrl+Shift+E");
+    ASSERT_NE(comparing, nullptr);
+    EXPECT_EQ(fieldOf<QComboBox>(*comparing, "movieKind")->count(), 3);
+    EXPECT_THAT(comparing->choice().title, HasSubstr("Tower compared with"));
+}
+
+TEST_F(ExportWindow, TablesAndFiguresAreCopied) {
+    study();
+    auto* table = window->findChild<QTableView*>(QStringLiteral("scenarioTable"));
+    ASSERT_TRUE(window->copying().copyText(table->viewport()));
+    const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
+    EXPECT_TRUE(lines[0].startsWith(QStringLiteral("Scenario\tChanges\tShadow area")));
+    EXPECT_TRUE(lines[1].startsWith(QStringLiteral("Existing\t0\t")));
+    EXPECT_TRUE(lines[2].startsWith(QStringLiteral("Tower\t1")));
+    ASSERT_TRUE(window->copying().copyText(window->findChild<ResultsDock*>()));
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("Shadow area\t")));
+    EXPECT_FALSE(window->copying().copyText(&window->panel())) << "no table: a picture is taken";
+}
+
+TEST_F(ExportWindow, ThePictureOfTheViewIsCopied) {
+    QGuiApplication::clipboard()->clear();
+    window->results().copyPicture();
+    ASSERT_TRUE(waitFor([] { return !QGuiApplication::clipboard()->image().isNull(); }));
+    EXPECT_GT(QGuiApplication::clipboard()->image().height(), 200);
+}
+
+TEST(TableTexts, KeepOneRowALineWhateverACellHolds) {
+    QStandardItemModel model(2, 2);
+    model.setHorizontalHeaderLabels({QStringLiteral("Name"), QStringLiteral("Height\tm")});
+    model.setItem(0, 0, new QStandardItem(QStringLiteral("Tab\there")));
+    model.setItem(0, 1, new QStandardItem(QStringLiteral("12")));
+    model.setItem(1, 0, new QStandardItem(QStringLiteral("Two\nlines")));
+    model.setItem(1, 1, new QStandardItem(QStringLiteral("7")));
+    model.item(0, 0)->appendRow({new QStandardItem(QStringLiteral("inside")), new QStandardItem(QString())});
+    EXPECT_EQ(makeTableText(model), QStringLiteral("Name\tHeight m\nTab here\t12\ninside\t\nTwo lines\t7\n"));
+    EXPECT_EQ(makeTableText(model, {model.index(1, 1)}), QStringLiteral("Name\tHeight m\nTwo lines\t7\n"));
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,103 @@
+#include "app/report/scenarios/scenario_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+#include "app/report/files/read_report.h"
+#include "app/report/scenarios/scenario_text.h"
+#include "app/report/sheets/study_report.h"
+#include "core/io/write_raster.h"
+#include "tests/report/synthetic_study.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+/// The synthetic study twice; in the second, all cells have 30 minutes more.
+ScenarioStudies makeTwoScenarios() {
+    Study more = tests::syntheticStudy();
+    for (float& minutes : more.field.grossMin) minutes += 30;
+    more.statistics = computeStatistics(more.field);
+    ProjectRecord record;
+    record.scenario = {"Tower \"A\"", {"adds a building", "removes a building"}, {}};
+    more.provenance.project = record;
+    return {{"Existing", std::make_shared<const Study>(tests::syntheticStudy())},
+            {"Tower \"A\"", std::make_shared<const Study>(std::move(more))}};
+}
+
+TEST(ScenarioTables, StateTheChangeFromTheFirst) {
+    const ScenarioStudies two = makeTwoScenarios();
+    const ShadowStatistics& first = two[0].study->statistics;
+    // 30 of 360 sunlit minutes on every receiver.
+    const double change = first.receiverAreaM2 * 30 / two[0].study->field.sunlitMinutesPerDay;
+    EXPECT_NEAR(computeShadowAreaChange(two, two[1]), change, 0.01 * change);
+    EXPECT_EQ(computeShadowAreaChange(two, two[0]), 0);
+    EXPECT_EQ(countChanges(two[1]), 2U);
+    const auto json = nlohmann::json::parse(scenariosJson(two));
+    EXPECT_EQ(json["compared_with"], "Existing");
+    ASSERT_EQ(json["scenarios"].size(), 2U);
+    EXPECT_NEAR(json["scenarios"][1]["figures"]["shadow_area_change_m2"].get<double>(), change,
+                0.01 * change);
+    EXPECT_THAT(scenariosCsv(two), HasSubstr("\r\n\"Tower \"\"A\"\"\",2,"));
+}
+
+TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {
+    const ScenarioStudies one{
+        {"Existing", std::make_shared<const Study>(tests::grossOnly(tests::syntheticStudy()))}};
+    const auto json = nlohmann::json::parse(scenariosJson(one));
+    EXPECT_TRUE(json["scenarios"][0]["figures"]["mean_continuous_min"].is_null());
+    EXPECT_THAT(scenariosCsv(one), testing::Not(HasSubstr("nan")));
+}
+
+TEST(ScenarioFiles, AreOneSetWithABandForEachScenario) {
+    const QTemporaryDir folder;
+    const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
+    const ScenarioStudies two = makeTwoScenarios();
+    const auto paths = writeScenarioFiles(two, {}, out);
+    ASSERT_TRUE(paths) << paths.error().text();
+    ASSERT_EQ(paths->size(), scenarioFileNames().size());
+    const auto bands = readGeoTiff(out / "scenarios.tif", two[0].study->field.grid);
+    ASSERT_TRUE(bands) << bands.error().text();
+    ASSERT_EQ(bands->size(), 2U);
+    EXPECT_EQ((*bands)[1][5], (*bands)[0][5] + 30);
+    const auto words = readPrintedWords(out / "scenarios.pdf");
+    ASSERT_TRUE(words) << words.error().text();
+    for (const char* word : {"Existing", "Tower", "Change"}) EXPECT_THAT(*words, HasSubstr(word));
+}
+
+TEST(ScenarioFiles, AreRefusedWithoutScenariosOrOnDifferentCells) {
+    const QTemporaryDir folder;
+    const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
+    EXPECT_FALSE(writeScenarioFiles({}, {}, out));
+    ScenarioStudies two = makeTwoScenarios();
+    auto other = std::make_shared<Study>(*two[1].study);
+    other->field.grid.cellM = 2;
+    two[1].study = other;
+    EXPECT_FALSE(writeScenarioFiles(two, {}, out));
+    EXPECT_FALSE(std::filesystem::exists(out / "scenarios.csv"));
+}
+
+TEST(Pictures, AreAsWideAsAskedAndShowTheSameAtEverySize) {
+    const Study study = tests::syntheticStudy();
+    const QImage usual = mapPicture(study, ShadowMeasure::gross);
+    const QImage large = mapPicture(study, ShadowMeasure::gross, 2 * pictureWidth);
+    EXPECT_EQ(usual.width(), pictureWidth);
+    EXPECT_EQ(large.width(), 2 * pictureWidth);
+    EXPECT_NEAR(large.height(), 2 * usual.height(), 2);
+    const QImage shrunk = large.scaled(usual.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    int far = 0;
+    for (int y = 0; y < usual.height(); y += 5)
+        for (int x = 0; x < usual.width(); x += 5)
+            far += std::abs(qGreen(usual.pixel(x, y)) - qGreen(shrunk.pixel(x, y))) > 60 ? 1 : 0;
+    EXPECT_LT(far, usual.width() * usual.height() / 25 / 50) << "two in a hundred: edges of letters";
+    EXPECT_EQ(mapPicture(study, ShadowMeasure::gross, 1).width(), leastPictureWidth);
+}
+
+}  // namespace
+}  // namespace noonmark
