@@ -25,7 +25,7 @@ constexpr const char* windows = R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"id":"inside","azimuth":180},"geometry":{"type":"Point","coordinates":[-73.98385,40.7531,4]}},
 {"type":"Feature","properties":{"id":"flat"},"geometry":{"type":"Point","coordinates":[-73.98385,40.7530]}}]})";
 
-std::string textOf(const std::filesystem::path& file) {
+std::string writtenText(const std::filesystem::path& file) {
     std::ifstream stream(file);
     std::ostringstream content;
     content << stream.rdbuf();
@@ -58,7 +58,7 @@ TEST_F(StudyPoints, FacadesAreTablesAndAGeoPackage) {
     const auto json = spoken.json();
     EXPECT_EQ(json["elements"]["receivers_on"], "facades");
     EXPECT_GT(json["receivers"], 5 * 4);
-    const std::string csv = textOf(out_ / "elements.csv");
+    const std::string csv = writtenText(out_ / "elements.csv");
     EXPECT_THAT(csv, StartsWith("id,kind,building,building_name,floor,azimuth_deg,lon_deg,lat_deg,"));
     EXPECT_EQ(std::ranges::count(csv, '\n'), json["receivers"].get<int>() + 1);
     EXPECT_TRUE(std::filesystem::exists(out_ / "elements.gpkg"));
@@ -92,7 +92,7 @@ TEST_F(StudyPoints, TheFileOfWindowsIsNotReplaced) {
     std::filesystem::copy_file(windows_, out_ / "elements.csv");
     const Spoken spoken = study({"--receivers", "windows", "--windows", (out_ / "elements.csv").string()});
     EXPECT_EQ(spoken.code, exitUsage);
-    EXPECT_EQ(textOf(out_ / "elements.csv"), textOf(windows_));
+    EXPECT_EQ(writtenText(out_ / "elements.csv"), writtenText(windows_));
 }
 
 TEST_F(StudyPoints, OptionsThatDoNotBelongAreRefused) {
@@ -112,7 +112,7 @@ TEST_F(StudyPoints, APlaneAboveTheGround) {
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
     EXPECT_EQ(spoken.json()["elements"]["plane_above_ground_m"], 4);
     EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--receivers plane --plane-height 4"));
-    EXPECT_THAT(textOf(out_ / "elements.csv"), HasSubstr(",plane,,,,,-73.98"));
+    EXPECT_THAT(writtenText(out_ / "elements.csv"), HasSubstr(",plane,,,,,-73.98"));
 }
 
 }  // namespace

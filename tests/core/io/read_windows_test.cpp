@@ -18,7 +18,8 @@ City emptyCity() {
     return city;
 }
 
-Result<WindowsRead> readFrom(const std::filesystem::path& file, const WindowFileSettings& settings = {}) {
+Result<WindowsRead> readWindowsFrom(const std::filesystem::path& file,
+                                    const WindowFileSettings& settings = {}) {
     NoProgress quiet;
     return readWindows(file, settings, emptyCity(), quiet, {});
 }
@@ -41,7 +42,7 @@ protected:
 };
 
 TEST_F(ReadWindows, PointsAndPanesWithTheirFields) {
-    const auto read = readFrom(fileOf(
+    const auto read = readWindowsFrom(fileOf(
         {{R"("ID":"W1","facing":270,"storey":"4")", point("4.45,51.91,12.5")},
          {R"("ID":"W2")",
           R"({"type":"Polygon","coordinates":[[[4.45,51.91,1],[4.4501,51.91,1],[4.4501,51.91,2],[4.45,51.91,1]]]})"},
@@ -70,7 +71,7 @@ TEST_F(ReadWindows, ElevationsAreLoweredToTheFrame) {
 }
 
 TEST_F(ReadWindows, WhatIsNoWindowIsCountedAndListed) {
-    const auto read = readFrom(
+    const auto read = readWindowsFrom(
         fileOf({{R"("id":"good")", point("4.45,51.91,3")},
                 {R"("id":"flat")", point("4.45,51.91")},
                 {R"("id":"endless")", point("1e999,51.91,3")},
@@ -90,33 +91,33 @@ TEST_F(ReadWindows, WhatIsNoWindowIsCountedAndListed) {
 }
 
 TEST_F(ReadWindows, AFileWithoutAnyUsableWindowSaysWhy) {
-    const auto flat = readFrom(fileOf({{R"("id":"a")", point("4.45,51.91")}}));
+    const auto flat = readWindowsFrom(fileOf({{R"("id":"a")", point("4.45,51.91")}}));
     ASSERT_FALSE(flat);
     EXPECT_THAT(flat.error().text(), HasSubstr("no height"));
-    const auto lines = readFrom(
+    const auto lines = readWindowsFrom(
         fileOf({{R"("id":"a")", R"({"type":"LineString","coordinates":[[4.45,51.91,1],[4.46,51.91,1]]})"}}));
     ASSERT_FALSE(lines);
     EXPECT_THAT(lines.error().text(), HasSubstr("neither a point nor a polygon"));
     EXPECT_THAT(lines.error().advice, HasSubstr("PointZ"));
-    EXPECT_FALSE(readFrom(fileOf({})));
-    EXPECT_FALSE(readFrom(folder_.file("noise.gpkg", "this is no GeoPackage")));
-    EXPECT_FALSE(readFrom(folder_.path("missing.gpkg")));
+    EXPECT_FALSE(readWindowsFrom(fileOf({})));
+    EXPECT_FALSE(readWindowsFrom(folder_.file("noise.gpkg", "this is no GeoPackage")));
+    EXPECT_FALSE(readWindowsFrom(folder_.path("missing.gpkg")));
 }
 
 TEST_F(ReadWindows, AMissingIdFieldNamesTheOthers) {
     const auto file = fileOf({{R"("flat":"3b")", point("4.45,51.91,3")}});
-    const auto read = readFrom(file, {.idField = "window_no"});
+    const auto read = readWindowsFrom(file, {.idField = "window_no"});
     ASSERT_FALSE(read);
     EXPECT_THAT(read.error().text(), HasSubstr("window_no"));
     EXPECT_THAT(read.error().advice, HasSubstr("flat"));
-    EXPECT_EQ(readFrom(file, {.idField = "FLAT"}).value().windows[0].id, "3b");
+    EXPECT_EQ(readWindowsFrom(file, {.idField = "FLAT"}).value().windows[0].id, "3b");
 }
 
 TEST_F(ReadWindows, ThousandsOfThem) {
     std::vector<std::pair<std::string, std::string>> features;
     for (int i = 0; i < 5000; ++i)
         features.emplace_back(fmt::format(R"("id":{})", i), point(fmt::format("4.45,51.91,{}", i % 50)));
-    EXPECT_EQ(readFrom(fileOf(features)).value().windows.size(), 5000U);
+    EXPECT_EQ(readWindowsFrom(fileOf(features)).value().windows.size(), 5000U);
 }
 
 // What writeElementsGeoPackage() writes is a file of windows again: points with z and an id.
@@ -127,7 +128,7 @@ TEST_F(ReadWindows, ReadTheGeoPackageOfElements) {
     table.places = {{4.45, 51.91, 7.25}, {4.451, 51.91, -1}};
     const auto file = folder_.path("elements.gpkg");
     ASSERT_TRUE(writeElementsGeoPackage(file, table));
-    const auto read = readFrom(file);
+    const auto read = readWindowsFrom(file);
     ASSERT_TRUE(read) << read.error().text();
     ASSERT_EQ(read->windows.size(), 2U);
     EXPECT_EQ(read->windows[0].id, "a");
