@@ -105,6 +105,7 @@ bool needsRegionFile(const StudyRequest& request) {
 OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs) {
     OutputRules rules = outputRules(options.read.files, inputs, options.overwrite);
     addPlace(rules, options.region);
+    if (!options.elements.windows.empty()) addPlace(rules, options.elements.windows.string());
     return rules;
 }
 

@@ -4,71 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <utility>
 
+#include "core/receivers/points/solid_parts.h"
 #include "core/receivers/wall_faces.h"
 
 namespace noonmark {
 
 namespace {
 
-// The sum over a mesh's faces above a place of 1 for those that face up and -1 for those that face down:
-// above 0 inside a closed mesh.
-int windingAt(const TriangleMesh& mesh, glm::dvec3 place) {
-    int winding = 0;
-    for (const glm::uvec3 t : mesh.triangles) {
-        const glm::dvec3 a(mesh.vertices[t.x]), b(mesh.vertices[t.y]), c(mesh.vertices[t.z]);
-        const glm::dvec2 ab(b - a), ac(c - a), ap(place - a);
-        const double turn = ab.x * ac.y - ab.y * ac.x;
-        if (std::abs(turn) < 1e-9) continue;
-        const double u = (ap.x * ac.y - ap.y * ac.x) / turn, v = (ab.x * ap.y - ab.y * ap.x) / turn;
-        if (u < 0 || v < 0 || u + v > 1) continue;
-        if (a.z + u * (b.z - a.z) + v * (c.z - a.z) > place.z) winding += turn > 0 ? 1 : -1;
-    }
-    return winding;
-}
-
-bool isInside(const Part& part, glm::dvec3 place) {
-    if (place.z < double(part.bottomM) || place.z >= double(part.topM)) return false;
-    if (part.mesh) return windingAt(*part.mesh, place) > 0;
-    return contains(part.footprint, glm::dvec2(place));
-}
-
-/// Finds the parts around a place: all parts of a city, by squares of the plan.
-class PartSquares {
-public:
-    explicit PartSquares(const City& city) {
-        for (const auto& building : city.buildings)
-            for (const Part& part : building->parts) {
-                const Box2 box = bounds(part.footprint);
-                for (long x = square(double(box.low.x)); x <= square(double(box.high.x)); ++x)
-                    for (long y = square(double(box.low.y)); y <= square(double(box.high.y)); ++y)
-                        parts_[{x, y}].push_back({&part, box});
-            }
-    }
-
-    [[nodiscard]] bool isSolid(glm::dvec3 place) const {
-        const auto found = parts_.find({square(place.x), square(place.y)});
-        return found != parts_.end() && std::ranges::any_of(found->second, [&](const auto& entry) {
-                   const Box2& box = entry.second;
-                   return place.x >= double(box.low.x) && place.x <= double(box.high.x) &&
-                          place.y >= double(box.low.y) && place.y <= double(box.high.y) &&
-                          isInside(*entry.first, place);
-               });
-    }
-
-private:
-    static long square(double metres) { return long(std::floor(metres / 32)); }
-    std::map<std::pair<long, long>, std::vector<std::pair<const Part*, Box2>>> parts_;
-};
-
 /// Places the receivers of one building after the other.
 class FacadePlacer {
 public:
     FacadePlacer(const City& city, const FacadeSettings& settings)
-        : city_(city), settings_(settings), squares_(city) {}
+        : city_(city), settings_(settings), solids_(city) {}
 
     void addBuilding(std::uint32_t index) {
         std::vector<WallFace> faces;
@@ -102,7 +51,7 @@ private:
     [[nodiscard]] bool isOpen(const WallFace& face, glm::dvec2 place) const {
         constexpr double inFrontM = 0.05;
         const glm::dvec2 front = face.start + place.x * face.along + inFrontM * face.normal();
-        return place.y > double(groundAt(city_, front)) && !squares_.isSolid({front, place.y});
+        return place.y > double(groundAt(city_, front)) && !solids_.isSolid({front, place.y});
     }
 
     void addPoint(const WallFace& face, glm::dvec2 place, PointElement element) {
@@ -118,7 +67,7 @@ private:
 
     const City& city_;
     const FacadeSettings& settings_;
-    PartSquares squares_;
+    SolidParts solids_;
     PointReceivers placed_;
 };
 
@@ -133,6 +82,20 @@ Result<void> checkFacades(const FacadeSettings& settings) {
 }
 
 }  // namespace
+
+std::string_view nameOf(ElementKind kind) {
+    switch (kind) {
+        case ElementKind::facade:
+            return "facade";
+        case ElementKind::window:
+            return "window";
+        case ElementKind::plane:
+            return "plane";
+        case ElementKind::point:
+            return "point";
+    }
+    return "point";
+}
 
 Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uint32_t> buildings,
                                       const FacadeSettings& settings, const std::stop_token& stop) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -14,7 +15,9 @@
 namespace noonmark {
 
 /// What a point receiver belongs to.
-enum class ElementKind : std::uint8_t { facade, plane, point };
+enum class ElementKind : std::uint8_t { facade, window, plane, point };
+/// "facade", "window", "plane", "point"
+std::string_view nameOf(ElementKind kind);
 
 /// Where a point receiver belongs.
 struct PointElement {

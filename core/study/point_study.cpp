@@ -7,6 +7,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
+#include "core/receivers/points/solid_parts.h"
 #include "core/study/point_losses.h"
 
 namespace noonmark {
@@ -62,6 +63,19 @@ glm::vec3 normalOf(const PointQuestion& question, const Observer& observer) {
     return glm::vec3(glm::normalize(glm::dvec3(local.x, local.y, 0)));
 }
 
+std::string nameOf(const Building& building) {
+    return building.name.empty() ? building.sourceId : building.name;
+}
+
+// The overhang that a place is in; null: none.
+const Building* findOverhangAt(const City& city, glm::dvec3 place) {
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts)
+            if (part.isOverhanging && touches(part, glm::dvec2(place)) && isInside(part, place))
+                return building.get();
+    return nullptr;
+}
+
 Result<SettledPoint> settle(const City& city, const PointQuestion& question, glm::dvec2 place,
                             const Observer& observer) {
     const double ground = double(groundAt(city, place));
@@ -71,11 +85,14 @@ Result<SettledPoint> settle(const City& city, const PointQuestion& question, glm
     if (onRoof) height = std::max(height, roof.topM);
     if (roof.building != nullptr && !onRoof)
         return failure(
-            fmt::format("The point is inside the building {}",
-                        roof.building->name.empty() ? roof.building->sourceId : roof.building->name),
+            fmt::format("The point is inside the building {}", nameOf(*roof.building)),
             fmt::format("{:.6f},{:.6f}", question.at.lonDeg, question.at.latDeg),
             fmt::format("Choose a point in front of its wall, or {:.1f} m or more above the ground",
                         roof.topM - ground));
+    if (const Building* overhang = findOverhangAt(city, {place, height}))
+        return failure(fmt::format("The point is inside an overhang of the building {}", nameOf(*overhang)),
+                       fmt::format("{:.6f},{:.6f}", question.at.lonDeg, question.at.latDeg),
+                       "Choose a height below it or above it");
     return SettledPoint{{glm::vec3(glm::dvec3(place, height)), normalOf(question, observer)}, onRoof};
 }
 
@@ -150,11 +167,27 @@ private:
     std::vector<SkylineStretch> stretches_;
 };
 
+std::vector<OverhangSpan> listOverhangs(const Skyline& skyline, double northDeg) {
+    std::vector<OverhangSpan> spans;
+    if (skyline.faces().empty()) return spans;
+    constexpr double widthDeg = 0.5;
+    for (double from = 0; from < 360; from += widthDeg) {
+        const double azimuth = Degrees{std::fmod(from + widthDeg / 2 + northDeg + 360, 360)}.radians().value;
+        const double skylineTan = skyline.tanAt(azimuth);
+        for (const HiddenAltitudes& hidden : skyline.hiddenAt(azimuth))
+            if (hidden.highTan > skylineTan)
+                spans.push_back({from, from + widthDeg, degreesOfTan(std::max(hidden.lowTan, skylineTan)),
+                                 degreesOfTan(hidden.highTan)});
+    }
+    return spans;
+}
+
 PointView viewOf(const City& city, const SkyPoint& point, const PointStudy& study, double northDeg,
                  const Zone& zone) {
     const Skyline skyline = Skyline::at(point, collectSkyObstacles(city));
     PointView view;
     SkylineList(skyline, northDeg).fill(view);
+    view.overhangs = listOverhangs(skyline, northDeg);
     view.factors = computeSkyFactors(skyline);
     view.shaded = findShadedSteps(skyline, study.sun);
     view.sunlit = findSunBands(view.shaded, study.sun, study.day);

@@ -37,10 +37,17 @@ struct SkylinePlace {
     double altitudeDeg = 0;
 };
 
+/// Sky that overhangs hide above the skyline, within half a degree of azimuth (as in its middle).
+struct OverhangSpan {
+    double fromDeg = 0, toDeg = 0;   ///< azimuths from true north, 0 to 360
+    double lowDeg = 0, highDeg = 0;  ///< altitudes
+};
+
 /// The sun and sky of a point in one city.
 struct PointView {
     std::vector<SkylinePlace> skyline;  ///< 0 to 360 degrees, at most 1 degree apart; two entries at a jump
     std::vector<SkylineStretch> stretches;
+    std::vector<OverhangSpan> overhangs;  ///< ascending azimuths
     SkyFactors factors;
     std::vector<SunBand> sunlit;  ///< of the day
     MonthHours minutes{};         ///< sunlit minutes of the year, by month and hour of the wall clock
@@ -71,8 +78,8 @@ struct PointStudy {
 };
 
 /// Measures the point in a city and, if given, in the city of a scenario. Error: the point is inside a
-/// building, the zone is unknown, a value out of range, cancelled(). In Midtown, of 100,000 edges, 0.4 s for
-/// one city and a year at one minute.
+/// building or an overhang, the zone is unknown, a value out of range, cancelled(). In Midtown, of 100,000
+/// edges, 0.4 s for one city and a year at one minute.
 Result<PointStudy> runPointStudy(const City& baseline, const City* scenario, const PointQuestion& question,
                                  const std::stop_token& stop);
 

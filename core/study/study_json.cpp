@@ -11,6 +11,7 @@
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/error_json.h"
 #include "core/study/text/height_words.h"
+#include "core/study/text/period_json.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/text/warnings_json.h"
 #include "core/study/timed_study_json.h"
@@ -20,61 +21,6 @@ namespace noonmark {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-Json periodJson(const Period& period, const SunSteps& sun) {
-    Json json;
-    json["text"] = formatText(period);
-    json["start"] = formatText(period.start);
-    json["days"] = period.days;
-    json["step_min"] = period.stepMinutes;
-    json["counted_step_min"] = sun.stepMinutes;
-    json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.windowMinutes / double(sun.days.size());
-    json["day_rounding_min"] = sun.mostOffADayMin;
-    json["zone"] = period.zone;
-    json["from"] = period.window ? Json() : Json(formatText(period.from));
-    json["hours"] = period.window ? Json() : Json(period.hours);
-    json["window"] = nullptr;
-    if (period.window)
-        json["window"] = {
-            {"after_sunrise_min", period.window->afterSunrise.count()},
-            {"before_sunset_min", period.window->beforeSunset.count()},
-            {"sunrise_altitude_deg", period.window->rule == SunriseRule::centre ? 0.0 : -0.833}};
-    json["refraction"] = period.refraction;
-    json["days_without_sun"] = std::ranges::count(sun.days, 0U, &SunDay::count);
-    return json;
-}
-
-Json observerJson(const Observer& observer) {
-    return {{"lon_deg", observer.place.lonDeg},
-            {"lat_deg", observer.place.latDeg},
-            {"elevation_m", observer.elevationM},
-            {"pressure_hpa", observer.pressureHPa},
-            {"temperature_c", observer.temperatureC}};
-}
-
-/// Facts about the sun's direction in the frame of the geometry, with the remaining error at the region's
-/// farthest corner.
-Json sunFrameJson(const Study& study) {
-    const SunFrameFacts facts = computeSunFrame(study.city, study.settings);
-    return {{"north_turned_deg", facts.convergenceDeg},
-            {"vertical_turned_deg", facts.tiltDeg},
-            {"farthest_from_observer_m", facts.farthestM},
-            {"vertical_error_deg", facts.verticalErrorDeg},
-            {"steps_levelled", study.sun.levelled}};
-}
-
-Json regionJson(const Study& study) {
-    const Region& region = study.settings.region;
-    const Box2 box = bounds(region);
-    const LonLat low = study.city.frame.lonLatFromLocal(glm::dvec2(box.low));
-    const LonLat high = study.city.frame.lonLatFromLocal(glm::dvec2(box.high));
-    double areaM2 = 0;
-    for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
-    return {{"name", region.name},
-            {"polygons", region.polygons.size()},
-            {"area_m2", areaM2},
-            {"extent_lonlat", {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg}}};
-}
 
 Json cellsJson(const Study& study) {
     const Grid& grid = study.receivers.grid;
@@ -182,12 +128,12 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     json["error"] = errorJson(study);
     addCost(json, study, writeSeconds);
     if (study.settings.byMonth) json["by_month"] = monthsJson(study);
-    json["region"] = regionJson(study);
+    json["region"] = regionJson(study.settings.region, study.city.frame);
     json["cells"] = cellsJson(study);
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();
     if (study.city.terrain) json["beyond_terrain"] = makeCoverageJson(study.terrainCoverage);
     json["observer"] = observerJson(makeObserver(study));
-    json["sun_frame"] = sunFrameJson(study);
+    json["sun_frame"] = sunFrameJson(study.city, study.settings, study.sun);
     addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
     addRepeat(json, makeRepeatCommand(study, std::numeric_limits<std::size_t>::max()));

@@ -55,6 +55,25 @@ TEST(Point, InTheOpenAllTheSkyIsSeen) {
     EXPECT_EQ(json["skyline_buildings"].size(), 0U);
 }
 
+TEST(Point, DrawsItsSky) {
+    const noonmark::tests::TemporaryFolder folder;
+    const std::string file = folder.path("sky.svg").string();
+    const auto draw = [&](std::vector<std::string> more) {
+        more.insert(more.end(), {"--facing", "180", "--svg", file});
+        return noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", more));
+    };
+    ASSERT_EQ(draw({}).code, exitOk);
+    std::ifstream stream(file);
+    const std::string svg((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    EXPECT_THAT(svg, testing::StartsWith("<svg xmlns="));
+    EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
+    EXPECT_THAT(svg, HasSubstr("degrees</text>"));  // a building of the legend
+    EXPECT_THAT(svg, HasSubstr("behind the wall"));
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(draw({}).code, exitUsage);  // it exists
+    EXPECT_EQ(draw({"--overwrite"}).code, exitOk);
+}
+
 TEST(Point, RefusesWhatIsNoPoint) {
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785", {})).code, exitUsage);
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,140", {})).code, exitUsage);

@@ -18,6 +18,7 @@
 #include "core/bench/contests/moments.h"
 #include "core/bench/horizon/horizon_bench.h"
 #include "core/bench/paper/paper_bench.h"
+#include "core/bench/points/point_bench.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {
@@ -162,6 +163,8 @@ void addBenchCommand(CLI::App& app, Run& run) {
         *group, "horizon",
         "The horizon sweep over a year, projected shadows over a day, and edits, compared with their targets",
         {bench::runHorizonBench, bench::horizonBenchKeys}, run);
+    addBench(*group, "points", "A year on 100,000 points of facades, and its error, compared with rays",
+             {bench::runPointBench, bench::pointBenchKeys}, run);
 }
 
 }  // namespace noonmark::cli

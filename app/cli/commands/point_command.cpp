@@ -11,9 +11,13 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/load_city.h"
 #include "app/cli/options/number_range.h"
+#include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/read_options.h"
 #include "app/cli/project/project_question.h"
 #include "app/cli/table.h"
+#include "app/input/output_rules.h"
+#include "app/report/skyline/skyline_svg.h"
+#include "core/io/files/write_text.h"
 #include "core/study/text/point_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
@@ -29,6 +33,8 @@ struct PointOptions {
     std::string zone;
     std::string scenario;
     std::string baseline;
+    std::string svg;  ///< file of the drawing; empty: none
+    bool overwrite = false;
     bool json = false;
 };
 
@@ -99,11 +105,17 @@ void print(const PointStudy& study, const City& city, const Zone& zone, std::ost
     out << describe(study, city) << '\n';
 }
 
+Result<void> checkDrawing(const PointOptions& options) {
+    if (options.svg.empty()) return {};
+    return checkOutput(options.svg, OutputKind::svg, outputRules(options.read.files, {}, options.overwrite));
+}
+
 int runPoint(const PointOptions& options, const Console& console) {
     PointQuestion question = options.question;
     const auto day = parseDate(options.day);
     if (!day) return fail(console, day.error(), exitUsage);
     question.day = *day;
+    if (const auto may = checkDrawing(options); !may) return fail(console, may.error(), exitUsage);
     const auto cities = citiesOf(options, console);
     if (!cities) return fail(console, cities.error(), exitUsage);
     question.zone = options.zone.empty() ? cities->zone : options.zone;
@@ -113,6 +125,10 @@ int runPoint(const PointOptions& options, const Console& console) {
     const auto study = runPointStudy(cities->baseline, cities->scenario ? &*cities->scenario : nullptr,
                                      question, interrupt.token());
     if (!study) return fail(console, study.error(), exitUsage);
+    if (!options.svg.empty())
+        if (const auto written = writeText(options.svg, skylineSvg(*study, cities->baseline, *zone));
+            !written)
+            return fail(console, written.error(), exitFailed);
     if (options.json)
         console.out << toJsonText(pointJson(*study, cities->baseline, *zone)) << '\n';
     else
@@ -155,11 +171,16 @@ void addPointCommand(CLI::App& app, Run& run) {
         ->type_name("NAME");
     command->add_option("--baseline", options->baseline, "The scenario to compare with (default: Existing)")
         ->type_name("NAME");
+    command
+        ->add_option("--svg", options->svg,
+                     "Also draw the skyline and the sun's paths of the months, cylindrical and stereographic")
+        ->type_name("FILE");
+    addOverwriteOption(*command, options->overwrite);
     command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->footer(
         "A window 4.5 m above the street that faces south:\n"
         "  noonmark-cli point midtown.gpkg --at -73.9781,40.7648,4.5 --facing 180 --day 2026-12-21 \\\n"
-        "    --zone America/New_York --json");
+        "    --zone America/New_York --json --svg skyline.svg");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runPoint(*options, console); }; });
 }

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/cli/command.h"
+#include "app/cli/element_run.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
@@ -44,6 +45,8 @@ void printFile(const std::filesystem::path& folder, const char* name, std::ostre
 }
 
 int runStudyCommand(const StudyOptions& options, const Console& console) {
+    if (options.points) return runElements(options, console);
+    if (const auto ok = checkElementOptions(options); !ok) return fail(console, ok.error(), exitUsage);
     const auto study = computed(options, console);
     if (!study) return fail(console, study.error().error, study.error().code);
     const auto files = writeFiles(*study, options);
@@ -61,12 +64,17 @@ void addStudyCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<StudyOptions>();
     CLI::App* command =
         app.add_subcommand("study", "Measure the shadow over a region and write maps, figures and a report");
-    addStudyOptions(*command, *options);
+    addStudyOptions(*command, *options, ReceiverChoice::cellsAndPoints);
+    addElementOptions(*command, *options);
     addPieceOptions(*command, *options);
     command->footer(
         "A first study:\n"
         "  noonmark-cli study sample:central-park-south --start 2026-03-21 --from 09:00 --hours 6 \\\n"
         "    --zone America/New_York --region -73.9845,40.7620,-73.9690,40.7735 --cell 2 --out out\n"
+        "Sunlight of every window of a file, as elements.csv and elements.gpkg:\n"
+        "  noonmark-cli study city.gpkg --start 2026-01-01 --days 365 --window sunrise..sunset --zone "
+        "Europe/Amsterdam \\\n"
+        "    --region city --receivers windows --windows windows.gpkg --out out\n"
         "Steps with the sun below the horizon are left out; shares of time refer to the time with the sun "
         "above it.");
     command->callback([options, &run] {

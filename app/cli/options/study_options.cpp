@@ -13,14 +13,25 @@ namespace noonmark::cli {
 
 namespace {
 
-void addPlacesOption(CLI::App& command, StudySettings& settings) {
+void takeReceivers(const std::string& name, StudyOptions& options) {
+    options.points = std::nullopt;
+    if (const auto places = parsePlaces(name)) options.settings.receivers.places = *places;
+    for (const ElementPlaces places : allElementPlaces)
+        if (name == nameOf(places)) options.points = options.elements.places = places;
+}
+
+void addPlacesOption(CLI::App& command, StudyOptions& options, ReceiverChoice choice) {
     std::vector<std::string> names;
     for (const ReceiverPlaces places : allReceiverPlaces) names.emplace_back(nameOf(places));
+    std::string help =
+        "Where shadow is measured: cells on the ground, roofs or both (roofs: engines horizon, ray, auto)";
+    if (choice == ReceiverChoice::cellsAndPoints) {
+        for (const ElementPlaces places : allElementPlaces) names.emplace_back(nameOf(places));
+        help += ", or points: facades, windows of a file, a plane";
+    }
     command
         .add_option_function<std::string>(
-            "--receivers",
-            [&settings](const std::string& name) { settings.receivers.places = parsePlaces(name).value(); },
-            "Where shadow is measured: ground, roofs or both (roofs: engines horizon, ray, auto)")
+            "--receivers", [&options](const std::string& name) { takeReceivers(name, options); }, help)
         ->check(CLI::IsMember(names))
         ->default_str("ground")
         ->type_name("PLACES");
@@ -57,7 +68,7 @@ void addReceiverOptions(CLI::App& command, StudySettings& settings) {
         ->type_name("C");
 }
 
-void addStudyOptions(CLI::App& command, StudyOptions& options) {
+void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice choice) {
     options.read.filesHelp += ", or one project: NAME.noonmark.gpkg";
     addReadOptions(command, options.read);
     command
@@ -76,7 +87,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->required()
         ->type_name("W,S,E,N|FILE|city|NAME");
     addReceiverOptions(command, settings);
-    addPlacesOption(command, settings);
+    addPlacesOption(command, options, choice);
     addEngineOptions(command, settings);
     addErrorOptions(command, settings.errorSample);
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")

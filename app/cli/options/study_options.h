@@ -6,11 +6,12 @@
 // engine and outputs.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "app/cli/options/period_options.h"
 #include "app/cli/options/read_options.h"
-#include "core/study/study.h"
+#include "core/study/elements/element_study.h"
 
 namespace noonmark::cli {
 
@@ -26,10 +27,21 @@ struct StudyOptions {
     StudySettings settings;  ///< the values that need neither the city nor further parsing
     bool json = false;
     bool cellsCsv = false;
+    std::optional<ElementPlaces> points;  ///< measure points instead of cells
+    ElementSettings elements;             ///< where they are
 };
 
+/// Where a command can measure.
+enum class ReceiverChoice { cells, cellsAndPoints };
+
 /// Adds the options of every study.
-void addStudyOptions(CLI::App& command, StudyOptions& options);
+void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice choice = ReceiverChoice::cells);
+
+/// Adds the options of points: --facades-of, --windows, --plane-height and what belongs to them.
+void addElementOptions(CLI::App& command, StudyOptions& options);
+
+/// What the options of points lack or have too much. Call it before the city is read.
+Result<void> checkElementOptions(const StudyOptions& options);
 
 /// Adds the options of studies that are not tiled: months, contributions, cells as a table.
 void addPieceOptions(CLI::App& command, StudyOptions& options);

@@ -9,12 +9,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/base/stopwatch.h"
 #include "core/engines/points/hidden_altitudes.h"
 #include "core/engines/points/obstacle_tree.h"
 #include "core/engines/points/seen_edge.h"
 #include "core/engines/points/sun_bins.h"
+#include "core/engines/points/sun_track.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/engines/ray/surface_rays.h"
 
@@ -31,13 +33,15 @@ struct SweepScene {
     SkyObstacles obstacles;
     ObstacleTree edges, faces;
     SunBins suns;
+    std::optional<SunTrack> track;                 // to count runs
     std::array<float, binCount> sine{}, cosine{};  // of the bins' middles
 
-    SweepScene(const City& city, const SunSteps& sun)
+    SweepScene(const City& city, const SunSteps& sun, const PointSweepSettings& settings)
         : obstacles(collectSkyObstacles(city)),
           edges(boxesOf(obstacles.edges)),
           faces(boxesOf(obstacles.faces)),
           suns(sun) {
+        if (settings.runs) track.emplace(sun);
         for (int bin = 0; bin < binCount; ++bin) {
             sine[std::size_t(bin)] = float(std::sin((bin + 0.5) * binWidth));
             cosine[std::size_t(bin)] = float(std::cos((bin + 0.5) * binWidth));
@@ -69,6 +73,7 @@ class HorizonOfPoint {
 public:
     explicit HorizonOfPoint(const SweepScene& scene) : scene_(scene) {}
 
+    /// Sunlit steps by month.
     SunBins::Months countSunlit(glm::vec3 position, glm::vec3 normal) {
         eye_ = placeSurfaceRayOrigin(position, normal) + glm::vec3(RayScene::asideM, RayScene::asideM, 0);
         gaps_.clear();
@@ -78,8 +83,12 @@ public:
                                        [this](std::uint32_t index) { raise(scene_.obstacles.edges[index]); });
         scene_.faces.visitNearestFirst(
             eye_, canMatter, [this](std::uint32_t index) { addGaps(scene_.obstacles.faces[index]); });
+        joinGaps();
         return count();
     }
+
+    /// Of the point that was counted last.
+    [[nodiscard]] PointRuns countRuns() const { return scene_.track->countRuns(horizon_); }
 
 private:
     // A bin without suns, or that the surface does not face, is hidden from the beginning.
@@ -88,9 +97,9 @@ private:
         for (int bin = 0; bin < binCount; ++bin) {
             const auto k = std::size_t(bin);
             const float towards = normal.x * scene_.sine[k] + normal.y * scene_.cosine[k];
-            horizon_[k] = 0;
+            horizon_.tan[k] = 0;
             if (scene_.suns.empty(bin) || (std::abs(normal.z) < upright && towards <= 0))
-                horizon_[k] = always;
+                horizon_.tan[k] = always;
             else if (normal.z >= upright)
                 setHorizon(bin, -towards / normal.z);
             else if (normal.z <= -upright)
@@ -99,7 +108,7 @@ private:
     }
 
     void setHorizon(int bin, float tan) {
-        float& horizon = horizon_[std::size_t(bin)];
+        float& horizon = horizon_.tan[std::size_t(bin)];
         if (tan <= horizon) return;
         horizon = tan >= scene_.suns.highestTan(bin) ? always : tan;
     }
@@ -111,7 +120,7 @@ private:
 
     [[nodiscard]] bool anyBelow(Bins bins, float tan) const {
         for (int bin = bins.first; bin <= bins.last; ++bin)
-            if (horizon_[std::size_t(bin >= binCount ? bin - binCount : bin)] < tan) return true;
+            if (horizon_.tan[std::size_t(bin >= binCount ? bin - binCount : bin)] < tan) return true;
         return false;
     }
 
@@ -145,7 +154,7 @@ private:
         for (int i = bins.first; i <= bins.last; ++i) {
             const int bin = i >= binCount ? i - binCount : i;
             const auto k = std::size_t(bin);
-            if (horizon_[k] < always) setHorizon(bin, east * scene_.sine[k] + north * scene_.cosine[k]);
+            if (horizon_.tan[k] < always) setHorizon(bin, east * scene_.sine[k] + north * scene_.cosine[k]);
         }
     }
 
@@ -164,49 +173,57 @@ private:
     }
 
     void addGap(const OverhangFace& face, int bin) {
-        const float horizon = horizon_[std::size_t(bin)];
+        const float horizon = horizon_.tan[std::size_t(bin)];
         if (horizon == always) return;
         const auto hidden = hiddenBy(face, glm::dvec3(eye_), (bin + 0.5) * binWidth);
         if (!hidden || hidden->highTan <= double(horizon)) return;
         gaps_.push_back({bin, *hidden});
     }
 
+    // Only what lies above the horizon; sorted by bin.
+    void joinGaps() {
+        horizon_.gaps.clear();
+        std::ranges::sort(gaps_, {}, &BinGap::bin);
+        auto gap = gaps_.begin();
+        for (int bin = 0; bin < binCount; ++bin) {
+            horizon_.firstGap[std::size_t(bin)] = std::uint32_t(horizon_.gaps.size());
+            joined_.clear();
+            for (; gap != gaps_.end() && gap->bin == bin; ++gap)
+                if (gap->hidden.highTan > double(horizon_.tan[std::size_t(bin)]))
+                    joined_.push_back(gap->hidden);
+            if (joined_.empty()) continue;
+            joinOverlaps(joined_);
+            horizon_.gaps.insert(horizon_.gaps.end(), joined_.begin(), joined_.end());
+        }
+        horizon_.firstGap[binCount] = std::uint32_t(horizon_.gaps.size());
+    }
+
     SunBins::Months count() {
         SunBins::Months months{};
         for (int bin = 0; bin < binCount; ++bin) {
-            const float horizon = horizon_[std::size_t(bin)];
-            if (horizon == always) continue;
+            const auto k = std::size_t(bin);
+            if (horizon_.tan[k] == always) continue;
             scene_.suns.addAll(bin, months);
-            if (horizon > 0) scene_.suns.addUpTo(bin, horizon, true, -1, months);
-        }
-        std::ranges::sort(gaps_, {}, &BinGap::bin);
-        for (std::size_t first = 0, end = 0; first < gaps_.size(); first = end) {
-            joined_.clear();
-            for (; end < gaps_.size() && gaps_[end].bin == gaps_[first].bin; ++end)
-                joined_.push_back(gaps_[end].hidden);
-            subtractGaps(gaps_[first].bin, months);
+            if (horizon_.tan[k] > 0) scene_.suns.addUpTo(bin, horizon_.tan[k], true, -1, months);
+            for (std::uint32_t i = horizon_.firstGap[k]; i < horizon_.firstGap[k + 1]; ++i)
+                subtractGap(bin, horizon_.gaps[i], months);
         }
         return months;
     }
 
     // Only what lies above the horizon, which was subtracted already.
-    void subtractGaps(int bin, SunBins::Months& months) {
-        const float horizon = horizon_[std::size_t(bin)];
-        if (horizon == always) return;
-        joinOverlaps(joined_);
-        for (const HiddenAltitudes& hidden : joined_) {
-            if (hidden.highTan <= double(horizon)) continue;
-            scene_.suns.addUpTo(bin, float(hidden.highTan), true, -1, months);
-            if (hidden.lowTan > double(horizon))
-                scene_.suns.addUpTo(bin, float(hidden.lowTan), false, 1, months);
-            else
-                scene_.suns.addUpTo(bin, horizon, true, horizon > 0 ? 1 : 0, months);
-        }
+    void subtractGap(int bin, const HiddenAltitudes& hidden, SunBins::Months& months) const {
+        const float horizon = horizon_.tan[std::size_t(bin)];
+        scene_.suns.addUpTo(bin, float(hidden.highTan), true, -1, months);
+        if (hidden.lowTan > double(horizon))
+            scene_.suns.addUpTo(bin, float(hidden.lowTan), false, 1, months);
+        else if (horizon > 0)
+            scene_.suns.addUpTo(bin, horizon, true, 1, months);
     }
 
     const SweepScene& scene_;
     glm::vec3 eye_{};
-    std::array<float, binCount> horizon_{};
+    BinHorizon horizon_;
     std::vector<BinGap> gaps_;
     std::vector<HiddenAltitudes> joined_;
 };
@@ -214,7 +231,8 @@ private:
 }  // namespace
 
 Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
-                                Progress& progress, const std::stop_token& stop) {
+                                Progress& progress, const std::stop_token& stop,
+                                const PointSweepSettings& settings) {
     if (points.positions.size() != points.normals.size())
         return failure(
             fmt::format("{} places have {} normals", points.positions.size(), points.normals.size()),
@@ -223,7 +241,9 @@ Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, c
     result.possibleMin = sun.sunlitMinutes();
     result.sunlitMin.resize(points.size());
     const Stopwatch build;
-    const SweepScene scene(city, sun);
+    const SweepScene scene(city, sun, settings);
+    if (settings.runs)
+        result.longestShadowMin.resize(points.size()), result.longestSunMin.resize(points.size());
     result.cost.seconds["build"] = build.seconds();
     const Stopwatch sweep;
     std::atomic<std::size_t> done{0};
@@ -233,6 +253,10 @@ Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, c
             const SunBins::Months months = horizon.countSunlit(points.positions[i], points.normals[i]);
             for (std::size_t month = 0; month < 12; ++month)
                 result.sunlitMin[i][month] = float(double(months[month]) * sun.stepMinutes);
+            if (!settings.runs) continue;
+            const PointRuns runs = horizon.countRuns();
+            result.longestShadowMin[i] = float(runs.shadow * sun.stepMinutes);
+            result.longestSunMin[i] = float(runs.sun * sun.stepMinutes);
         }
         progress.report(double(done += range.size()) / double(points.size()), "sweeping horizons of points");
     });

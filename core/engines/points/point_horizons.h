@@ -17,6 +17,8 @@ namespace noonmark {
 struct PointMonths {
     std::vector<std::array<float, 12>> sunlitMin;  ///< by month, summed over the days; one entry a point
     double possibleMin = 0;                        ///< of all days, with the sun above the horizon
+    /// Longest unbroken shadow and sun on any day, minutes; one entry a point, or empty: not counted.
+    std::vector<float> longestShadowMin, longestSunMin;
     Cost cost;
 
     [[nodiscard]] double sunlitOf(std::size_t point) const {
@@ -26,13 +28,23 @@ struct PointMonths {
     }
 };
 
+struct PointSweepSettings {
+    bool runs = false;  ///< also count the longest unbroken shadow and sun
+};
+
 /// Minutes by month for many points on any surface, without a ray: for each point the horizon at the middle
 /// of each of 1440 azimuths, and the altitudes that overhangs hide above it; the suns of an azimuth are
 /// looked up at once. The horizon is exact where it is taken, so the only error is that of the azimuth: a sun
 /// is up to an eighth of a degree aside, half a minute of time in middle latitudes, and errors of both signs
-/// meet. Longest runs are not counted. Uses all cores; cancelled() soon after a stop request. Error:
-/// positions and normals differ in number.
+/// meet. Unbroken times are counted step by step against the same horizons. Uses all cores; cancelled() soon
+/// after a stop request. Error: positions and normals differ in number.
 Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
+                                Progress& progress, const std::stop_token& stop,
+                                const PointSweepSettings& settings = {});
+
+/// The same by rays, against which the sweep is measured: every point at every step, with unbroken times.
+/// Uses all cores.
+Result<PointMonths> tracePoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

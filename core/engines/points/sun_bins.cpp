@@ -10,24 +10,21 @@ namespace noonmark {
 
 namespace {
 
-struct BinnedSun {
+struct MonthSun {
     std::uint16_t bin;
     std::uint16_t month;
     float tan;
 };
 
-std::vector<BinnedSun> sortedSuns(const SunSteps& sun) {
-    std::vector<BinnedSun> suns;
+std::vector<MonthSun> sortedSuns(const SunSteps& sun) {
+    std::vector<MonthSun> suns;
     suns.reserve(sun.steps.size());
     for (const SunDay& day : sun.days)
         for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
-            const glm::dvec3 direction(sun.steps[i].direction);
-            const auto bin = int(azimuthOf(direction) / fullTurn * SunBins::count);
-            const double level = std::hypot(direction.x, direction.y);
-            suns.push_back({std::uint16_t(std::min(bin, SunBins::count - 1)),
-                            std::uint16_t(unsigned(day.date.month()) - 1), float(direction.z / level)});
+            const BinnedSun binned = binSun(sun.steps[i]);
+            suns.push_back({binned.bin, std::uint16_t(unsigned(day.date.month()) - 1), binned.tan});
         }
-    std::ranges::sort(suns, [](const BinnedSun& a, const BinnedSun& b) {
+    std::ranges::sort(suns, [](const MonthSun& a, const MonthSun& b) {
         return a.bin != b.bin ? a.bin < b.bin : a.tan < b.tan;
     });
     return suns;
@@ -35,8 +32,15 @@ std::vector<BinnedSun> sortedSuns(const SunSteps& sun) {
 
 }  // namespace
 
+BinnedSun binSun(const SunStep& step) {
+    const glm::dvec3 direction(step.direction);
+    const auto bin = int(azimuthOf(direction) / fullTurn * SunBins::count);
+    const double level = std::hypot(direction.x, direction.y);
+    return {std::uint16_t(std::min(bin, SunBins::count - 1)), float(direction.z / level)};
+}
+
 SunBins::SunBins(const SunSteps& sun) : first_(count + 1) {
-    const std::vector<BinnedSun> suns = sortedSuns(sun);
+    const std::vector<MonthSun> suns = sortedSuns(sun);
     before_.resize(suns.size() + count);
     std::size_t next = 0;
     for (int bin = 0; bin < count; ++bin) {

@@ -8,6 +8,13 @@
 
 namespace noonmark {
 
+/// The sun of a step as the sweep sees it.
+struct BinnedSun {
+    std::uint16_t bin;  ///< of its azimuth, below SunBins::count
+    float tan;          ///< tangent of its altitude
+};
+BinnedSun binSun(const SunStep& step);
+
 /// The suns of a period by azimuth, so that the minutes above or below an altitude are looked up and not
 /// counted.
 class SunBins {

@@ -1,15 +1,21 @@
 #include "core/study/provenance/source_columns.h"
 
-#include <fmt/format.h>
-
 namespace noonmark {
 
-std::string sourceFields(const Provenance& provenance) {
-    if (!provenance.project) return ",,,,";
+std::array<std::string, sourceColumnNames.size()> sourceValues(const Provenance& provenance) {
+    if (!provenance.project) return {};
     const ProjectRecord& project = *provenance.project;
-    return fmt::format(",{},{},{},{}", csvField(project.file), csvField(project.scenario.name),
-                       project.baseline ? csvField(project.baseline->name) : std::string(),
-                       project.contentSha256);
+    return {project.file, project.scenario.name, project.baseline ? project.baseline->name : std::string(),
+            project.contentSha256};
+}
+
+std::string sourceFields(const Provenance& provenance) {
+    std::string fields;
+    for (const std::string& value : sourceValues(provenance)) {
+        fields += ',';
+        fields += csvField(value);
+    }
+    return fields;
 }
 
 std::string csvField(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "core/study/provenance/provenance.h"
@@ -10,6 +11,10 @@ namespace noonmark {
 /// states its origin; and the values of a row. Both begin with a comma.
 inline constexpr const char* sourceColumns = ",project,scenario,baseline,content_sha256";
 std::string sourceFields(const Provenance& provenance);
+
+/// The same one by one, for tables that are no text.
+inline constexpr std::array sourceColumnNames{"project", "scenario", "baseline", "content_sha256"};
+std::array<std::string, sourceColumnNames.size()> sourceValues(const Provenance& provenance);
 
 /// Quotes a field of a CSV file (RFC 4180).
 std::string csvField(const std::string& text);

@@ -1,0 +1,38 @@
+#include "app/report/files/element_files.h"
+
+#include "app/report/files/output_folder.h"
+#include "core/study/elements/element_tables.h"
+#include "core/study/text/region_text.h"
+
+namespace noonmark {
+
+namespace {
+
+bool needsRegionFile(const ElementStudy& study) {
+    const std::string& known = study.provenance.region;
+    return (known.empty() ? formatRegion(study.settings.region, study.city) : known) == regionFileName;
+}
+
+}  // namespace
+
+std::vector<std::string> elementFileNames() { return {"elements.csv", "elements.gpkg", "study.json"}; }
+
+Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy& study,
+                                                             const std::filesystem::path& folder,
+                                                             const OutputRules& rules) {
+    std::vector<std::string> names = elementFileNames();
+    if (needsRegionFile(study)) names.emplace_back(regionFileName);
+    if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
+    const ElementTable table = makeElementTable(study);
+    OutputFolder files(folder, rules);
+    files.add("elements.csv", textContent(toCsv(table)));
+    files.add("elements.gpkg",
+              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+    files.addLast("study.json",
+                  [&](const OutputFolder::Durations& seconds) { return elementStudyJson(study, seconds); });
+    if (needsRegionFile(study))
+        files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
+    return std::move(files).result();
+}
+
+}  // namespace noonmark

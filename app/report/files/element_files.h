@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/io/files/check_output.h"
+#include "core/study/elements/element_study.h"
+
+namespace noonmark {
+
+/// The names of the files of writeElementFiles(), except region.geojson.
+std::vector<std::string> elementFileNames();
+
+/// Writes elements.csv, elements.gpkg and study.json into a folder, which is created if missing, and
+/// region.geojson where only a polygon states the region. Returns the paths written; all files or none.
+Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy& study,
+                                                             const std::filesystem::path& folder,
+                                                             const OutputRules& rules);
+
+}  // namespace noonmark

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/bench/contests/site.h"
+#include "core/bench/extent.h"
+#include "core/bench/finding.h"
+#include "core/bench/work.h"
+
+namespace noonmark::bench {
+
+/// Up to 100,000 points on the facades of the whole city, every minute from sunrise to sunset of the site's
+/// year, by the sweep with and without unbroken times; rays on a sample of a tenth of
+/// `extent.sampleReceivers`, from which the time of all is extrapolated. Summary: points_year_s,
+/// points_vs_ray, points_with_runs_vs_ray, points_error_mean_pct, points_error_max_pct.
+Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, const Work& work);
+
+}  // namespace noonmark::bench

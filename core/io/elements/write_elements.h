@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/geo/frame.h"
+
+namespace noonmark {
+
+/// A value of a table of elements: a text, a whole number, a number (NaN: none), or nothing.
+using ElementValue = std::variant<std::monostate, std::string, std::int64_t, double>;
+
+struct ElementColumn {
+    std::string name;   ///< lower case, unit at the end: "azimuth_deg"
+    ElementValue kind;  ///< any value of the column's kind; not std::monostate
+};
+
+/// One row for each element. Columns are the same for files of any format.
+struct ElementTable {
+    std::vector<ElementColumn> columns;
+    std::vector<std::vector<ElementValue>> rows;  ///< each as long as `columns`
+    std::vector<glm::dvec3> places;  ///< of the rows: longitude, latitude (degrees), elevation (metres)
+};
+
+/// Writes the table as a GeoPackage with a layer "elements" of PointZ in longitude and latitude
+/// (EPSG:4326); z is in the vertical datum of the city's data, as the layer's description states.
+/// Error: the file cannot be written. Some 4 us a row. Backend: write_elements_gdal.cpp.
+Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table);
+
+}  // namespace noonmark

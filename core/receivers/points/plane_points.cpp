@@ -1,0 +1,72 @@
+#include "core/receivers/points/plane_points.h"
+
+#include <fmt/format.h>
+
+#include "core/receivers/points/solid_parts.h"
+#include "core/receivers/rasterize.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<std::uint32_t> cellsIn(const Region& region, const Grid& grid) {
+    std::vector<std::uint8_t> inside(grid.size());
+    for (const Footprint& polygon : region.polygons)
+        forEachRun(polygon, grid, [&](int row, int first, int end) {
+            for (int column = first; column < end; ++column) inside[grid.index(column, row)] = 1;
+        });
+    std::vector<std::uint32_t> cells;
+    for (std::uint32_t cell = 0; cell < inside.size(); ++cell)
+        if (inside[cell] != 0) cells.push_back(cell);
+    return cells;
+}
+
+glm::dvec2 centreOf(const Grid& grid, std::uint32_t cell) {
+    return grid.centre(int(cell % std::uint32_t(grid.columns)), int(cell / std::uint32_t(grid.columns)));
+}
+
+double meanGround(const City& city, const Grid& grid, const std::vector<std::uint32_t>& cells) {
+    double sum = 0;
+    for (const std::uint32_t cell : cells) sum += double(groundAt(city, centreOf(grid, cell)));
+    return cells.empty() ? 0 : sum / double(cells.size());
+}
+
+void addPlanePoint(const Grid& grid, std::uint32_t cell, double planeM, PointReceivers& into) {
+    into.points.positions.emplace_back(glm::dvec3(centreOf(grid, cell), planeM));
+    into.points.normals.emplace_back(0, 0, 1);
+    into.elements.push_back(
+        {.id = fmt::format("{},{}", cell % std::uint32_t(grid.columns), cell / std::uint32_t(grid.columns)),
+         .kind = ElementKind::plane});
+}
+
+}  // namespace
+
+Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
+                                 double heightM, const std::stop_token& stop) {
+    if (!(heightM >= 0 && heightM <= 1000))
+        return failure(fmt::format("A plane {} m above the ground is out of range", heightM), "plane",
+                       "Give 0 to 1000 m");
+    const auto grid = gridOver(region, settings);
+    if (!grid) return tl::make_unexpected(grid.error());
+    if (grid->size() > mostReceivers)
+        return limitReached(
+            fmt::format("The plane has {} cells", grid->size()), region.name,
+            fmt::format("Choose larger cells or a smaller region; the limit is {}", mostReceivers));
+    const SolidParts solids(city);
+    const std::vector<std::uint32_t> cells = cellsIn(region, *grid);
+    PlanePoints plane;
+    plane.planeM = meanGround(city, *grid, cells) + heightM;
+    for (const std::uint32_t cell : cells) {
+        if (stop.stop_requested()) return cancelled();
+        const glm::dvec2 centre = centreOf(*grid, cell);
+        if (plane.planeM < double(groundAt(city, centre)))
+            ++plane.belowGround;
+        else if (solids.isSolid({centre, plane.planeM}))
+            ++plane.insideBuildings;
+        else
+            addPlanePoint(*grid, cell, plane.planeM, plane.receivers);
+    }
+    return plane;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,41 @@
+#pragma once
+
+// The folder core/receivers/points places receivers that are points: windows (window_receivers.h) and planes
+// (plane_points.h); facades are in core/receivers/point_receivers.h. solid_parts.h tells what is inside a
+// building, wall_finder.h which wall a place is at.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/city/city.h"
+
+namespace noonmark {
+
+/// Whether a place is inside a part; on its underside it is, on its top it is not. A mesh must be closed.
+bool isInside(const Part& part, glm::dvec3 place);
+
+/// Finds the building that is solid at a place, from all parts of a city, by squares of the plan. The city
+/// must outlive it. O(parts) to make, O(parts near the place) to ask.
+class SolidParts {
+public:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    explicit SolidParts(const City& city);
+
+    /// Index in City::buildings, or none.
+    [[nodiscard]] std::uint32_t buildingAt(glm::dvec3 place) const;
+    [[nodiscard]] bool isSolid(glm::dvec3 place) const { return buildingAt(place) != none; }
+
+private:
+    struct Entry {
+        const Part* part;
+        Box2 box;
+        std::uint32_t building;
+    };
+    std::map<std::pair<long, long>, std::vector<Entry>> squares_;
+};
+
+}  // namespace noonmark

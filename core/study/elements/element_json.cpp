@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "core/base/version.h"
+#include "core/city/height_counts.h"
+#include "core/study/elements/element_tables.h"
+#include "core/study/provenance/inputs_json.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/repeat_command.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/period_json.h"
+#include "core/study/text/region_text.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+using ElementJson = nlohmann::ordered_json;
+
+ElementJson whereJson(const ElementStudy& study) {
+    const ElementSettings& elements = study.elements;
+    ElementJson json;
+    json["receivers_on"] = nameOf(elements.places);
+    if (elements.places == ElementPlaces::facades) {
+        json["buildings"] =
+            elements.buildings.empty() ? ElementJson("all of the region") : ElementJson(elements.buildings);
+        json["bay_m"] = elements.facades.bayM;
+        json["storey_m"] = elements.facades.storeyM;
+        json["above_floor_m"] = elements.facades.aboveFloorM;
+    }
+    if (elements.places == ElementPlaces::windows && study.windowsFile)
+        json["windows"] = inputsJson({*study.windowsFile});
+    if (elements.places == ElementPlaces::plane) {
+        json["cell_m"] = study.settings.receivers.cellM;
+        json["plane_above_ground_m"] = elements.planeHeightM;
+        json["plane_elevation_m"] = study.planeM + study.city.frame.originElevationM();
+    }
+    return json;
+}
+
+ElementJson elementErrorJson(const ElementStudy& study) {
+    if (!study.error) return {};
+    const ElementError& error = *study.error;
+    return {{"points", error.points},
+            {"rays", error.rays},
+            {"gross", {{"mean_pct", error.grossMeanPct}, {"max_pct", error.grossLargestPct}}},
+            {"continuous", {{"mean_pct", error.continuousMeanPct}, {"max_pct", error.continuousLargestPct}}}};
+}
+
+void addElementFigures(ElementJson& json, const ElementStudy& study) {
+    const ElementFigures figures = computeFigures(study);
+    const double possible = study.minutes.possibleMin / double(study.sun.dayCount());
+    json["receivers"] = study.receivers.size();
+    json["sunlit_min_per_day"] = possible;
+    json["mean_sunlit_min"] = figures.meanSunlitMin;
+    json["min_sunlit_min"] = figures.leastSunlitMin;
+    json["max_sunlit_min"] = figures.mostSunlitMin;
+    json["mean_gross_min"] = possible - figures.meanSunlitMin;
+    json["mean_continuous_min"] = figures.meanContinuousMin;
+    json["max_continuous_min"] = figures.mostContinuousMin;
+}
+
+ElementJson elementDefinitions() {
+    return {
+        {"sunlit", "minutes per day that a point is in the sun, averaged over the days of the period"},
+        {"gross",
+         "minutes per day that a point is in shadow, averaged over the days of the period; a point "
+         "that faces away from the sun is in shadow"},
+        {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
+        {"longest_sun", "longest unbroken run in the sun on any day of the period, minutes"},
+        {"error",
+         "of the engine against the ray reference on a sample of points and all steps: absolute differences, "
+         "for gross in percent of the period's time with the sun up, for continuous of the longest day's"},
+        {"facades",
+         "one point in the middle of each bay of each storey of a wall; none where another part "
+         "touches the wall or the ground covers it"},
+        {"windows", "one point in the middle of each window"},
+        {"plane",
+         "one point in the middle of each cell, on a level plane above the mean of the region's "
+         "ground"},
+        {"azimuth", "that the surface faces, from true north, clockwise"},
+        {"floor", "storeys of storey_m from the lowest point of the building, unless the windows state it"}};
+}
+
+std::vector<RepeatOption> elementOptions(const ElementStudy& study) {
+    const ElementSettings& elements = study.elements;
+    const FacadeSettings usual;
+    std::vector<RepeatOption> options{{"--receivers", {std::string(nameOf(elements.places))}}};
+    const auto add = [&](const char* name, std::string value) {
+        options.push_back({name, {std::move(value)}});
+    };
+    const auto addMetres = [&](const char* name, double metres, double usualMetres) {
+        if (metres != usualMetres) add(name, fmt::format("{}", metres));
+    };
+    for (const std::string& building : elements.buildings) add("--facades-of", building);
+    if (elements.places == ElementPlaces::windows) {
+        add("--windows", elements.windows.filename().string());
+        if (!elements.windowFile.idField.empty()) add("--window-id", elements.windowFile.idField);
+        if (elements.windowFile.crs) add("--windows-crs", *elements.windowFile.crs);
+        if (elements.windowFile.aboveGround) add("--window-heights", "ground");
+    }
+    if (elements.places == ElementPlaces::plane)
+        add("--plane-height", fmt::format("{}", elements.planeHeightM));
+    addMetres("--bay", elements.facades.bayM, usual.bayM);
+    addMetres("--storey", elements.facades.storeyM, usual.storeyM);
+    addMetres("--above-floor", elements.facades.aboveFloorM, usual.aboveFloorM);
+    addErrorSample(study.settings.errorSample, options);
+    return options;
+}
+
+Result<std::string> repeatCommandOf(const ElementStudy& study) {
+    RepeatQuestion question{"study", study.settings, study.provenance, study.engineKey};
+    if (question.provenance.region.empty())
+        question.provenance.region = formatRegion(study.settings.region, study.city);
+    question.options = elementOptions(study);
+    return makeRepeatCommand(question, std::numeric_limits<std::size_t>::max());
+}
+
+void addElementCost(ElementJson& json, const ElementStudy& study,
+                    const std::map<std::string, double>& writeSeconds) {
+    json["rays"] = study.minutes.cost.rays;
+    json["seconds"] = study.seconds;
+    json["accumulate_seconds"] = study.minutes.cost.seconds;
+    if (!writeSeconds.empty()) json["write_seconds"] = writeSeconds;
+}
+
+}  // namespace
+
+std::string elementStudyJson(const ElementStudy& study, const std::map<std::string, double>& writeSeconds) {
+    ElementJson json;
+    json["program"] = std::string("Noonmark ") + std::string(version());
+    json["engine"] = study.settings.engine;
+    json["engine_used"] = study.engineKey;
+    json["period"] = periodJson(study.settings.period, study.sun);
+    json["steps"] = study.sun.steps.size();
+    json["steps_below_horizon"] = study.sun.belowHorizon;
+    addElementFigures(json, study);
+    json["error"] = elementErrorJson(study);
+    json["buildings"] = study.city.buildings.size();
+    addElementCost(json, study, writeSeconds);
+    json["elements"] = whereJson(study);
+    json["region"] = regionJson(study.settings.region, study.city.frame);
+    json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : ElementJson();
+    json["observer"] = observerJson(makeObserver(study.city, study.settings));
+    json["sun_frame"] = sunFrameJson(study.city, study.settings, study.sun);
+    addProvenance(json, study.provenance);
+    json["heights"] = heightsJson(countHeights(study.city), study.heights);
+    addRepeat(json, repeatCommandOf(study));
+    json["definitions"] = elementDefinitions();
+    json["warnings"] = warningsJson(study.warnings);
+    return toJsonText(json);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,79 @@
+#pragma once
+
+// The folder core/study/elements measures sunlight at points instead of cells: on facades, at windows, on a
+// horizontal plane. runElementStudy() (this file) returns an ElementStudy; element_tables.h turns it into
+// tables and JSON.
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/engines/points/point_horizons.h"
+#include "core/io/elements/read_windows.h"
+#include "core/receivers/point_receivers.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// Where the points of a study lie.
+enum class ElementPlaces { facades, windows, plane };
+/// "facades", "windows", "plane"
+std::string_view nameOf(ElementPlaces places);
+inline constexpr std::array allElementPlaces{ElementPlaces::facades, ElementPlaces::windows,
+                                             ElementPlaces::plane};
+
+struct ElementSettings {
+    ElementPlaces places = ElementPlaces::facades;
+    /// Facades: names or ids, in any case, one or several ("A,B") in a text; empty: all of the region.
+    std::vector<std::string> buildings;
+    FacadeSettings facades;         ///< its storeyM also numbers the floors of windows
+    std::filesystem::path windows;  ///< file of the windows
+    WindowFileSettings windowFile;
+    double planeHeightM = 0;  ///< above the mean of the region's ground, 0 to 1000
+};
+
+/// Differences from the ray reference on a sample of the points, over all steps, in percent: of the sunlit
+/// minutes of the period for gross, of the longest day's for unbroken shadow.
+struct ElementError {
+    std::size_t points = 0;
+    std::uint64_t rays = 0;
+    double grossMeanPct = 0, grossLargestPct = 0;
+    double continuousMeanPct = 0, continuousLargestPct = 0;
+};
+
+struct ElementStudy {
+    City city;
+    StudySettings settings;  ///< region, period, engine, cell of a plane, error sample
+    ElementSettings elements;
+    PointReceivers receivers;
+    double planeM = 0;  ///< local z of the plane
+    SunSteps sun;
+    PointMonths minutes;                    ///< with unbroken times
+    std::string engineKey;                  ///< "horizon" or "ray"
+    std::optional<ElementError> error;      ///< none for the ray reference, or if none was asked for
+    std::map<std::string, double> seconds;  ///< by stage, and "total"
+    Warnings warnings;                      ///< from reading, placing and computing
+    Provenance provenance;                  ///< what the city was made from; set by the caller
+    std::optional<InputFile> windowsFile;   ///< set by the caller
+    HeightFacts heights;
+
+    /// Gross shadow of a point: minutes a day, mean over the days.
+    [[nodiscard]] double grossMin(std::size_t point) const {
+        return (minutes.possibleMin - minutes.sunlitOf(point)) / double(sun.dayCount());
+    }
+};
+
+/// Places the points, computes the sun in the middle of the region, and measures every point: engine
+/// "horizon" (or "auto") sweeps horizons, "ray" traces every step. Points inside a building or below the
+/// ground are left out, with a warning. Error: a setting out of range, another engine, a building that does
+/// not exist or lies outside the region, no points, what readWindows() refuses, a sun that never rises,
+/// cancelled().
+Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,
+                                     const ElementSettings& elements, Progress& progress,
+                                     const std::stop_token& stop);
+
+}  // namespace noonmark

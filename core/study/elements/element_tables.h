@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/io/elements/write_elements.h"
+#include "core/study/elements/element_study.h"
+
+namespace noonmark {
+
+/// One row for each point, in the order of the receivers: id, kind, building, building_name, floor,
+/// azimuth_deg (that it faces, from true north; empty where it faces up or down), lon_deg, lat_deg,
+/// elevation_m, above_ground_m, sunlit_min (minutes of sun a day, mean over the days), sunlit_pct (of the
+/// time with the sun up), gross_min and continuous_min (shadow, as in a study of cells), longest_sun_min, a
+/// column sunlit_min_01 to sunlit_min_12 for each month of the period (minutes in all), and the source
+/// columns (core/study/provenance/source_columns.h).
+ElementTable makeElementTable(const ElementStudy& study);
+
+/// The table as CSV (RFC 4180), in metres, minutes and degrees with fixed digits.
+std::string toCsv(const ElementTable& table);
+
+/// study.json of points. Keys that a study of cells has, too, mean the same; `elements` says where the points
+/// are. `writeSeconds`: of the files that were written before.
+std::string elementStudyJson(const ElementStudy& study, const std::map<std::string, double>& writeSeconds);
+
+/// Means over the points.
+struct ElementFigures {
+    double meanSunlitMin = 0, leastSunlitMin = 0, mostSunlitMin = 0;  ///< a day
+    double meanContinuousMin = 0, mostContinuousMin = 0;
+};
+ElementFigures computeFigures(const ElementStudy& study);
+
+}  // namespace noonmark

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// `period` of study.json: as it was asked for, and what its steps count.
+nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun);
+
+/// `observer` of study.json: whose sun it is.
+nlohmann::ordered_json observerJson(const Observer& observer);
+
+/// `sun_frame` of study.json: the sun's direction in the frame of the geometry, with the remaining error at
+/// the region's farthest corner.
+nlohmann::ordered_json sunFrameJson(const City& city, const StudySettings& settings, const SunSteps& sun);
+
+/// `region` of study.json: name, area, extent in degrees.
+nlohmann::ordered_json regionJson(const Region& region, const Frame& frame);
+
+}  // namespace noonmark

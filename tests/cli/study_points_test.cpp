@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// One house of 20 m near Bryant Park.
+constexpr const char* house = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","id":1,"properties":{"name":"A","height":"20"},"geometry":{"type":"Polygon","coordinates":
+ [[[-73.9840,40.7530],[-73.9837,40.7530],[-73.9837,40.7532],[-73.9840,40.7532],[-73.9840,40.7530]]]}}]})";
+// On its southern wall, inside it, and without a height.
+constexpr const char* windows = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"id":"south"},"geometry":{"type":"Point","coordinates":[-73.98385,40.7530,4]}},
+{"type":"Feature","properties":{"id":"inside","azimuth":180},"geometry":{"type":"Point","coordinates":[-73.98385,40.7531,4]}},
+{"type":"Feature","properties":{"id":"flat"},"geometry":{"type":"Point","coordinates":[-73.98385,40.7530]}}]})";
+
+std::string writtenText(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    return content.str();
+}
+
+class StudyPoints : public testing::Test {
+protected:
+    Spoken study(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"study",       folder_.file("city.geojson", house).string(),
+                                           "--start",     "2026-03-21",
+                                           "--window",    "sunrise..sunset",
+                                           "--step",      "10",
+                                           "--zone",      "America/New_York",
+                                           "--region",    "-73.9845,40.7527,-73.9826,40.7537",
+                                           "--overwrite", "--out",
+                                           out_.string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    noonmark::tests::TemporaryFolder folder_;
+    std::filesystem::path out_ = folder_.path("out");
+    std::string windows_ = folder_.file("windows.geojson", windows).string();
+};
+
+TEST_F(StudyPoints, FacadesAreTablesAndAGeoPackage) {
+    const Spoken spoken = study({"--receivers", "facades", "--facades-of", "A", "--storey", "4", "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["elements"]["receivers_on"], "facades");
+    EXPECT_GT(json["receivers"], 5 * 4);
+    const std::string csv = writtenText(out_ / "elements.csv");
+    EXPECT_THAT(csv, StartsWith("id,kind,building,building_name,floor,azimuth_deg,lon_deg,lat_deg,"));
+    EXPECT_EQ(std::ranges::count(csv, '\n'), json["receivers"].get<int>() + 1);
+    EXPECT_TRUE(std::filesystem::exists(out_ / "elements.gpkg"));
+    EXPECT_THAT(json["repeat"].get<std::string>(),
+                HasSubstr("--receivers facades --facades-of A --storey 4"));
+    // The points that it wrote are windows that it reads, with the same answer.
+    const std::string elements = (out_ / "elements.gpkg").string();
+    out_ = folder_.path("again");
+    const Spoken again = study({"--receivers", "windows", "--windows", elements, "--json"});
+    ASSERT_EQ(again.code, exitOk) << again.err;
+    EXPECT_EQ(again.json()["receivers"], json["receivers"]);
+    EXPECT_NEAR(again.json()["mean_sunlit_min"].get<double>(), json["mean_sunlit_min"].get<double>(), 0.5);
+}
+
+TEST_F(StudyPoints, WindowsThatCannotBeMeasuredAreListed) {
+    const Spoken spoken = study({"--receivers", "windows", "--windows", windows_, "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_EQ(spoken.json()["receivers"], 1);
+    EXPECT_THAT(spoken.json()["elements"]["windows"][0]["sha256"].get<std::string>(), testing::SizeIs(64));
+    const std::string warnings = spoken.json()["warnings"].dump();
+    EXPECT_THAT(warnings, HasSubstr("has no height"));
+    EXPECT_THAT(warnings, HasSubstr("inside a building"));
+    const Spoken table = study({"--receivers", "windows", "--windows", windows_});
+    EXPECT_THAT(table.out, HasSubstr("1 points on windows"));
+    EXPECT_THAT(table.out, HasSubstr("inside a building"));
+}
+
+TEST_F(StudyPoints, TheFileOfWindowsIsNotReplaced) {
+    out_ = folder_.path("out");
+    std::filesystem::create_directories(out_);
+    std::filesystem::copy_file(windows_, out_ / "elements.csv");
+    const Spoken spoken = study({"--receivers", "windows", "--windows", (out_ / "elements.csv").string()});
+    EXPECT_EQ(spoken.code, exitUsage);
+    EXPECT_EQ(writtenText(out_ / "elements.csv"), writtenText(windows_));
+}
+
+TEST_F(StudyPoints, OptionsThatDoNotBelongAreRefused) {
+    EXPECT_EQ(study({"--receivers", "windows"}).code, exitUsage);
+    EXPECT_EQ(study({"--windows", windows_}).code, exitUsage);
+    EXPECT_EQ(study({"--facades-of", "A"}).code, exitUsage);
+    EXPECT_EQ(study({"--plane-height", "4", "--receivers", "facades"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "facades", "--cells-csv"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "facades", "--engine", "sam"}).code, exitFailed);
+    EXPECT_EQ(study({"--receivers", "facades", "--facades-of", "B"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "windows", "--windows", "missing.gpkg"}).code, exitUsage);
+    EXPECT_EQ(noonmarkCli({"city-study", "sample:grid", "--receivers", "facades"}).code, exitUsage);
+}
+
+TEST_F(StudyPoints, APlaneAboveTheGround) {
+    const Spoken spoken = study({"--receivers", "plane", "--plane-height", "4", "--cell", "5", "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_EQ(spoken.json()["elements"]["plane_above_ground_m"], 4);
+    EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--receivers plane --plane-height 4"));
+    EXPECT_THAT(writtenText(out_ / "elements.csv"), HasSubstr(",plane,,,,,-73.98"));
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
