@@ -31,7 +31,10 @@ struct StudyOptions {
 /// Adds the options of every study.
 void addStudyOptions(CLI::App& command, StudyOptions& options);
 
-/// Adds the options of studies that are not tiled: months, contributions, cells as a table.
+/// Adds --by month.
+void addMonthOption(CLI::App& command, StudySettings& settings);
+
+/// Adds the options of `study` that tiles may lack: months, contributions, cells as a table.
 void addPieceOptions(CLI::App& command, StudyOptions& options);
 
 /// Adds --error-sample and --no-error-sample.
