@@ -1,8 +1,5 @@
 #include "core/study/study.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -11,6 +8,7 @@
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/breakdown_check.h"
 #include "core/study/memory_need.h"
 
 namespace noonmark {
@@ -39,23 +37,6 @@ Result<void> checkReceivers(const Study& study) {
 }
 
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
-
-std::string enginesThatSum(bool byBuilding, const EngineList& engines) {
-    std::vector<std::string_view> keys;
-    for (const EngineEntry& engine : engines)
-        if (byBuilding ? engine.info.capabilities.attribution : engine.info.capabilities.sets)
-            keys.push_back(engine.info.key);
-    return fmt::format("{}", fmt::join(keys, ", "));
-}
-
-Result<void> checkBreakdown(const StudySettings& settings, const EngineCapabilities& able,
-                            const EngineList& engines) {
-    const bool byBuilding = settings.contributions;
-    if (!wantsBreakdown(settings) || (byBuilding ? able.attribution : able.sets)) return {};
-    return unsupported(fmt::format("The engine '{}' does not sum shadow by {}", settings.engine,
-                                   byBuilding ? "building" : "month"),
-                       "engine", fmt::format("Choose one of: {}", enginesThatSum(byBuilding, engines)));
-}
 
 Result<void> breakDown(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     if (!wantsBreakdown(study.settings)) return {};

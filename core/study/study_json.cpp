@@ -8,9 +8,9 @@
 #include "core/simd/instruction_set.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
-#include "core/study/text/breakdown_text.h"
 #include "core/study/text/error_json.h"
 #include "core/study/text/height_words.h"
+#include "core/study/text/months_json.h"
 #include "core/study/text/period_json.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/text/warnings_json.h"
@@ -68,17 +68,6 @@ void addCost(Json& json, const Study& study, const FileSeconds& writeSeconds) {
     if (!writeSeconds.empty()) json["write_seconds"] = writeSeconds;
 }
 
-Json monthsJson(const Study& study) {
-    Json json = Json::array();
-    if (!study.settings.byMonth || !study.breakdown) return json;
-    for (const MonthShadow& month : monthsOf(*study.breakdown))
-        json.push_back({{"month", month.month},
-                        {"sunlit_min", month.sunlitMinutes},
-                        {"shadow_area_m2", month.shadowAreaM2},
-                        {"mean_shadow_min", month.meanMinutes}});
-    return json;
-}
-
 Json definitions(bool runs) {
     const std::string continuous = "longest unbroken run in shadow on any day of the period, minutes";
     return {
@@ -127,7 +116,9 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     addFigures(json, study.statistics);
     json["error"] = errorJson(study);
     addCost(json, study, writeSeconds);
-    if (study.settings.byMonth) json["by_month"] = monthsJson(study);
+    if (study.settings.byMonth)
+        json["by_month"] =
+            monthsJson(study.breakdown ? monthsOf(*study.breakdown) : std::vector<MonthShadow>());
     json["region"] = regionJson(study.settings.region, study.city.frame);
     json["cells"] = cellsJson(study);
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();

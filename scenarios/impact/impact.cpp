@@ -182,9 +182,16 @@ private:
 
 Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
                                             const ReceiverSettings& settings, const std::stop_token& stop) {
-    const auto old = placeReceiversOnGround(before, region, settings, stop);
+    return gridOver(region, settings).and_then([&](const Grid& grid) {
+        return findCommonReceiversInPart(before, after, region, grid, stop);
+    });
+}
+
+Result<CommonReceivers> findCommonReceiversInPart(const City& before, const City& after, const Region& region,
+                                                  const Grid& part, const std::stop_token& stop) {
+    const auto old = placeReceiversInPart(before, region, part, stop);
     if (!old) return tl::make_unexpected(old.error());
-    auto made = placeReceiversOnGround(after, region, settings, stop);
+    auto made = placeReceiversInPart(after, region, part, stop);
     if (!made) return tl::make_unexpected(made.error());
     CommonReceivers common{*std::move(made), {}};
     common.change.resize(common.receivers.kind.size());

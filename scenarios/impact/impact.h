@@ -3,7 +3,7 @@
 // The folder scenarios/impact/ compares two cities. impact.h computes the two fields, their difference and
 // the contribution of each new building; reached_receivers.h limits that work to the receivers that a
 // building's shadow can reach; impact_error.h measures the error against the ray reference; impact_figures.h
-// sums the difference up; impact_text.h writes JSON and CSV.
+// sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities tile by tile.
 
 #include <optional>
 #include <stop_token>
@@ -49,6 +49,9 @@ struct CommonReceivers {
 Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
                                             const ReceiverSettings& settings,
                                             const std::stop_token& stop = {});
+/// The same in any part of their grid, with identical cells.
+Result<CommonReceivers> findCommonReceiversInPart(const City& before, const City& after, const Region& region,
+                                                  const Grid& part, const std::stop_token& stop = {});
 
 /// The difference of two fields on the same receivers.
 Impact computeDifference(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);

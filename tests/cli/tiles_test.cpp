@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <map>
 
 #include "app/cli/tiles/array_task.h"
@@ -32,7 +33,7 @@ TEST(FindArrayTask, OfSlurmKubernetesAndAwsBatch) {
 class TilesCommand : public testing::Test {
 protected:
     TilesCommand() { EXPECT_EQ(noonmarkCli({"sample", "grid", "--out", town}).code, 0); }
-    [[nodiscard]] Spoken plan(std::vector<std::string> more = {}) const {
+    [[nodiscard]] Spoken plan(std::vector<std::string> more = {}, const std::string& engine = "ray") const {
         std::vector<std::string> words{"tiles",      "plan",
                                        town,         "--start",
                                        "2026-03-21", "--from",
@@ -42,7 +43,7 @@ protected:
                                        "UTC",        "--region",
                                        "city",       "--cell",
                                        "4",          "--engine",
-                                       "ray",        "--tile",
+                                       engine,       "--tile",
                                        "64",         "--no-error-sample",
                                        "--out",      dir,
                                        "--json"};
@@ -73,6 +74,38 @@ TEST_F(TilesCommand, PlansRunsAndMerges) {
     EXPECT_THAT(plan().err, HasSubstr("exist"));
     EXPECT_EQ(plan({"--overwrite"}).code, 0);
     EXPECT_THAT(noonmarkCli({"tiles", "run", dir, "--task", "0"}).out, HasSubstr(" 0 computed"));
+}
+
+TEST_F(TilesCommand, MonthsAreThoseOfCityStudy) {
+    const Spoken planned = plan({"--by", "month", "--days", "20"}, "projected");
+    ASSERT_EQ(planned.code, 0) << planned.err;
+    for (std::size_t task = 0; task < planned.json()["tasks"]; ++task) {
+        const Spoken ran = noonmarkCli({"tiles", "run", dir, "--task", std::to_string(task)});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+    ASSERT_EQ(noonmarkCli({"tiles", "merge", dir}).code, 0);
+    const std::string whole = folder.path("whole").string();
+    const Spoken city = noonmarkCli(
+        {"city-study", town,     "--start",  "2026-03-21", "--from", "10:00",    "--hours",
+         "4",          "--step", "30",       "--zone",     "UTC",    "--region", "city",
+         "--cell",     "4",      "--engine", "projected",  "--tile", "64",       "--no-error-sample",
+         "--by",       "month",  "--days",   "20",         "--out",  whole});
+    ASSERT_EQ(city.code, 0) << city.err;
+    EXPECT_THAT(city.out, HasSubstr("by_month.tif"));
+    const auto figuresOf = [](const std::filesystem::path& csv) {  // the columns before the source
+        std::vector<std::string> lines;
+        std::ifstream stream(csv);
+        for (std::string line; std::getline(stream, line);) {
+            std::size_t end = 0;
+            for (int comma = 0; comma < 4; ++comma) end = line.find(',', end + 1);
+            lines.push_back(line.substr(0, end));
+        }
+        return lines;
+    };
+    const auto figures = figuresOf(folder.path("plan/merged/by_month.csv"));
+    ASSERT_EQ(figures.size(), 3U);  // March and April
+    EXPECT_THAT(figures[1], HasSubstr("2026-03,"));
+    EXPECT_EQ(figures, figuresOf(folder.path("whole/by_month.csv")));
 }
 
 TEST_F(TilesCommand, ExitCodesTellErrorsThatStay) {

@@ -13,6 +13,7 @@
 #include "app/report/files/output_folder.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/provenance/repeat_command.h"
+#include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/tiles/tiled_study.h"
 
@@ -22,16 +23,25 @@ namespace {
 
 constexpr const char* mapName = "shadow.tif";
 constexpr const char* jsonName = "study.json";
+constexpr const char* monthMapName = "by_month.tif";
+constexpr const char* monthTableName = "by_month.csv";
 
 struct CityStudyOptions {
     StudyOptions study;
     int tileCells = TiledStudySettings::usualTileCells;
 };
 
+std::vector<std::string> namesOf(const StudySettings& settings) {
+    std::vector<std::string> names{mapName, jsonName};
+    if (settings.byMonth) names.insert(names.end(), {monthMapName, monthTableName});
+    return names;
+}
+
 tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const auto request = parseStudyRequest(options.study, {mapName, jsonName}, progress, interrupt.token());
+    const auto request =
+        parseStudyRequest(options.study, namesOf(options.study.settings), progress, interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
     const FileTags tags = makeProvenanceTags(provenanceOf(*request));
@@ -43,10 +53,13 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
     return tiled;
 }
 
-Result<std::vector<std::filesystem::path>> writeTexts(const Study& study, const std::string& json,
+Result<std::vector<std::filesystem::path>> writeTexts(const TiledStudy& tiled, const std::string& json,
                                                       const StudyOptions& options) {
+    const Study& study = tiled.study;
     OutputFolder files(options.out, outputRulesOf(options, study.provenance.inputs));
     files.add(jsonName, textContent(json));
+    if (study.settings.byMonth)
+        files.add(monthTableName, textContent(monthsCsv(tiled.months, study.provenance)));
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();
@@ -57,9 +70,10 @@ int runCityStudy(const CityStudyOptions& options, const Console& console) {
     if (!tiled) return fail(console, tiled.error().error, tiled.error().code);
     const std::string json = tiledStudyJson(*tiled);
     const std::filesystem::path folder = options.study.out;
-    auto files = writeTexts(tiled->study, json, options.study);
+    auto files = writeTexts(*tiled, json, options.study);
     if (!files) return fail(console, files.error(), exitFailed);
     files->insert(files->begin(), folder / mapName);
+    if (tiled->study.settings.byMonth) files->insert(files->begin() + 1, folder / monthMapName);
     if (options.study.json)
         console.out << json << '\n';
     else
@@ -74,6 +88,7 @@ void addCityStudyCommand(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand(
         "city-study", "Run a study over a region of any size, tile by tile; resume it after an interruption");
     addStudyOptions(*command, options->study);
+    addMonthOption(*command, options->study.settings);
     command->add_option("--tile", options->tileCells, "Cells per side of a tile")
         ->capture_default_str()
         ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))

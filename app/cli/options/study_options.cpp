@@ -97,14 +97,18 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
     command.add_flag("--json", options.json, "Print only study.json to standard output");
 }
 
-void addPieceOptions(CLI::App& command, StudyOptions& options) {
-    StudySettings& settings = options.settings;
+void addMonthOption(CLI::App& command, StudySettings& settings) {
     command
         .add_option_function<std::string>(
             "--by", [&settings](const std::string&) { settings.byMonth = true; },
             "month: the shadow of each month, as bands and a table (engines horizon, projected)")
         ->check(CLI::IsMember({"month"}))
         ->type_name("SET");
+}
+
+void addPieceOptions(CLI::App& command, StudyOptions& options) {
+    StudySettings& settings = options.settings;
+    addMonthOption(command, settings);
     command.add_flag(
         "--contributions", settings.contributions,
         "Attributed shadow and sole contribution of each building, as a table and a map (engine horizon)");

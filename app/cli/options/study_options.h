@@ -43,7 +43,10 @@ void addElementOptions(CLI::App& command, StudyOptions& options);
 /// What the options of points lack or have too much. Call it before the city is read.
 Result<void> checkElementOptions(const StudyOptions& options);
 
-/// Adds the options of studies that are not tiled: months, contributions, cells as a table.
+/// Adds --by month.
+void addMonthOption(CLI::App& command, StudySettings& settings);
+
+/// Adds the options of `study` that tiles may lack: months, contributions, cells as a table.
 void addPieceOptions(CLI::App& command, StudyOptions& options);
 
 /// Adds --error-sample and --no-error-sample.

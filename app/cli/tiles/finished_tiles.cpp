@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <ostream>
 
 #include "app/cli/interrupt.h"
 #include "app/cli/options/place_options.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
-#include "core/study/provenance/provenance_tags.h"
 #include "core/study/remaining_time.h"
 #include "core/study/tile_tasks/merge/merge_tiles.h"
 
@@ -49,25 +49,39 @@ struct MergeOptions {
 Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
     const auto plan = readTaskPlan(options.folder);
     if (!plan) return tl::make_unexpected(plan.error());
-    const auto study = parseArguments(plan->arguments);
+    const auto study = parseArguments(plan->arguments, plan->files);
     if (!study) return tl::make_unexpected(study.error());
+    StudySettings asked = study->study.settings;
+    const auto period = readPeriod(*study);
+    if (!period) return tl::make_unexpected(period.error());
+    asked.period = *period;
     Provenance provenance;
     provenance.inputs = plan->inputs;
     MergeSettings settings{.placeSettings = options.place.settings,
                            .partial = options.partial,
-                           .tags = makeProvenanceTags(provenance)};
+                           .provenance = provenance,
+                           .maps = listMaps(*study)};
     if (!options.places.empty()) settings.places = options.places;
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return mergeTiles(options.folder, *plan, study->settings, settings, progress, interrupt.token());
+    return mergeTiles(options.folder, *plan, asked, settings, progress, interrupt.token());
+}
+
+// A score has no minutes of shadow.
+void print(const MergeReport& report, std::ostream& out) {
+    const ShadowStatistics& shadow = report.statistics;
+    out << fmt::format("{} receivers", shadow.receivers);
+    if (!std::isnan(shadow.meanGrossMin))
+        out << fmt::format(", {:.0f} m2 shadow area, {:.1f} min/day gross", shadow.shadowAreaM2,
+                           shadow.meanGrossMin);
+    out << '\n';
+    for (const auto& [name, value] : report.figures) out << fmt::format("{} {:.0f}\n", name, value);
 }
 
 int runMerge(const MergeOptions& options, const Console& console) {
     const auto report = merge(options, console);
     if (!report) return fail(console, report.error(), exitFailed);
-    const ShadowStatistics& figures = report->statistics;
-    console.out << fmt::format("{} receivers, {:.0f} m2 shadow area, {:.1f} min/day gross\n",
-                               figures.receivers, figures.shadowAreaM2, figures.meanGrossMin);
+    print(*report, console.out);
     if (report->missingTiles > 0)
         console.out << fmt::format("{} tiles are missing: their cells have no value\n", report->missingTiles);
     for (const auto& file : report->files) console.out << "Wrote " << file.string() << '\n';

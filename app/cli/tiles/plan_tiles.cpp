@@ -10,7 +10,7 @@
 #include "app/cli/load_city.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlanOptions {
-    StudyOptions study;
+    TileStudyOptions question;
     int tileCells = TiledStudySettings::usualTileCells;
     double taskSeconds = TaskSize{}.seconds;
     double taskMemoryGB = TaskSize{}.memoryBytes / 1e9;
@@ -36,9 +36,9 @@ struct PlanOptions {
 Result<std::vector<std::string>> findFiles(const ReadOptions& read) {
     std::vector<std::string> files;
     for (const std::string& file : read.files) {
-        if (isSample(file) || namesProject(read))
-            return failure("Tasks read city files, not samples and projects", file,
-                           "Write it to a file: noonmark-cli import, or noonmark-cli sample");
+        if (isSample(file))
+            return failure("Tasks read files, not samples", file,
+                           "Write it to a file: noonmark-cli sample, or project new");
         files.push_back(fs::absolute(file).lexically_normal().string());
     }
     return files;
@@ -67,26 +67,26 @@ void removeOtherTiles(const fs::path& folder, const TaskPlan& plan) {
 
 Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> arguments,
                           const Console& console) {
-    const StudyOptions& study = options.study;
+    const StudyOptions& study = options.question.study;
     const auto files = findFiles(study.read);
     if (!files) return tl::make_unexpected(files.error());
+    const auto question = readQuestion(options.question);
+    if (!question) return tl::make_unexpected(question.error());
     OutputRules rules = outputRules(study.read.files, {}, study.overwrite);
     addPlace(rules, study.region);
     if (auto may = checkOutputs(study.out, {planFileName, indexFileName}, rules); !may)
         return tl::make_unexpected(may.error());
     const Interrupt interrupt;
     ProgressLine progress(console);
-    TaskPlanRequest request{.files = *files,
-                            .reading = study.read.settings,
-                            .settings = study.settings,
-                            .region = study.region,
-                            .tileCells = options.tileCells,
-                            .task = {options.taskSeconds, options.taskMemoryGB * 1e9},
-                            .districtM = options.districtKm * 1000,
-                            .builtUpOnly = options.builtUpOnly};
-    const auto period = periodFrom(study.period);
-    if (!period) return tl::make_unexpected(period.error());
-    request.settings.period = *period;
+    const TaskPlanRequest request{.files = *files,
+                                  .reading = study.read.settings,
+                                  .settings = question->settings,
+                                  .region = study.region,
+                                  .tileCells = options.tileCells,
+                                  .task = {options.taskSeconds, options.taskMemoryGB * 1e9},
+                                  .districtM = options.districtKm * 1000,
+                                  .builtUpOnly = options.builtUpOnly,
+                                  .subject = question->subject ? &*question->subject : nullptr};
     auto plan = makeTaskPlan(request, progress, interrupt.token(), enginesWith(request.settings.engine));
     if (!plan) return plan;
     plan->arguments = std::move(arguments);
@@ -140,7 +140,7 @@ void print(const TaskPlan& plan, bool json, std::ostream& out) {
 void addPlanTiles(CLI::App& tiles, Run& run) {
     const auto options = std::make_shared<PlanOptions>();
     CLI::App* command = tiles.add_subcommand("plan", "Plan the tiles and tasks of a study");
-    addStudyOptions(*command, options->study);
+    addTileStudyOptions(*command, options->question);
     command->get_option("--out")->description("Folder for plan.json, tiles.gpkg and the tiles");
     command->add_option("--tile", options->tileCells, "Cells per side of a tile")
         ->capture_default_str()
@@ -167,7 +167,7 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
         run = [options, words = std::move(words)](const Console& console) {
             const auto plan = makePlan(*options, words, console);
             if (!plan) return fail(console, plan.error(), exitUsage);
-            print(*plan, options->study.json, console.out);
+            print(*plan, options->question.study.json, console.out);
             return int(exitOk);
         };
     });

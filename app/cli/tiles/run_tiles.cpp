@@ -8,7 +8,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/tiles/array_task.h"
-#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/all_engines.h"
 #include "core/base/cgroup_limits.h"
@@ -29,14 +29,19 @@ Result<TaskReport> runOne(const RunOptions& options, const CgroupLimits& limits,
     if (!task) return tl::make_unexpected(task.error());
     const auto plan = readTaskPlan(options.folder);
     if (!plan) return tl::make_unexpected(plan.error());
-    auto study = parseArguments(plan->arguments);
+    const auto study = parseArguments(plan->arguments, plan->files);
     if (!study) return tl::make_unexpected(study.error());
+    auto question = readQuestion(*study);
+    if (!question) return tl::make_unexpected(question.error());
+    StudySettings& settings = question->settings;
     constexpr std::uint64_t share = 9;  // tenths: the rest is for what is not estimated
-    if (limits.memoryBytes) study->settings.memoryLimit = *limits.memoryBytes / 10 * share;
+    if (limits.memoryBytes) settings.memoryLimit = *limits.memoryBytes / 10 * share;
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return runTask(options.folder, *plan, *task, study->reading, study->settings, progress, interrupt.token(),
-                   enginesWith(study->settings.engine));
+    const TaskQuestion asked{study->study.read.settings, settings,
+                             question->subject ? &*question->subject : nullptr};
+    return runTask(options.folder, *plan, *task, asked, progress, interrupt.token(),
+                   enginesWith(settings.engine));
 }
 
 int runTiles(const RunOptions& options, const Console& console) {

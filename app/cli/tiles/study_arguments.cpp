@@ -19,10 +19,27 @@ std::vector<std::string> listArguments(const CLI::App& command, const std::vecto
     return words;
 }
 
-Result<StudyArguments> parseArguments(const std::vector<std::string>& arguments) {
+void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
+    addStudyOptions(command, options.study);
+    addMonthOption(command, options.study.settings);
+    CLI::Option* baseline =
+        command
+            .add_option("--baseline", options.baseline,
+                        "Measure the impact of the project's --scenario: the scenario to compare it with")
+            ->needs(command.get_option("--scenario"))
+            ->type_name("NAME");
+    command
+        .add_option("--weights", options.weights,
+                    "Measure the shadow score: a time-weight table of the project")
+        ->excludes(baseline)
+        ->type_name("NAME");
+}
+
+Result<TileStudyOptions> parseArguments(const std::vector<std::string>& arguments,
+                                        const std::vector<std::string>& files) {
     CLI::App parser;
-    StudyOptions options;
-    addStudyOptions(parser, options);
+    TileStudyOptions options;
+    addTileStudyOptions(parser, options);
     std::vector<std::string> words{"city", "--out=folder"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::ranges::reverse(words);  // the parser takes them from the back
@@ -32,11 +49,8 @@ Result<StudyArguments> parseArguments(const std::vector<std::string>& arguments)
         return failure(std::string("The options of the plan cannot be used: ") + error.what(), "plan.json",
                        "Plan again with this version");
     }
-    return periodFrom(options.period).map([&](const Period& period) {
-        StudyArguments parsed{options.read.settings, options.settings};
-        parsed.settings.period = period;
-        return parsed;
-    });
+    options.study.read.files = files;
+    return options;
 }
 
 }  // namespace noonmark::cli

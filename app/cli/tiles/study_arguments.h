@@ -8,17 +8,23 @@
 
 namespace noonmark::cli {
 
+/// The options of a study in tiles, as given by the user.
+struct TileStudyOptions {
+    StudyOptions study;
+    std::string baseline;  ///< scenario to compare with; empty: no comparison
+    std::string weights;   ///< time-weight table; empty: no score
+};
+
+/// Adds the options of every study, and those that say what is measured in tiles.
+void addTileStudyOptions(CLI::App& command, TileStudyOptions& options);
+
 /// The options of a parsed command that were given, as words that parse to the same values; without files and
 /// without the options in `leaveOut`.
 std::vector<std::string> listArguments(const CLI::App& command, const std::vector<std::string>& leaveOut);
 
-/// What a study of given options reads and asks.
-struct StudyArguments {
-    ReadSettings reading;
-    StudySettings settings;  ///< without region
-};
-
-/// Error: words of another version of the program, or a period out of range.
-Result<StudyArguments> parseArguments(const std::vector<std::string>& arguments);
+/// Parses the words of listArguments(). `files`: of the study. Error: words of another version of the
+/// program.
+Result<TileStudyOptions> parseArguments(const std::vector<std::string>& arguments,
+                                        const std::vector<std::string>& files);
 
 }  // namespace noonmark::cli

@@ -2,8 +2,8 @@
 
 // The folder app/cli/tiles holds `noonmark-cli tiles`: a study divided among the tasks of a scheduler.
 // plan_tiles.cpp makes the plan, run_tiles.cpp computes one task, finished_tiles.cpp reports on them and
-// merges them. study_arguments.h stores the options of the study in the plan; array_task.h finds the task
-// that a scheduler means.
+// merges them. study_arguments.h stores the options of the study in the plan, and tile_question.h reads what
+// they ask for; array_task.h finds the task that a scheduler means.
 
 #include <CLI/CLI.hpp>
 

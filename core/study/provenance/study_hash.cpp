@@ -76,6 +76,7 @@ void addSettings(Sha256& sum, const StudySettings& settings) {
                         settings.errorSample.receivers, settings.errorSample.seed));
     if (settings.receivers.places != ReceiverPlaces::ground)
         sum.add(fmt::format("{};", nameOf(settings.receivers.places)));
+    if (settings.byMonth) sum.add(std::string("by month;"));
     for (const auto& [key, value] : settings.engineSettings) sum.add(fmt::format("{}={};", key, value));
     for (const Footprint& polygon : settings.region.polygons) addFootprint(sum, polygon);
 }

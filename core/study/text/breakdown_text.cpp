@@ -32,29 +32,46 @@ void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& 
 
 }  // namespace
 
-std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
+double sumOf(const std::vector<float>& minutes) {
+    double sum = 0;
+    for (const float value : minutes)
+        if (!std::isnan(value)) sum += double(value);
+    return sum;
+}
+
+std::vector<MonthShadow> monthsFromSums(const StepSets& sets, const std::vector<double>& sunlitMinutes,
+                                        const std::vector<double>& minutes, std::size_t receivers,
+                                        double cellAreaM2) {
     std::vector<MonthShadow> months;
-    for (std::size_t set = 0; set < breakdown.sets.names.size(); ++set) {
-        double sum = 0;
-        std::size_t cells = 0;
-        for (const float minutes : breakdown.minutes[set])
-            if (!std::isnan(minutes)) sum += double(minutes), ++cells;
-        const double sunlit = breakdown.sunlitMinutes[set];
-        months.push_back({breakdown.sets.names[set], sunlit,
-                          sunlit > 0 ? sum / sunlit * breakdown.grid.cellAreaM2() : 0,
-                          cells > 0 ? sum / double(cells) : 0});
+    for (std::size_t set = 0; set < sets.names.size(); ++set) {
+        const double sunlit = sunlitMinutes.at(set), sum = minutes.at(set);
+        months.push_back({sets.names[set], sunlit, sunlit > 0 ? sum / sunlit * cellAreaM2 : 0,
+                          receivers > 0 ? sum / double(receivers) : 0});
     }
     return months;
 }
 
-std::string monthsCsv(const Study& study) {
+std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
+    if (breakdown.minutes.empty()) return {};
+    std::vector<double> sums;
+    for (const std::vector<float>& minutes : breakdown.minutes) sums.push_back(sumOf(minutes));
+    const auto nothing =
+        std::ranges::count_if(breakdown.minutes.front(), [](float value) { return std::isnan(value); });
+    const std::size_t receivers = breakdown.minutes.front().size() - std::size_t(nothing);
+    return monthsFromSums(breakdown.sets, breakdown.sunlitMinutes, sums, receivers,
+                          breakdown.grid.cellAreaM2());
+}
+
+std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance) {
     std::string csv = fmt::format("month,sunlit_min,shadow_area_m2,mean_shadow_min{}\n", sourceColumns);
-    const std::string source = sourceFields(study.provenance);
-    for (const MonthShadow& month : monthsOf(*study.breakdown))
+    const std::string source = sourceFields(provenance);
+    for (const MonthShadow& month : months)
         csv += fmt::format("{},{:.1f},{:.2f},{:.2f}{}\n", month.month, month.sunlitMinutes,
                            month.shadowAreaM2, month.meanMinutes, source);
     return csv;
 }
+
+std::string monthsCsv(const Study& study) { return monthsCsv(monthsOf(*study.breakdown), study.provenance); }
 
 std::string contributionsCsv(const Study& study) {
     const ShadowBreakdown& breakdown = *study.breakdown;

@@ -16,9 +16,18 @@ struct MonthShadow {
 };
 std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown);
 
+/// The same from the sums over all receivers of a study in tiles. `minutes`: one sum for each set.
+std::vector<MonthShadow> monthsFromSums(const StepSets& sets, const std::vector<double>& sunlitMinutes,
+                                        const std::vector<double>& minutes, std::size_t receivers,
+                                        double cellAreaM2);
+
+/// The sum of all values but NaN.
+double sumOf(const std::vector<float>& minutes);
+
 /// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (source_columns.h); one
 /// row per set of the study's breakdown, which must exist.
 std::string monthsCsv(const Study& study);
+std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance);
 
 /// Columns: building,source_id,name,attributed_min_m2,sole_min_m2; with several months two more columns for
 /// each of them ("attributed 2026-01", "sole 2026-01"); then the source columns. One row for each building

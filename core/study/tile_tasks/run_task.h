@@ -2,8 +2,8 @@
 
 #include <stop_token>
 
-#include "core/study/study.h"
 #include "core/study/tile_tasks/plan/task_plan.h"
+#include "core/study/tile_tasks/plan/tile_subject.h"
 
 namespace noonmark {
 
@@ -22,12 +22,13 @@ struct TaskReport {
 /// these tiles need together, or whole files if the plan says so; never more than `settings.memoryLimit` is
 /// planned for.
 ///
-/// `reading` and `settings`: as the plan was made with, without region. Errors that may pass (isRetryable):
+/// `question`: as the plan was made with. A project among the inputs must have the hash of the plan, other
+/// inputs their size. Errors that may pass (isRetryable):
 /// another process works on the task, the disk is full, memory ran out, cancelled. Others stay: the plan does
 /// not fit the settings or the inputs, a file cannot be read, a tile needs more memory than the limit.
 Result<TaskReport> runTask(const std::filesystem::path& folder, const TaskPlan& plan, std::size_t task,
-                           const ReadSettings& reading, const StudySettings& settings, Progress& progress,
-                           const std::stop_token& stop, const EngineList& engines = coreEngines());
+                           const TaskQuestion& question, Progress& progress, const std::stop_token& stop,
+                           const EngineList& engines = coreEngines());
 
 /// Whether the same task may succeed later, on another machine or with nothing changed.
 bool isRetryable(const Error& error);

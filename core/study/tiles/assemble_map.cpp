@@ -3,22 +3,25 @@
 #include <limits>
 
 #include "core/io/write_raster.h"
-#include "core/study/tiles/map_bands.h"
 
 namespace noonmark {
 
 namespace {
 
-Result<void> copyTile(GeoTiffWriter& map, const Grid& tile, const std::optional<std::filesystem::path>& file,
-                      std::size_t bandCount) {
+Result<void> copyTile(GeoTiffWriter& writer, const Grid& tile,
+                      const std::optional<std::filesystem::path>& file, const TileMap& map) {
+    const std::size_t bandCount = map.bands.size();
     if (!file) {
         const std::vector<float> nothing(tile.size(), std::numeric_limits<float>::quiet_NaN());
-        return map.write(tile, std::vector<const std::vector<float>*>(bandCount, &nothing));
+        return writer.write(tile, std::vector<const std::vector<float>*>(bandCount, &nothing));
     }
     return readGeoTiff(*file, tile).and_then([&](const std::vector<std::vector<float>>& bands) {
+        if (bands.size() < map.firstBand + bandCount)
+            return Result<void>(failure("A tile has too few bands", file->string(),
+                                        "Remove this file, and run the study again"));
         std::vector<const std::vector<float>*> copied;
-        for (std::size_t band = 0; band < bandCount; ++band) copied.push_back(&bands.at(band));
-        return map.write(tile, copied);
+        for (std::size_t band = 0; band < bandCount; ++band) copied.push_back(&bands[map.firstBand + band]);
+        return writer.write(tile, copied);
     });
 }
 
@@ -32,20 +35,19 @@ TileFiles listFiles(const TileJournal& journal) {
 }
 
 Result<void> assembleMap(const TilePlan& plan, const TileFiles& tiles, const Frame& frame,
-                         const MapFile& file, bool runs, Progress& progress, const std::stop_token& stop) {
-    const ShadowField names;
-    const std::vector<RasterBand> bands = makeMapBands(names, runs);
-    auto map = GeoTiffWriter::create(file.path, frame, plan.whole, bands, file.tags);
-    if (!map) return tl::make_unexpected(map.error());
+                         const MapFile& file, const TileMap& map, Progress& progress,
+                         const std::stop_token& stop) {
+    auto writer = GeoTiffWriter::create(file.path, frame, plan.whole, map.bands, file.tags);
+    if (!writer) return tl::make_unexpected(writer.error());
     for (std::size_t number = 0; number < plan.count(); ++number) {
         if (stop.stop_requested()) return cancelled();
         progress.report(double(number) / double(plan.count()), "writing the map");
         const auto found = tiles.find(number);
-        auto copied = copyTile(*map, plan.tile(number), found == tiles.end() ? std::nullopt : found->second,
-                               bands.size());
+        auto copied =
+            copyTile(*writer, plan.tile(number), found == tiles.end() ? std::nullopt : found->second, map);
         if (!copied) return copied;
     }
-    return map->finish(file.overviews, stop);
+    return writer->finish(file.overviews, stop);
 }
 
 }  // namespace noonmark

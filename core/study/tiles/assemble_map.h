@@ -10,6 +10,7 @@
 #include "core/io/files/file_tags.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/tiles/tile_journal.h"
+#include "core/study/tiles/tile_maps.h"
 
 namespace noonmark {
 
@@ -24,10 +25,11 @@ struct MapFile {
 using TileFiles = std::map<std::size_t, std::optional<std::filesystem::path>>;
 TileFiles listFiles(const TileJournal& journal);
 
-/// Writes one GeoTIFF from the files of finished tiles, NaN in empty and missing ones; includes continuous
-/// shadow if `runs`, and overviews if the file asks for them. Holds one tile in memory. Error: a tile that
+/// Writes the bands of one map into a GeoTIFF, from the files of finished tiles, NaN in empty and missing
+/// ones, with overviews if the file asks for them. Holds one tile in memory. Error: a tile that
 /// cannot be read, a map that cannot be written; cancelled().
 Result<void> assembleMap(const TilePlan& plan, const TileFiles& tiles, const Frame& frame,
-                         const MapFile& file, bool runs, Progress& progress, const std::stop_token& stop);
+                         const MapFile& file, const TileMap& map, Progress& progress,
+                         const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -30,7 +30,7 @@ public:
     /// By tile number.
     [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
 
-    /// The file with the cells of a tile: two bands, gross and continuous minutes. Empty tiles have none.
+    /// The file with the cells of a tile: the bands of all maps (tile_maps.h). Empty tiles have none.
     [[nodiscard]] std::filesystem::path fileOf(std::size_t tile) const;
     /// The same for a journal in this folder.
     static std::filesystem::path fileIn(const std::filesystem::path& folder, std::size_t tile);

@@ -26,9 +26,11 @@ ComparedCell comparedCellFrom(const Json& json) {
 
 TileResult resultFrom(const Json& json) {
     const Json& sums = json.at("sums");
-    TileResult result{wholeNumberFrom<std::size_t>(json.at("tile")),
-                      {wholeNumberFrom<std::size_t>(sums.at(0)), sums.at(1), minutesFrom(sums.at(2)),
-                       sums.at(3), sums.at(4)}};
+    TileResult result{.number = wholeNumberFrom<std::size_t>(json.at("tile")),
+                      .sums = {wholeNumberFrom<std::size_t>(sums.at(0)), minutesFrom(sums.at(1)),
+                               minutesFrom(sums.at(2)), sums.at(3), sums.at(4)}};
+    if (json.contains("months")) result.monthMinutes = json.at("months").get<std::vector<double>>();
+    if (json.contains("figures")) result.figures = json.at("figures").get<std::map<std::string, double>>();
     result.cost.rays = wholeNumberFrom<std::uint64_t>(json.at("rays"));
     for (const auto& [reason, count] : json.at("skipped").items())
         result.cost.skipped[reason] = wholeNumberFrom<std::uint64_t>(count);
@@ -62,6 +64,8 @@ Json toJson(const TileResult& result) {
               {"compared", compared},
               {"seconds", result.seconds},
               {"error_seconds", result.errorSeconds}};
+    if (!result.monthMinutes.empty()) json["months"] = result.monthMinutes;
+    if (!result.figures.empty()) json["figures"] = result.figures;
     if (result.contentHash.empty()) return json;
     json["content"] = result.contentHash;
     json["file_bytes"] = result.fileBytes;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -15,6 +16,9 @@ namespace noonmark {
 struct TileResult {
     std::size_t number = 0;  ///< tile number in the TilePlan
     ShadowSums sums;
+    std::vector<double> monthMinutes{};  ///< of each month: sum over the receivers; empty unless wanted
+    /// Sums that only some measures have, by name; their tiles are added up
+    std::map<std::string, double> figures{};
     Cost cost;
     std::string engineKey;  ///< key of the engine that computed it; empty if there was nothing to do
     std::string engine;     ///< its name for display

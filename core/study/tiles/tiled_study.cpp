@@ -9,19 +9,20 @@
 #include "core/base/stopwatch.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/measures/has_runs.h"
-#include "core/study/memory_need.h"
+#include "core/study/breakdown_check.h"
 #include "core/study/provenance/study_hash.h"
-#include "core/study/remaining_time.h"
 #include "core/study/tiles/assemble_map.h"
-#include "core/study/tiles/tile_runner.h"
+#include "core/study/tiles/month_sums.h"
+#include "core/study/tiles/run_tiles.h"
+#include "core/study/tiles/shadow_measure.h"
 
 namespace noonmark {
 
 namespace {
 
 Result<void> checkQuestion(const StudySettings& settings) {
-    if (settings.byMonth || settings.contributions)
-        return failure("Months and contributions are not available for tiled studies", "study",
+    if (settings.contributions)
+        return failure("Contributions are not available for tiled studies", "study",
                        "Leave them out, or choose a region that fits into memory");
     return validate(settings.period).map([](const Period&) {});
 }
@@ -32,37 +33,19 @@ Result<void> checkTileSide(int cells) {
                    "Choose 64 to 4096 cells");
 }
 
-// Checks the memory of one tile: the size of the region does not matter.
-Result<void> checkTileMemory(const City& city, const TilePlan& plan, StudySettings settings,
-                             const EngineList& engines) {
-    const auto cellM = float(plan.whole.cellM);
-    const float widthM = cellM * float(std::min(plan.side, plan.whole.columns));
-    const float heightM = cellM * float(std::min(plan.side, plan.whole.rows));
-    settings.region = makeRegionFromLocalBox({{0, 0}, {widthM, heightM}});
-    return checkMemory(city, settings, engines);
-}
-
 Result<SunSteps> computeSunOver(const Study& study, const std::stop_token& stop) {
     return computeDaylightSteps(study.settings.period, makeObserver(study), stop);
 }
 
-double cellsOf(const TilePlan& plan, const std::map<std::size_t, TileResult>& tiles) {
-    double cells = 0;
-    for (const auto& [number, result] : tiles) cells += double(plan.tile(number).size());
-    return cells;
-}
-
-Result<void> runTiles(TileRunner& runner, const TilePlan& plan, const TileJournal& journal,
-                      Progress& progress, const std::stop_token& stop) {
-    PiecewiseProgress pieces(progress, double(plan.whole.size()), cellsOf(plan, journal.finished()));
+TilesLeft findLeft(const TilePlan& plan, const TileJournal& journal) {
+    TilesLeft left{.missing = {}, .doneTiles = journal.finished().size()};
     for (std::size_t tile = 0; tile < plan.count(); ++tile) {
-        if (stop.stop_requested()) return cancelled();
-        if (journal.finished().contains(tile)) continue;
-        pieces.begin(fmt::format("tile {} of {}", tile + 1, plan.count()), double(plan.tile(tile).size()));
-        if (auto done = runner.run(tile, pieces, stop); !done) return done;
-        pieces.end();
+        if (journal.finished().contains(tile))
+            left.doneCells += double(plan.tile(tile).size());
+        else
+            left.missing.push_back({tile});
     }
-    return {};
+    return left;
 }
 
 void addCost(Cost& sum, const Cost& piece) {
@@ -94,6 +77,12 @@ std::string describeEngine(const TiledStudy& tiled, const std::string& first) {
                        keys);
 }
 
+std::vector<MonthShadow> sumMonths(const Study& study, const std::map<std::size_t, TileResult>& tiles) {
+    MonthSums sums;
+    for (const auto& [number, result] : tiles) sums.add(result);
+    return sums.months(study.settings, study.sun, study.field.grid.cellAreaM2());
+}
+
 void addTiles(TiledStudy& tiled, const TileJournal& journal) {
     Study& study = tiled.study;
     ShadowSums sums;
@@ -111,6 +100,7 @@ void addTiles(TiledStudy& tiled, const TileJournal& journal) {
         if (first.empty()) first = result.engine;
     }
     countBuildings(study);
+    tiled.months = sumMonths(study, journal.finished());
     const ShadowField& field = study.field;
     study.statistics = computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
     study.field.engine = describeEngine(tiled, first);
@@ -137,6 +127,21 @@ Result<void> checkOpenGround(const Study& study) {
                    "Choose a region outside the buildings, or smaller cells");
 }
 
+// The first map has the name that the caller chose; the others lie beside it.
+Result<void> writeMaps(const TiledStudy& tiled, const TileJournal& journal, const MapFile& file,
+                       Progress& progress, const std::stop_token& stop) {
+    const Study& study = tiled.study;
+    const TileFiles tiles = listFiles(journal);
+    MapFile own = file;
+    for (const TileMap& map :
+         listWrittenMaps(listTileMaps(study.settings, study.sun), hasRuns(study.statistics))) {
+        if (map.firstBand > 0) own.path = file.path.parent_path() / (map.name + ".tif");
+        auto made = assembleMap(tiled.plan, tiles, study.city.frame, own, map, progress, stop);
+        if (!made) return made;
+    }
+    return {};
+}
+
 Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const MapFile& file,
                                 Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
@@ -154,15 +159,14 @@ Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const Ma
         TileJournal::open(file.path.string() + ".tiles", hashStudy(study.city, study.settings), tiled.plan);
     if (!journal) return tl::make_unexpected(journal.error());
     tiled.resumedTiles = journal->finished().size();
-    TileRunner runner(study.city, study.settings, study.sun, engine, tiled.plan, *journal);
-    if (auto done = runTiles(runner, tiled.plan, *journal, progress, stop); !done)
+    ShadowMeasure measure(study.city, {study.settings, study.sun, engine, tiled.plan.whole});
+    TileRunner runner(measure, tiled.plan, study.city.frame, *journal);
+    if (auto done = runTiles(runner, tiled.plan, findLeft(tiled.plan, *journal), progress, stop); !done)
         return tl::make_unexpected(done.error());
     addTiles(tiled, *journal);
     if (auto some = checkOpenGround(study); !some) return tl::make_unexpected(some.error());
     const Stopwatch writing;
-    if (auto made = assembleMap(tiled.plan, listFiles(*journal), study.city.frame, file,
-                                hasRuns(study.statistics), progress, stop);
-        !made)
+    if (auto made = writeMaps(tiled, *journal, file, progress, stop); !made)
         return tl::make_unexpected(made.error());
     journal->remove();
     study.seconds["write"] = writing.seconds();
@@ -178,6 +182,8 @@ Result<TiledStudy> checkAndCompute(const City& city, const TiledStudySettings& s
     if (const auto sound = checkQuestion(question); !sound) return tl::make_unexpected(sound.error());
     const auto engine = makeEngine(question.engine, question.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
+    if (auto able = checkBreakdown(question, (*engine)->capabilities(), engines); !able)
+        return tl::make_unexpected(able.error());
     const auto grid = gridOver(question.region, question.receivers);
     if (!grid) return tl::make_unexpected(grid.error());
     const TilePlan plan{*grid, settings.tileCells};

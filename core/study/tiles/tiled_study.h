@@ -1,9 +1,11 @@
 #pragma once
 
 // The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
-// divides the region (core/receivers/tile_plan.h); tile_runner.h computes one tile into a TileResult
-// (tile_result.h) and a raster file; tile_journal.h stores finished tiles, so that a killed run can be
-// resumed; assemble_map.h joins the tiles into one GeoTIFF, with the bands of map_bands.h.
+// divides the region (core/receivers/tile_plan.h). What a tile gives is a TileMeasure (tile_measure.h): the
+// shadow of a city (shadow_measure.h), or a measure of scenarios. tile_runner.h stores its answer as a
+// TileResult (tile_result.h) and a raster file with the bands of tile_maps.h, and run_tiles.h runs the
+// missing ones; month_sums.h adds up their months; tile_journal.h stores finished tiles, so that a killed run
+// can be resumed; assemble_map.h joins the tiles into one GeoTIFF for each map.
 
 #include <filesystem>
 #include <map>
@@ -12,7 +14,7 @@
 
 #include "core/io/files/file_tags.h"
 #include "core/receivers/tile_plan.h"
-#include "core/study/study.h"
+#include "core/study/text/breakdown_text.h"
 
 namespace noonmark {
 
@@ -35,14 +37,17 @@ struct TiledStudy {
     TilePlan plan;
     /// Number of tiles by the key of the engine that computed them
     std::map<std::string, std::size_t> tilesByEngine;
-    std::size_t emptyTiles = 0;    ///< tiles without a receiver
-    std::size_t resumedTiles = 0;  ///< tiles that an earlier run had finished
+    std::vector<MonthShadow> months;  ///< if the settings ask for them
+    std::size_t emptyTiles = 0;       ///< tiles without a receiver
+    std::size_t resumedTiles = 0;     ///< tiles that an earlier run had finished
 };
 
 /// Computes the shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross
 /// and, if every tile counted them, continuous minutes; NaN where there is no receiver. If the engine's cells
 /// do not depend on their surroundings, cells and statistics equal those of runStudy over the whole region
 /// (sums are added in another order: 1e-12).
+///
+/// If the settings ask for months, `by_month.tif` is written into the same folder.
 ///
 /// Finished tiles are stored in the folder `file` + ".tiles" until all are done (TileJournal): running the
 /// same study again after a kill resumes there. The engine `auto` may pick a different engine for each tile;
@@ -55,7 +60,7 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
                                  const std::filesystem::path& file, Progress& progress, std::stop_token stop,
                                  const EngineList& engines = coreEngines());
 
-/// studyJson, plus `tiles`: side_cells, count, empty, resumed, by_engine.
+/// studyJson with the months of the tiles, plus `tiles`: side_cells, count, empty, resumed, by_engine.
 std::string tiledStudyJson(const TiledStudy& tiled);
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
+#include "core/study/text/months_json.h"
 #include "core/study/text/warnings_json.h"
 #include "core/study/tiles/tiled_study.h"
 
@@ -11,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 std::string tiledStudyJson(const TiledStudy& tiled) {
     Json json = Json::parse(studyJson(tiled.study));
+    if (tiled.study.settings.byMonth) json["by_month"] = monthsJson(tiled.months);
     json["tiles"] = {{"side_cells", tiled.plan.side},
                      {"count", tiled.plan.count()},
                      {"empty", tiled.emptyTiles},

@@ -124,6 +124,33 @@ TEST_F(TiledStudyTest, GrossShadowOnlyHasOneBandAndNoFiguresOfRuns) {
     EXPECT_TRUE(json["error"]["gross"]["mean_pct"].is_number());
 }
 
+TEST_F(TiledStudyTest, MonthsAreThoseOfOnePiece) {
+    StudySettings settings = question("projected");
+    settings.errorSample.receivers = 0;
+    settings.byMonth = true;
+    settings.period.days = 40;
+    settings.period.stepMinutes = 60;
+    const Study whole = inOnePiece(city, settings);
+    const auto tiled = run(settings);
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    const auto cells = readGeoTiff(folder.path("by_month.tif"), whole.field.grid).value();
+    const ShadowBreakdown& months = *whole.breakdown;
+    ASSERT_EQ(cells.size(), 2U);
+    ASSERT_EQ(months.minutes.size(), 2U);
+    for (std::size_t month = 0; month < 2; ++month)
+        EXPECT_LE(differences(cells[month], months.minutes[month]), whole.statistics.receivers / 500);
+    const auto expected = monthsOf(months);
+    ASSERT_EQ(tiled->months.size(), 2U);
+    for (std::size_t month = 0; month < 2; ++month) {
+        EXPECT_EQ(tiled->months[month].month, expected[month].month);
+        EXPECT_EQ(tiled->months[month].sunlitMinutes, expected[month].sunlitMinutes);
+        EXPECT_NEAR(tiled->months[month].meanMinutes / expected[month].meanMinutes, 1, 1e-4);
+        EXPECT_NEAR(tiled->months[month].shadowAreaM2 / expected[month].shadowAreaM2, 1, 1e-4);
+    }
+    EXPECT_EQ(nlohmann::json::parse(tiledStudyJson(*tiled))["by_month"].size(), 2U);
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"by_month.tif", "shadow.tif"}));
+}
+
 TEST_F(TiledStudyTest, JsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
     const auto whole = nlohmann::json::parse(studyJson(inOnePiece(city, question("ray"))));
     auto inTiles = run(question("ray"));
@@ -188,6 +215,27 @@ TEST_F(TiledStudyTest, GrossShadowOnlyGoesOnWhereItWasStopped) {
     EXPECT_FALSE(hasRuns(resumed->study.statistics));
 }
 
+TEST_F(TiledStudyTest, MonthsGoOnWhereTheyWereStopped) {
+    StudySettings settings = question("projected");
+    settings.errorSample.receivers = 0;
+    settings.byMonth = true;
+    settings.period.days = 40;
+    settings.period.stepMinutes = 60;
+    const auto unbroken = run(settings);
+    ASSERT_TRUE(unbroken) << unbroken.error().text();
+    const auto months = readGeoTiff(folder.path("by_month.tif"), unbroken->plan.whole).value();
+    StopAtTile watcher(9);
+    ASSERT_FALSE(run(settings, watcher, watcher.stop.get_token()));
+    const auto resumed = run(settings);
+    ASSERT_TRUE(resumed) << resumed.error().text();
+    EXPECT_EQ(resumed->resumedTiles, 8U);
+    for (std::size_t month = 0; month < 2; ++month) {
+        EXPECT_EQ(resumed->months[month].meanMinutes, unbroken->months[month].meanMinutes);
+        const auto again = readGeoTiff(folder.path("by_month.tif"), unbroken->plan.whole).value();
+        EXPECT_EQ(differences(again[month], months[month]), 0U);
+    }
+}
+
 TEST_F(TiledStudyTest, ABrokenTileIsSaidAndTheMapIsNotMade) {
     StopAtTile watcher(13);
     ASSERT_FALSE(run(question("ray"), watcher, watcher.stop.get_token()));
@@ -218,6 +266,9 @@ TEST_F(TiledStudyTest, RefusesWhatRunStudyRefuses) {
     settings = question("magic");
     EXPECT_THAT(run(settings).error().text(), HasSubstr("magic"));
     settings = question("ray");
+    settings.byMonth = true;
+    EXPECT_THAT(run(settings).error().text(), HasSubstr("Choose one of"));
+    settings = question("ray");
     settings.memoryLimit = 1000;
     EXPECT_THAT(run(settings).error().text(), HasSubstr("would need"));
     NoProgress progress;
@@ -241,7 +292,7 @@ TEST(StudyHash, EverySettingAndEveryPointCounts) {
     const std::string hash = hashStudy(city, settings);
     EXPECT_EQ(hash.size(), 64U);
     EXPECT_EQ(hashStudy(town(), question("ray")), hash);
-    std::vector<StudySettings> others(8, settings);
+    std::vector<StudySettings> others(9, settings);
     others[0].period.hours = 5;
     others[1].period.refraction = false;
     others[2].receivers.cellM = 2;
@@ -250,6 +301,7 @@ TEST(StudyHash, EverySettingAndEveryPointCounts) {
     others[5].region.polygons.front().outer.front().x += 1;
     others[6].errorSample.receivers = 299;
     others[7].temperatureC = 11;
+    others[8].byMonth = true;
     for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(hashStudy(city, others[i]), hash) << i;
     City higher = city;
     Building building = *city.buildings[40];

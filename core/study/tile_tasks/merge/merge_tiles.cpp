@@ -10,10 +10,12 @@
 #include "core/io/files/pending_file.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/has_runs.h"
+#include "core/study/provenance/provenance_tags.h"
 #include "core/study/tile_tasks/merge/cloud_map.h"
 #include "core/study/tile_tasks/merge/stac_item.h"
 #include "core/study/tile_tasks/merge/tile_mosaic.h"
 #include "core/study/tile_tasks/merge/tile_places.h"
+#include "core/study/tiles/month_sums.h"
 
 namespace noonmark {
 
@@ -60,8 +62,12 @@ private:
         if (finished.empty()) return {};
         TileFiles files;
         ShadowSums sums;
+        MonthSums months;
+        std::map<std::string, double> ownFigures;
         for (const auto& [tile, done] : finished) {
             sums.add(done.result.sums);
+            for (const auto& [name, value] : done.result.figures) ownFigures[name] += value;
+            months.add(done.result);
             files[tile] = done.result.empty()
                               ? std::nullopt
                               : std::optional(TileJournal::fileIn(taskFolder(folder_, done.task), tile));
@@ -75,34 +81,64 @@ private:
         const double sunlit = sun->sunlitMinutes() / double(std::max<std::size_t>(1, sun->dayCount()));
         const ShadowStatistics figures = computeStatistics(sums, sunlit, district.tiles.whole.cellAreaM2());
         addStatistics(district, figures, finished.size());
-        return writeMaps(district, files, hasRuns(figures))
+        addFigures(ownFigures);
+        const std::vector<TileMap> maps =
+            listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun) : merge_.maps, hasRuns(figures));
+        return writeMaps(district, files, maps)
+            .and_then([&]() -> Result<void> {
+                if (!own.byMonth) return {};
+                return writeFile(district.name + "by_month.csv",
+                                 monthsCsv(months.months(own, *sun, district.tiles.whole.cellAreaM2()),
+                                           merge_.provenance));
+            })
             .and_then([&] {
                 return writeFile(district.name + "item.json",
-                                 makeStacItem(plan_, district, *sun, own.period, figures));
+                                 makeStacItem(plan_, district, maps, *sun, own.period, figures));
             })
-            .and_then([&] { return addPlacesOf(district, files, sunlit); });
+            .and_then([&] { return addPlacesOf(district, files, maps, sunlit); });
     }
 
-    Result<void> writeMaps(const District& district, const TileFiles& files, bool runs) {
-        const fs::path map = merged_ / (district.name + "shadow.tif");
+    Result<void> writeMaps(const District& district, const TileFiles& files,
+                           const std::vector<TileMap>& maps) {
+        for (const TileMap& map : maps)
+            if (auto made = writeMap(district, files, map); !made) return made;
+        return {};
+    }
+
+    Result<void> writeMap(const District& district, const TileFiles& files, const TileMap& map) {
+        const fs::path cloud = merged_ / (district.name + map.name + ".tif");
         const PendingFile plain(merged_ / (district.name + "plain.tif"));
         ProgressShare share(progress_, std::size_t(&district - plan_.districts.data()),
                             plan_.districts.size());
-        return assembleMap(district.tiles, files, district.frame, {plain.path(), merge_.tags, false}, runs,
-                           share, stop_)
-            .and_then([&] { return writeCloudMap(plain.path(), map, stop_); })
+        return assembleMap(district.tiles, files, district.frame,
+                           {plain.path(), makeProvenanceTags(merge_.provenance), false}, map, share, stop_)
+            .and_then([&] { return writeCloudMap(plain.path(), cloud, stop_); })
             .and_then([&] {
-                report_.files.push_back(map);
-                return writeFile(district.name + "shadow.vrt",
-                                 makeMosaic(district.tiles, files, district.frame, runs, merged_));
+                report_.files.push_back(cloud);
+                return writeFile(district.name + map.name + ".vrt",
+                                 makeMosaic(district.tiles, files, district.frame, map, merged_));
             });
     }
 
-    Result<void> addPlacesOf(const District& district, const TileFiles& files, double sunlit) {
+    Result<void> addPlacesOf(const District& district, const TileFiles& files,
+                             const std::vector<TileMap>& maps, double sunlit) {
         if (!merge_.places) return {};
         const auto read = readPlaces(*merge_.places, merge_.placeSettings, district.frame, progress_, stop_);
         if (!read) return tl::make_unexpected(read.error());
-        return addPlaces(places_, read->places, district.tiles, files, sunlit, progress_, stop_);
+        for (const TileMap& map : maps) {
+            if (map.runBands == 0) continue;
+            PlaceShadows& places = places_[map.firstBand == 0 ? "" : map.name + "_"];
+            const PlaceTiles tiles{district.tiles, files, map.firstBand, sunlit};
+            if (auto added = addPlaces(places, read->places, tiles, progress_, stop_); !added) return added;
+        }
+        if (!places_.empty()) return {};
+        return failure("Places get statistics of shadow, and these tiles have none", merge_.places->string(),
+                       "Leave --places out");
+    }
+
+    void addFigures(const std::map<std::string, double>& figures) {
+        if (!figures.empty()) districts_.back()["figures"] = figures;
+        for (const auto& [name, value] : figures) report_.figures[name] += value;
     }
 
     void addStatistics(const District& district, const ShadowStatistics& figures, std::size_t tiles) {
@@ -131,20 +167,22 @@ private:
 
     Result<void> writeSummaries() {
         const ShadowStatistics& all = report_.statistics;
-        const Json json{{"tiles", status_.doneTiles},
-                        {"tiles_missing", report_.missingTiles},
-                        {"receivers", all.receivers},
-                        {"receiver_area_m2", all.receiverAreaM2},
-                        {"shadow_area_m2", all.shadowAreaM2},
-                        {"mean_gross_min", all.meanGrossMin},
-                        {"max_gross_min", all.maxGrossMin},
-                        {"mean_continuous_min", all.meanContinuousMin},
-                        {"max_continuous_min", all.maxContinuousMin},
-                        {"compute_seconds", status_.doneSeconds},
-                        {"districts", districts_}};
-        return writeFile("statistics.json", json.dump(2) + "\n").and_then([&]() -> Result<void> {
-            return merge_.places ? writeFile("places.csv", formatPlaces(places_)) : Result<void>();
-        });
+        Json json{{"tiles", status_.doneTiles},
+                  {"tiles_missing", report_.missingTiles},
+                  {"receivers", all.receivers},
+                  {"receiver_area_m2", all.receiverAreaM2},
+                  {"shadow_area_m2", all.shadowAreaM2},
+                  {"mean_gross_min", all.meanGrossMin},
+                  {"max_gross_min", all.maxGrossMin},
+                  {"mean_continuous_min", all.meanContinuousMin},
+                  {"max_continuous_min", all.maxContinuousMin},
+                  {"compute_seconds", status_.doneSeconds},
+                  {"districts", districts_}};
+        if (!report_.figures.empty()) json["figures"] = report_.figures;
+        auto written = writeFile("statistics.json", json.dump(2) + "\n");
+        for (const auto& [name, places] : places_)
+            if (written) written = writeFile(name + "places.csv", formatPlaces(places));
+        return written;
     }
 
     Result<void> writeFile(const std::string& name, const std::string& text) {
@@ -159,7 +197,7 @@ private:
     std::stop_token stop_;
     TaskStatus status_;
     MergeReport report_;
-    PlaceShadows places_;
+    std::map<std::string, PlaceShadows> places_;  ///< by the beginning of their file's name
     Json districts_ = Json::array();
 };
 

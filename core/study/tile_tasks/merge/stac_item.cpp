@@ -37,7 +37,7 @@ Json outlineOf(const Grid& grid, const Frame& frame) {
     return {{"type", "Polygon"}, {"coordinates", Json::array({ring})}};
 }
 
-Json asset(const std::string& file, const char* type, const char* title) {
+Json asset(const std::string& file, const char* type, const std::string& title) {
     return {{"href", "./" + file}, {"type", type}, {"title", title}, {"roles", {"data"}}};
 }
 
@@ -64,8 +64,8 @@ Json propertiesOf(const District& district, const SunSteps& sun, const Period& p
 
 }  // namespace
 
-std::string makeStacItem(const TaskPlan& plan, const District& district, const SunSteps& sun,
-                         const Period& period, const ShadowStatistics& statistics) {
+std::string makeStacItem(const TaskPlan& plan, const District& district, const std::vector<TileMap>& maps,
+                         const SunSteps& sun, const Period& period, const ShadowStatistics& statistics) {
     const Grid& grid = district.tiles.whole;
     const LonLatBox box =
         makeLonLatBox(district.frame, {grid.westM, grid.southM}, {grid.eastM(), grid.northM()});
@@ -80,10 +80,13 @@ std::string makeStacItem(const TaskPlan& plan, const District& district, const S
               {"geometry", outlineOf(grid, district.frame)},
               {"properties", propertiesOf(district, sun, period, statistics)},
               {"links", Json::array()}};
-    item["assets"] = {
-        {"shadow", asset(district.name + "shadow.tif",
-                         "image/tiff; application=geotiff; profile=cloud-optimized", "Shadow")},
-        {"tiles", asset(district.name + "shadow.vrt", "application/xml", "Virtual raster of the tiles")}};
+    for (const TileMap& map : maps) {
+        const std::string file = district.name + map.name;
+        item["assets"][map.name] =
+            asset(file + ".tif", "image/tiff; application=geotiff; profile=cloud-optimized", map.title);
+        item["assets"][map.firstBand == 0 ? "tiles" : map.name + "_tiles"] =
+            asset(file + ".vrt", "application/xml", map.title + ": virtual raster of the tiles");
+    }
     return item.dump(2) + "\n";
 }
 

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "core/study/tiles/map_bands.h"
-
 namespace noonmark {
 
 namespace {
@@ -42,7 +40,7 @@ std::string sourceOf(const TilePlan& plan, std::size_t number, const std::string
 
 }  // namespace
 
-std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame& frame, bool runs,
+std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame& frame, const TileMap& map,
                        const std::filesystem::path& folder) {
     const Grid& whole = plan.whole;
     std::string text = fmt::format(
@@ -50,16 +48,17 @@ std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame
         "  <GeoTransform>{}, {}, 0, {}, 0, {}</GeoTransform>\n",
         whole.columns, whole.rows, escaped(frame.projString()), whole.westM, whole.cellM, whole.northM(),
         -whole.cellM);
-    const ShadowField names;
     std::size_t number = 0;
-    for (const RasterBand& band : makeMapBands(names, runs)) {
+    for (const RasterBand& band : map.bands) {
         text += fmt::format(
             "  <VRTRasterBand dataType=\"Float32\" band=\"{}\">\n"
             "    <Description>{}</Description>\n    <UnitType>{}</UnitType>\n"
             "    <NoDataValue>nan</NoDataValue>\n",
             ++number, band.name, band.unit);
         for (const auto& [tile, file] : tiles)
-            if (file) text += sourceOf(plan, tile, std::filesystem::relative(*file, folder).string(), number);
+            if (file)
+                text += sourceOf(plan, tile, std::filesystem::relative(*file, folder).string(),
+                                 map.firstBand + number);
         text += "  </VRTRasterBand>\n";
     }
     return text + "</VRTDataset>\n";

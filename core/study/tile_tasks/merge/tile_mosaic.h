@@ -7,9 +7,9 @@
 
 namespace noonmark {
 
-/// A GDAL virtual raster (VRT) that shows the tiles' files as one raster: NaN where there is none. Paths are
-/// relative to `folder`, where it is to be stored. `runs`: with a band of continuous shadow.
-std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame& frame, bool runs,
+/// A GDAL virtual raster (VRT) that shows a map in the tiles' files as one raster: NaN where there is none.
+/// Paths are relative to `folder`, where it is to be stored.
+std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame& frame, const TileMap& map,
                        const std::filesystem::path& folder);
 
 }  // namespace noonmark

@@ -15,12 +15,12 @@ namespace {
 
 using Bands = std::vector<std::vector<float>>;
 
-ShadowSums sumOver(const Footprint& polygon, const Grid& tile, const Bands& bands) {
+ShadowSums sumOver(const Footprint& polygon, const Grid& tile, const Bands& bands, std::size_t firstBand) {
     ShadowSums sums;
     forEachRun(polygon, tile, [&](int row, int first, int end) {
         for (int column = first; column < end; ++column) {
             const std::size_t cell = tile.index(column, row);
-            const double gross = bands.at(0)[cell], run = bands.at(1)[cell];
+            const double gross = bands.at(firstBand)[cell], run = bands.at(firstBand + 1)[cell];
             if (std::isnan(gross)) continue;
             sums.add({1, gross, run, gross, run});
         }
@@ -41,16 +41,15 @@ std::string fieldOf(double value) { return std::isnan(value) ? "" : fmt::format(
 
 }  // namespace
 
-Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const TilePlan& plan,
-                       const TileFiles& tiles, double sunlitMinutesPerDay, Progress& progress,
-                       const std::stop_token& stop) {
+Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const PlaceTiles& tiles,
+                       Progress& progress, const std::stop_token& stop) {
     const std::vector<Box2> boxes = boxesOfPlaces(places);
     for (const Place& place : places) shadows[place.name].kind = place.kind;
-    for (const auto& [number, file] : tiles) {
+    for (const auto& [number, file] : tiles.files) {
         if (stop.stop_requested()) return cancelled();
-        progress.report(double(number) / double(plan.count()), "summing up places");
+        progress.report(double(number) / double(tiles.plan.count()), "summing up places");
         if (!file) continue;
-        const Grid tile = plan.tile(number);
+        const Grid tile = tiles.plan.tile(number);
         Bands bands;
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!overlaps(boxes[i], tile)) continue;
@@ -62,9 +61,9 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
             PlaceShadow& shadow = shadows[places[i].name];
             shadow.cellAreaM2 = tile.cellAreaM2();
             for (const Footprint& polygon : places[i].polygons) {
-                const ShadowSums sums = sumOver(polygon, tile, bands);
+                const ShadowSums sums = sumOver(polygon, tile, bands, tiles.firstBand);
                 shadow.sums.add(sums);
-                shadow.sunlitMinutes += double(sums.receivers) * sunlitMinutesPerDay;
+                shadow.sunlitMinutes += double(sums.receivers) * tiles.sunlitMinutesPerDay;
             }
         }
     }

@@ -21,12 +21,19 @@ struct PlaceShadow {
 };
 using PlaceShadows = std::map<std::string, PlaceShadow>;  ///< by name
 
+/// The tiles of a map with gross and continuous shadow, or their change.
+struct PlaceTiles {
+    const TilePlan& plan;
+    const TileFiles& files;
+    std::size_t firstBand = 0;  ///< of gross shadow; the next is continuous shadow
+    double sunlitMinutesPerDay = 0;
+};
+
 /// Adds the receivers of the tiles whose centres lie in a place. Reads every tile once that a place touches.
 /// Places of which no cell is a receiver are listed with none. Error: a tile that cannot be read;
 /// cancelled().
-Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const TilePlan& plan,
-                       const TileFiles& tiles, double sunlitMinutesPerDay, Progress& progress,
-                       const std::stop_token& stop);
+Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const PlaceTiles& tiles,
+                       Progress& progress, const std::stop_token& stop);
 
 /// A table (CSV): name, kind, receivers, receiver_area_m2, shadow_area_m2, mean_gross_min, max_gross_min,
 /// mean_continuous_min, max_continuous_min. Empty fields where nothing was measured.

@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/study/breakdown_check.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/tile_tasks/plan/find_districts.h"
@@ -19,9 +20,8 @@ namespace {
 
 Result<void> checkRequest(const TaskPlanRequest& request, const EngineList& engines) {
     const StudySettings& settings = request.settings;
-    if (settings.byMonth || settings.contributions)
-        return failure("Months and contributions are not available for tiled studies", "study",
-                       "Leave them out");
+    if (settings.contributions)
+        return failure("Contributions are not available for tiled studies", "study", "Leave them out");
     if (request.reading.terrainFromBases == TerrainFromBases::always)
         return failure("A terrain from the bases of buildings needs the whole city", "--terrain-from-bases",
                        "Give a terrain file, or --terrain-from-bases never");
@@ -29,7 +29,9 @@ Result<void> checkRequest(const TaskPlanRequest& request, const EngineList& engi
         request.tileCells > TiledStudySettings::maxTileCells)
         return failure("The size of a tile is out of range", "tile size", "Choose 64 to 4096 cells");
     if (const auto period = validate(settings.period); !period) return tl::make_unexpected(period.error());
-    return makeEngine(settings.engine, settings.engineSettings, engines).map([](const auto&) {});
+    return makeEngine(settings.engine, settings.engineSettings, engines).and_then([&](const auto& engine) {
+        return checkBreakdown(settings, engine->capabilities(), engines);
+    });
 }
 
 std::string hashTerrain(const Terrain& terrain) {
@@ -75,12 +77,13 @@ public:
         const TileHalo halo = findHalo(surveyed_.survey, reach_, grid);
         if (request_.builtUpOnly && halo.buildingsInTile == 0) return std::nullopt;
         const TileCost cost = estimateTile(halo, grid, request_.settings, surveyed_.sun, posts_, engines_);
+        const double fields = request_.subject == nullptr ? 1 : request_.subject->fields;
         PlannedTile tile{.district = district_,
                          .number = number,
                          .halo = halo.occluders,
                          .reads = halo.reads,
                          .buildings = halo.buildings,
-                         .seconds = cost.seconds,
+                         .seconds = cost.seconds * fields,
                          .memoryBytes = cost.memoryBytes};
         tile.contentHash =
             hashContent(study_, plan_.districts[district_].terrainHash, tile, surveyed_.survey);
@@ -122,12 +125,10 @@ Result<void> addDistrict(TaskPlan& plan, std::size_t number, const TaskPlanReque
 Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, const std::stop_token& stop,
                           const EngineList& engines) {
     if (auto sound = checkRequest(request, engines); !sound) return tl::make_unexpected(sound.error());
-    const auto scan = scanInputs(request, progress, stop);
+    const auto scan = request.subject == nullptr ? scanInputs(request, progress, stop) : InputsScan{};
     if (!scan) return tl::make_unexpected(scan.error());
     TaskPlan plan{.files = request.files, .byWindow = scan->byWindow};
-    StudySettings settings = request.settings;
-    settings.region = {};
-    plan.settingsHash = hashSettings(settings);
+    plan.settingsHash = hashQuestion(request.settings, request.subject);
     auto districts = scan->byWindow ? findDistricts(request, *scan) : std::vector<District>(1);
     if (!districts) return tl::make_unexpected(districts.error());
     plan.districts = *std::move(districts);

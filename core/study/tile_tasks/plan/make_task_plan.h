@@ -5,6 +5,7 @@
 #include "core/study/study.h"
 #include "core/study/tile_tasks/plan/pack_tasks.h"
 #include "core/study/tile_tasks/plan/task_plan.h"
+#include "core/study/tile_tasks/plan/tile_subject.h"
 #include "core/study/tiles/tiled_study.h"
 
 namespace noonmark {
@@ -20,6 +21,8 @@ struct TaskPlanRequest {
     /// middle of a district its sun is off by 0.009 degrees per km.
     double districtM = 40000;
     bool builtUpOnly = false;  ///< leave out tiles without a building
+    /// Measured instead of the city in `files`; they are then not read, and `region` is not used
+    const TileSubject* subject = nullptr;
 };
 
 /// Files that have to be read whole by every task may not be larger than this together.

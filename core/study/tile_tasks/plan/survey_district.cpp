@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
+#include <unordered_set>
 
 #include "core/io/read_region.h"
 #include "core/io/read_window.h"
@@ -135,6 +137,30 @@ Result<SurveyedDistrict> surveyWindows(District& district, const TaskPlanRequest
     });
 }
 
+// The buildings of cities of one project, those that they share once.
+City unionOf(std::span<const City* const> cities) {
+    City all;
+    std::unordered_set<const Building*> known;
+    for (const City* city : cities)
+        for (const auto& building : city->buildings)
+            if (known.insert(building.get()).second) all.buildings.push_back(building);
+    return all;
+}
+
+// Cities of one frame and terrain.
+Result<SurveyedDistrict> surveyCities(const District& district, std::span<const City* const> cities,
+                                      const TaskPlanRequest& request, const std::stop_token& stop) {
+    Box2 box = bounds(district.region);
+    for (const City* city : cities) box.add(bounds(*city));
+    City ground{.frame = district.frame, .terrain = cities.back()->terrain};
+    auto sun = sunOver(ground, request, district.region, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    SurveyedDistrict made{OccluderSurvey(grown(box, borderM)), std::move(ground), *std::move(sun)};
+    if (made.ground.terrain) made.survey.addTerrain(*made.ground.terrain);
+    made.survey.add(unionOf(cities), grown(box, borderM));
+    return made;
+}
+
 Result<SurveyedDistrict> surveyWhole(District& district, const TaskPlanRequest& request, Progress& progress,
                                      const std::stop_token& stop) {
     auto read = readCity(pathsOf(request.files), request.reading, progress, stop);
@@ -148,15 +174,17 @@ Result<SurveyedDistrict> surveyWhole(District& district, const TaskPlanRequest& 
         if (!region) return tl::make_unexpected(region.error());
         district.region = *std::move(region);
     }
-    Box2 box = bounds(read->city);
-    box.add(bounds(district.region));
-    City ground{.frame = district.frame, .terrain = read->city.terrain};
-    auto sun = sunOver(ground, request, district.region, stop);
-    if (!sun) return tl::make_unexpected(sun.error());
-    SurveyedDistrict made{OccluderSurvey(grown(box, borderM)), std::move(ground), *std::move(sun)};
-    if (read->city.terrain) made.survey.addTerrain(*read->city.terrain);
-    made.survey.add(read->city, grown(box, borderM));
-    return made;
+    const City* const cities[]{&read->city};
+    return surveyCities(district, cities, request, stop);
+}
+
+Result<SurveyedDistrict> surveySubject(District& district, const TaskPlanRequest& request,
+                                       const std::stop_token& stop) {
+    std::vector<const City*> cities;
+    for (const auto& city : request.subject->cities) cities.push_back(city.get());
+    district.frame = cities.back()->frame;
+    district.region = request.subject->region;
+    return surveyCities(district, cities, request, stop);
 }
 
 }  // namespace
@@ -164,6 +192,7 @@ Result<SurveyedDistrict> surveyWhole(District& district, const TaskPlanRequest& 
 Result<SurveyedDistrict> surveyDistrict(District& district, const TaskPlanRequest& request,
                                         const InputsScan& scan, Progress& progress,
                                         const std::stop_token& stop) {
+    if (request.subject != nullptr) return surveySubject(district, request, stop);
     return scan.byWindow ? surveyWindows(district, request, scan, progress, stop)
                          : surveyWhole(district, request, progress, stop);
 }

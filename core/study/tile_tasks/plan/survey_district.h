@@ -15,7 +15,8 @@ struct SurveyedDistrict {
 };
 
 /// Sets the region of a district that has none to the box around all buildings, then surveys everything whose
-/// shadow can reach the region. By window, a few square kilometres are in memory at a time. Errors of
+/// shadow can reach the region: the buildings of the request's subject, or those of its files. By window, a
+/// few square kilometres are in memory at a time. Errors of
 /// readers, and a sun that never rises.
 Result<SurveyedDistrict> surveyDistrict(District& district, const TaskPlanRequest& request,
                                         const InputsScan& scan, Progress& progress,

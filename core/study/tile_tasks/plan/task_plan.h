@@ -1,7 +1,8 @@
 #pragma once
 
 // The folder core/study/tile_tasks divides a study of any size among the tasks of a scheduler. In plan/, a
-// TaskPlan (this file) lists districts, tiles and tasks; make_task_plan.h makes it from an occluder_survey.h,
+// TaskPlan (this file) lists districts, tiles and tasks; make_task_plan.h makes it from an occluder_survey.h
+// of the city's files or of a tile_subject.h;
 // tile_halo.h says what a tile has to read, tile_load.h how long it takes, and pack_tasks.h which task runs
 // it. run_task.h computes one task with the runner and the journal of core/study/tiles, and task_status.h
 // sums up what is done. In merge/, merge_tiles.h joins the tiles: with cloud_map.h, tile_mosaic.h,

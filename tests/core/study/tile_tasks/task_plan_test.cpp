@@ -18,6 +18,7 @@ namespace {
 
 using namespace tests;
 using testing::HasSubstr;
+using testing::Not;
 
 TaskPlan planOf(std::size_t side, double seconds, double bytes) {
     TaskPlan plan;
@@ -88,12 +89,40 @@ protected:
     [[nodiscard]] Result<TaskReport> run(const TaskPlan& plan, std::size_t task,
                                          std::stop_token stop = {}) const {
         NoProgress progress;
-        return runTask(folder.path("plan"), plan, task, request.reading, request.settings, progress,
-                       std::move(stop));
+        return runTask(folder.path("plan"), plan, task, {request.reading, request.settings, request.subject},
+                       progress, std::move(stop));
     }
     [[nodiscard]] Result<MergeReport> merge(const TaskPlan& plan) const {
         NoProgress progress;
         return mergeTiles(folder.path("plan"), plan, request.settings, {}, progress, {});
+    }
+
+    [[nodiscard]] Result<MergeReport> runAndMerge(const TaskPlan& plan) const {
+        for (std::size_t task = 0; task < plan.taskCount; ++task)
+            if (auto report = run(plan, task); !report) return tl::make_unexpected(report.error());
+        return merge(plan);
+    }
+    /// Writes whole.tif, and by_month.tif if the request asks for months.
+    [[nodiscard]] TiledStudy onOneMachine() const {
+        NoProgress progress;
+        const City city = readCity({request.files[0]}, request.reading, progress, {}).value().city;
+        StudySettings settings = request.settings;
+        settings.region = makeRegionFromLocalBox(bounds(city));
+        return runTiledStudy(city, {settings, 64}, folder.path("whole.tif"), progress, {}).value();
+    }
+    void expectEqualMaps(const TaskPlan& plan, const char* merged, const char* whole,
+                         std::size_t bands) const {
+        const Grid grid = plan.districts[0].tiles.whole;
+        const auto a = readGeoTiff(folder.path(merged), grid).value();
+        const auto b = readGeoTiff(folder.path(whole), grid).value();
+        ASSERT_EQ(a.size(), bands);
+        ASSERT_EQ(b.size(), bands);
+        for (std::size_t band = 0; band < bands; ++band)
+            EXPECT_EQ(std::memcmp(a[band].data(), b[band].data(), a[band].size() * sizeof(float)), 0) << band;
+    }
+    [[nodiscard]] std::string textOf(const char* file) const {
+        std::ifstream stream(folder.path(file));
+        return {std::istreambuf_iterator<char>(stream), {}};
     }
 
     TemporaryFolder folder;
@@ -168,27 +197,30 @@ TEST_F(TaskPlanTest, PlansOfStrangersAreChecked) {
 TEST_F(TaskPlanTest, TasksTogetherEqualOneStudyToTheLastBit) {
     const TaskPlan made = plan();
     ASSERT_GT(made.taskCount, 4U);
-    for (std::size_t task = 0; task < made.taskCount; ++task) {
-        const auto report = run(made, task);
-        ASSERT_TRUE(report) << report.error().text();
-    }
-    const auto merged = merge(made);
+    const auto merged = runAndMerge(made);
     ASSERT_TRUE(merged) << merged.error().text();
-    NoProgress progress;
-    const City city = readCity({request.files[0]}, request.reading, progress, {}).value().city;
-    StudySettings settings = request.settings;
-    settings.region = makeRegionFromLocalBox(bounds(city));
-    const auto whole = runTiledStudy(city, {settings, 64}, folder.path("whole.tif"), progress, {});
-    ASSERT_TRUE(whole) << whole.error().text();
-    EXPECT_EQ(made.districts[0].region.polygons, settings.region.polygons);
-    EXPECT_EQ(made.districts[0].frame, city.frame);
-    const Grid grid = made.districts[0].tiles.whole;
-    const auto a = readGeoTiff(folder.path("plan/merged/shadow.tif"), grid).value();
-    const auto b = readGeoTiff(folder.path("whole.tif"), grid).value();
-    ASSERT_EQ(a.size(), b.size());
-    for (std::size_t band = 0; band < a.size(); ++band)
-        EXPECT_EQ(std::memcmp(a[band].data(), b[band].data(), a[band].size() * sizeof(float)), 0) << band;
-    EXPECT_EQ(merged->statistics.receivers, whole->study.statistics.receivers);
+    const TiledStudy whole = onOneMachine();
+    EXPECT_EQ(made.districts[0].region.polygons, whole.study.settings.region.polygons);
+    EXPECT_EQ(made.districts[0].frame, whole.study.city.frame);
+    expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
+    EXPECT_EQ(merged->statistics.receivers, whole.study.statistics.receivers);
+}
+
+TEST_F(TaskPlanTest, MonthsEqualThoseOfOneMachineToTheLastBit) {
+    request.settings.byMonth = true;
+    request.settings.period.days = 40;
+    request.settings.period.stepMinutes = 60;
+    const TaskPlan made = plan();
+    ASSERT_TRUE(runAndMerge(made));
+    const TiledStudy whole = onOneMachine();
+    ASSERT_EQ(whole.months.size(), 2U);
+    expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
+    expectEqualMaps(made, "plan/merged/by_month.tif", "by_month.tif", 2);
+    EXPECT_EQ(textOf("plan/merged/by_month.csv"), monthsCsv(whole.months, {}));
+    // The tile's file has the two bands of shadow.tif before those of the months.
+    EXPECT_THAT(textOf("plan/merged/by_month.vrt"), HasSubstr("<SourceBand>4</SourceBand>"));
+    EXPECT_THAT(textOf("plan/merged/by_month.vrt"), Not(HasSubstr("<SourceBand>1</SourceBand>")));
+    EXPECT_THAT(textOf("plan/merged/item.json"), HasSubstr("./by_month.tif"));
 }
 
 TEST_F(TaskPlanTest, WhatIsDoneAndWholeIsNotComputedAgain) {
@@ -266,8 +298,12 @@ TEST_F(TaskPlanTest, RefusesWhatNeedsTheWholeCity) {
     request.reading.terrainFromBases = TerrainFromBases::always;
     EXPECT_THAT(makeTaskPlan(request, progress, {}).error().text(), HasSubstr("whole city"));
     request.reading = {};
-    request.settings.byMonth = true;
+    request.settings.contributions = true;
     EXPECT_FALSE(makeTaskPlan(request, progress, {}));
+    request.settings.contributions = false;
+    request.settings.byMonth = true;
+    request.settings.engine = "ray";
+    EXPECT_THAT(makeTaskPlan(request, progress, {}).error().text(), HasSubstr("Choose one of"));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/study/tiles/tile_measure.h"
+
+namespace noonmark {
+
+/// What a plan of tiles is about if it is not the shadow of a city that tasks read from its files: scenarios
+/// of a project. The caller reads them, whole, for the plan and for every task.
+struct TileSubject {
+    /// Says what is measured of which cities. A part of the hashes of plan and tiles, which otherwise tell
+    /// apart only all buildings together.
+    std::string key;
+    /// With one frame and one terrain; the shadow of all of them counts. The sun is that of the last one.
+    std::vector<std::shared_ptr<const City>> cities;
+    Region region;      ///< of the study, in their frame
+    double fields = 1;  ///< shadow fields that a tile costs
+    /// Null: the shadow of the last city. The measure may hold references to the cities.
+    std::function<std::unique_ptr<TileMeasure>(const TileQuestion&)> measure;
+};
+
+/// What a plan was made for; its tasks get the same.
+struct TaskQuestion {
+    ReadSettings reading;
+    StudySettings settings;                ///< without region
+    const TileSubject* subject = nullptr;  ///< null: the files of the plan
+};
+
+/// Identifies settings and subject. The region of the settings is not counted.
+std::string hashQuestion(StudySettings settings, const TileSubject* subject);
+
+}  // namespace noonmark

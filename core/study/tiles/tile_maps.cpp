@@ -1,0 +1,32 @@
+#include "core/study/tiles/tile_maps.h"
+
+#include "core/study/tiles/map_bands.h"
+
+namespace noonmark {
+
+namespace {
+
+TileMap mapOfMonths(const SunSteps& sun, std::size_t firstBand) {
+    TileMap map{.name = "by_month", .title = "Shadow by month", .bands = {}, .firstBand = firstBand};
+    for (const std::string& month : monthsOf(sun).names) map.bands.push_back({month, "min", nullptr});
+    return map;
+}
+
+}  // namespace
+
+std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun) {
+    const ShadowField names;
+    std::vector<TileMap> maps{
+        {.name = "shadow", .title = "Shadow", .bands = makeMapBands(names, true), .runBands = 1}};
+    for (RasterBand& band : maps.front().bands) band.values = nullptr;
+    if (settings.byMonth) maps.push_back(mapOfMonths(sun, maps.front().bands.size()));
+    return maps;
+}
+
+std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs) {
+    for (TileMap& map : maps)
+        if (!runs) map.bands.resize(map.bands.size() - map.runBands);
+    return maps;
+}
+
+}  // namespace noonmark

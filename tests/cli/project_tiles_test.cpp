@@ -1,0 +1,82 @@
+#include "core/io/write_raster.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
+#include "tests/cli/project_command.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::HasSubstr;
+
+const std::vector<std::string> noon{"--cell", "10", "--start", "2026-12-21",       "--hours",  "1",
+                                    "--step", "10", "--zone",  "America/New_York", "--engine", "projected"};
+
+/// The project in tiles.
+class ProjectTiles : public ProjectCommand {
+protected:
+    [[nodiscard]] Spoken plan(const std::vector<std::string>& more) const {
+        std::vector<std::string> words{"tiles", "plan",  file_,    "--region", "Park", "--from",
+                                       "12:00", "--out", planned_, "--tile",   "64",   "--json"};
+        words.insert(words.end(), noon.begin(), noon.end());
+        words.insert(words.end(), more.begin(), more.end());
+        return noonmarkCli(words);
+    }
+    void runAndMerge(std::size_t tasks) const {
+        for (std::size_t task = 0; task < tasks; ++task) {
+            const Spoken ran = noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)});
+            ASSERT_EQ(ran.code, 0) << ran.err;
+        }
+        const Spoken merged = noonmarkCli({"tiles", "merge", planned_});
+        ASSERT_EQ(merged.code, 0) << merged.err;
+    }
+    /// `command` measures what the plan does.
+    void expectEqualMaps(const std::string& command, std::vector<std::string> more) {
+        more.insert(more.end(), {"--at", "12:00"});
+        more.insert(more.end(), noon.begin(), noon.end());
+        more.insert(more.end(), {"--region", "Park", "--out", folder_.path("out").string()});
+        more.insert(more.begin(), {command, file_});
+        const Spoken spoken = noonmarkCli(more);
+        ASSERT_EQ(spoken.code, 0) << spoken.err;
+        const Grid grid = readTaskPlan(planned_).value().districts[0].tiles.whole;
+        const auto whole = readGeoTiff(folder_.path("out/" + command + ".tif"), grid).value();
+        const auto tiled = readGeoTiff(folder_.path("plan/merged/" + command + ".tif"), grid).value();
+        ASSERT_EQ(whole.size(), tiled.size());
+        for (std::size_t band = 0; band < whole.size(); ++band)
+            for (std::size_t i = 0; i < whole[band].size(); ++i)
+                ASSERT_TRUE(whole[band][i] == tiled[band][i] ||
+                            (std::isnan(whole[band][i]) && std::isnan(tiled[band][i])))
+                    << band << ' ' << i;
+    }
+
+    std::string planned_ = folder_.path("plan").string();
+};
+
+TEST_F(ProjectTiles, AnImpactEqualsThatOfOneCommand) {
+    ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
+    ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
+    const Spoken made = plan({"--scenario", "Existing", "--baseline", "Before"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_GT(made.json()["tiles"], 1);
+    runAndMerge(made.json()["tasks"]);
+    expectEqualMaps("impact", {"--from", "Before", "--to", "Existing"});
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("plan/merged/before.tif")));
+}
+
+TEST_F(ProjectTiles, AScoreEqualsThatOfOneCommand) {
+    const Spoken made = plan({"--weights", "default"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    runAndMerge(made.json()["tasks"]);
+    expectEqualMaps("score", {});
+}
+
+TEST_F(ProjectTiles, WhatTheProjectLacksIsRefused) {
+    EXPECT_THAT(plan({"--weights", "none"}).err, HasSubstr("none"));
+    EXPECT_EQ(plan({"--scenario", "C"}).code, 2);
+    EXPECT_EQ(plan({"--baseline", "Existing"}).code, 2);  // of which scenario?
+    EXPECT_THAT(plan({"--weights", "default", "--by", "month"}).err, HasSubstr("--weights"));
+    const Spoken files = noonmarkCli({"tiles", "plan", "town.gpkg", "--region", "city", "--start",
+                                      "2026-12-21", "--weights", "default", "--out", planned_});
+    EXPECT_THAT(files.err, HasSubstr("Only a project"));
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
