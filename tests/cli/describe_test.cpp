@@ -200,7 +200,7 @@ TEST_F(Descriptions, BashCompletesCommandsAndOptions) {
 
 TEST_F(Descriptions, BashCompletesWhatAnOptionTakes) {
     EXPECT_THAT(bashOffers({"study", "--receivers", ""}),
-                testing::UnorderedElementsAre("ground", "roofs", "both"));
+                testing::UnorderedElementsAre("ground", "roofs", "both", "facades", "windows", "plane"));
     EXPECT_THAT(bashOffers({"study", "--receivers", "=", "ro"}), ElementsAre("roofs"))
         << "--receivers=ro, as bash splits it";
     EXPECT_THAT(bashOffers({"study", "--engine", "hor"}), ElementsAre("horizon"));

@@ -33,6 +33,13 @@ CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeChoice& options) {
     return day;
 }
 
+Result<std::vector<DrawnTime>> listChosenTimes(const DrawnTimeChoice& options, const City& city,
+                                               Warnings& warnings) {
+    if (options.times.empty() && options.everyMin == 0)
+        return failure("The times are missing", "times", "Give --times 09:00,12:00 or --every 60");
+    return listDrawnTimes(options, city, warnings);
+}
+
 void addDrawnAreaOptions(CLI::App& command, DrawnAreaOptions& options) {
     CLI::Option* region = command.add_option(
         "--region", options.region,

@@ -13,6 +13,10 @@ namespace noonmark::cli {
 /// --day, --times, --every and --zone. Returns --day, which is not required.
 CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeChoice& options);
 
+/// listDrawnTimes(); its errors name the options.
+Result<std::vector<DrawnTime>> listChosenTimes(const DrawnTimeChoice& options, const City& city,
+                                               Warnings& warnings);
+
 /// What --region or --place asks to draw.
 struct DrawnAreaOptions {
     std::string region;

@@ -50,7 +50,7 @@ Result<MovieFacts> animate(const AnimateOptions& options, const ProjectFile& dis
     if (!after) return tl::make_unexpected(after.error());
     DrawnTimeChoice when = options.when;
     if (options.year != 0) when.days = listDaysOf(options.year);
-    auto times = listDrawnTimes(when, before->city, warnings);
+    auto times = listChosenTimes(when, before->city, warnings);
     if (!times) return tl::make_unexpected(times.error());
     const auto area = findDrawnArea(options.where, project, before->city);
     if (!area) return tl::make_unexpected(area.error());

@@ -238,8 +238,7 @@ Result<WindowsRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
         return limitReached(fmt::format("It holds more than {} windows", WindowFileSettings::mostWindows),
                             file, "Divide the file");
     };
-    if (auto done = readFeatures(dataset, layers, {file, "windows of " + file}, calls, take, progress, stop);
-        !done)
+    if (auto done = readFeatures(layers, {file, "windows of " + file}, calls, take, progress, stop); !done)
         return tl::make_unexpected(done.error());
     for (const WindowLayer& reader : readers) reader.place(city, settings, read);
     if (read.windows.empty()) return tl::make_unexpected(noWindows(read, file));
