@@ -167,8 +167,8 @@ void expectNearRays(const char* data, float halfM, const char* zone) {
     testing::Test::RecordProperty("largest_ppm", int(1e4 * study->error->grossLargestPct));
     testing::Test::RecordProperty("run_mean_ppm", int(1e4 * study->error->continuousMeanPct));
     testing::Test::RecordProperty("run_largest_ppm", int(1e4 * study->error->continuousLargestPct));
-    EXPECT_LT(study->error->grossMeanPct, 0.2);
-    EXPECT_LT(study->error->grossLargestPct, 2);
+    EXPECT_LT(study->error->grossMeanPct, 0.1);
+    EXPECT_LT(study->error->grossLargestPct, 1);
 }
 
 TEST(ElementStudy, FacadesOfMidtownAreNearRays) {
