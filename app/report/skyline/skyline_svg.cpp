@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "app/report/skyline/sky_drawing.h"
+#include "core/base/xml_text.h"
 #include "core/study/text/point_text.h"
 
 namespace noonmark {
@@ -20,21 +21,6 @@ constexpr std::array colours{"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#76b7b
                              "#9c755f", "#edc948", "#d37295", "#86bcb6", "#8cd17d"};
 constexpr const char* otherBuildings = "#a3a9b0";
 constexpr const char* addedByScenario = "#d62728";
-
-std::string xmlText(std::string_view text) {
-    std::string safe;
-    for (const char letter : text) {
-        if (letter == '<')
-            safe += "&lt;";
-        else if (letter == '>')
-            safe += "&gt;";
-        else if (letter == '&')
-            safe += "&amp;";
-        else
-            safe += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-    }
-    return safe;
-}
 
 /// What a building takes of the skyline.
 struct Obstacle {
@@ -83,7 +69,7 @@ public:
 private:
     void addText(double x, double y, std::string_view text, const char* style = "") {
         fmt::format_to(std::back_inserter(svg_), "<text x=\"{:.0f}\" y=\"{:.0f}\" {}>{}</text>\n", x, y,
-                       style, xmlText(text));
+                       style, escapeXml(text));
     }
 
     void begin() {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -43,13 +42,7 @@ int findField(OGRLayer& layer, const std::array<const char*, size>& names) {
 
 Result<int> findIdField(OGRLayer& layer, const std::string& asked, const std::string& file) {
     if (asked.empty()) return findField(layer, idFields);
-    if (const int field = layer.FindFieldIndex(asked.c_str(), 0); field >= 0) return field;
-    std::vector<std::string> names;
-    for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i)
-        names.emplace_back(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
-    return failure(fmt::format("The layer has no field '{}'", asked),
-                   fmt::format("{}, layer {}", file, layer.GetName()),
-                   fmt::format("Its fields are: {}", fmt::join(names, ", ")));
+    return findNamedField(layer, asked, file);
 }
 
 std::optional<double> numberIn(const OGRFeature& feature, int field) {

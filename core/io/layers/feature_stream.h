@@ -46,6 +46,9 @@ inline constexpr const char* osmCredit = "(c) OpenStreetMap contributors, ODbL";
 Result<CrsToLonLat> findLayerCrs(OGRLayer& layer, const std::optional<std::string>& crs,
                                  const std::string& file);
 
+/// The index of the field that the user named, in any case. Error: there is none; it lists the fields.
+Result<int> findNamedField(OGRLayer& layer, const std::string& name, const std::string& file);
+
 /// Without blanks at its ends.
 std::string trimmed(std::string_view text);
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -75,6 +76,16 @@ Result<CrsToLonLat> findLayerCrs(OGRLayer& layer, const std::optional<std::strin
     if (transform) return transform;
     return failure(fmt::format("Its coordinate reference system, {}, is not known", system->GetName()), file,
                    crsAdvice);
+}
+
+Result<int> findNamedField(OGRLayer& layer, const std::string& name, const std::string& file) {
+    if (const int field = layer.FindFieldIndex(name.c_str(), 0); field >= 0) return field;
+    std::vector<std::string> names;
+    for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i)
+        names.emplace_back(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
+    return failure(fmt::format("The layer has no field '{}'", name),
+                   fmt::format("{}, layer {}", file, layer.GetName()),
+                   fmt::format("Its fields are: {}", fmt::join(names, ", ")));
 }
 
 std::string trimmed(std::string_view text) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
@@ -26,13 +25,7 @@ Result<int> findNameField(OGRLayer& layer, const std::string& asked, const std::
             if (const int field = layer.FindFieldIndex(usual, 0); field >= 0) return field;
         return -1;
     }
-    if (const int field = layer.FindFieldIndex(asked.c_str(), 0); field >= 0) return field;
-    std::vector<std::string> names;
-    for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i)
-        names.emplace_back(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
-    return failure(fmt::format("The layer has no field '{}'", asked),
-                   fmt::format("{}, layer {}", file, layer.GetName()),
-                   fmt::format("Its fields are: {}", fmt::join(names, ", ")));
+    return findNamedField(layer, asked, file);
 }
 
 bool isSomewhere(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }

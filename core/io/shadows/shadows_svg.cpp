@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "core/base/xml_text.h"
 #include "core/io/shadows/drawing_tables.h"
 #include "core/io/shadows/write_shadows.h"
 
@@ -10,23 +11,6 @@ namespace noonmark {
 namespace {
 
 constexpr double footMm = 8;  // below the picture: a line of text
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char letter : text) {
-        if (letter == '<')
-            safe += "&lt;";
-        else if (letter == '>')
-            safe += "&gt;";
-        else if (letter == '&')
-            safe += "&amp;";
-        else if (letter == '"')
-            safe += "&quot;";
-        else
-            safe += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-    }
-    return safe;
-}
 
 /// Writes shapes in millimetres on paper, north up.
 class SvgWriter {
@@ -40,7 +24,7 @@ public:
             size_.x, size_.y + footMm);
     }
 
-    void begin(std::string_view id, const char* style) { print("<g id=\"{}\" {}>\n", escaped(id), style); }
+    void begin(std::string_view id, const char* style) { print("<g id=\"{}\" {}>\n", escapeXml(id), style); }
     void end() { text_ += "</g>\n"; }
 
     void addPolygons(const std::vector<Footprint>& polygons, std::string_view title) {
@@ -49,7 +33,7 @@ public:
             addRing(polygon.outer);
             for (const Ring& hole : polygon.holes) addRing(hole);
         }
-        print("\"><title>{}</title></path>\n", escaped(title));
+        print("\"><title>{}</title></path>\n", escapeXml(title));
     }
 
     // Buildings reach beyond the map: the foot covers them. A clip path would be simpler, but some programs
@@ -62,7 +46,7 @@ public:
             "stroke-width=\"0.1\"/>\n",
             size_.x, size_.y);
         print("<text x=\"0\" y=\"{:.3f}\" font-family=\"sans-serif\" font-size=\"3\">{}</text>\n</svg>\n",
-              size_.y + footMm - 3, escaped(foot));
+              size_.y + footMm - 3, escapeXml(foot));
         return std::move(text_);
     }
 
