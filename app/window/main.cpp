@@ -6,8 +6,8 @@
 
 #include "app/input/window_arguments.h"
 #include "app/window/frame/appearance.h"
-#include "app/window/frame/heap_settings.h"
 #include "app/window/frame/main_window.h"
+#include "app/window/study/heap_memory.h"
 #include "core/simd/instruction_set.h"
 
 namespace {
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (asksAboutProgram(argc, argv)) return parse(argc, argv, arguments).value_or(0);
-    noonmark::returnFreedMemory();
+    noonmark::returnLargeBlocks();
     noonmark::chooseRenderer();
     QApplication application(argc, argv);  // takes the options that are Qt's, such as -platform
     if (const auto code = parse(argc, argv, arguments)) return *code;

@@ -21,12 +21,12 @@ std::optional<glm::dvec3> ScenePicker::ground(const ViewRay& ray) const {
 
 std::optional<Pick> ScenePicker::pick(const ViewRay& ray) const {
     std::optional<Pick> nearest;
-    if (const auto point = ground(ray)) nearest = Pick{*point, std::nullopt};
+    if (const auto point = ground(ray)) nearest = Pick{*point, {}};
     if (!scene_) return nearest;
     const auto hit = scene_->firstHit(glm::vec3(ray.origin), glm::vec3(ray.direction));
     if (!hit || !hit->building) return nearest;
     const bool before = !nearest || double(hit->distanceM) < glm::length(nearest->position - ray.origin);
-    return before ? Pick{glm::dvec3(hit->position), hit->building} : nearest;
+    return before ? Pick{glm::dvec3(hit->position), hit->building, hit->normal} : nearest;
 }
 
 }  // namespace noonmark

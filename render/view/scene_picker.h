@@ -9,6 +9,7 @@ namespace noonmark {
 struct Pick {
     glm::dvec3 position{0};
     std::optional<std::uint32_t> building;  ///< index into City::buildings; empty: the ground
+    glm::vec3 normal{0, 0, 1};              ///< of the building's surface: a unit vector, outward
 };
 
 /// Intersects rays of the view with a city. Immutable, cheap to copy; a pick takes microseconds.

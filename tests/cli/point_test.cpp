@@ -74,6 +74,23 @@ TEST(Point, DrawsItsSky) {
     EXPECT_EQ(draw({"--overwrite"}).code, exitOk);
 }
 
+TEST(Point, WritesItsMinutesByMonthAndHour) {
+    const noonmark::tests::TemporaryFolder folder;
+    const std::string file = folder.path("sun.csv").string();
+    const Spoken spoken =
+        noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--csv", file}));
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    EXPECT_EQ(line, "month,hour,baseline_min");
+    double sum = 0;
+    int lines = 0;
+    for (; std::getline(stream, line); ++lines) sum += std::stod(line.substr(line.rfind(',') + 1));
+    EXPECT_EQ(lines, 12 * 24);
+    EXPECT_NEAR(sum, sumOf(spoken.json()["minutes_by_month"]), 12);  // whole minutes there
+}
+
 TEST(Point, RefusesWhatIsNoPoint) {
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785", {})).code, exitUsage);
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,140", {})).code, exitUsage);

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "app/window/frame/appearance.h"
-#include "app/window/frame/heap_settings.h"
+#include "app/window/study/heap_memory.h"
 #include "tests/soak/window_user.h"
 
 /// Performs random actions in the window for a while and writes the memory use as CSV, one line per minute.
@@ -18,6 +18,7 @@ namespace {
 
 constexpr double megabyte = 1e6;
 constexpr int editsOfOneDrag = 25;
+constexpr double openedEveryMinutes = 5;
 
 /// Resident memory of the process, MB (proc(5): the second number of statm, in pages).
 double residentMb() {
@@ -34,22 +35,34 @@ double heapMb() {
     return double(info.uordblks + info.hblkhd) / megabyte;
 }
 
-void writeLine(double minutes, long actions, int liveEdits) {
-    fmt::print("{:.1f},{},{},{:.1f},{:.1f}\n", minutes, actions, liveEdits, residentMb(), heapMb());
+/// What a line was measured after.
+enum class After { use, opening };
+
+void writeLine(double minutes, long actions, int liveEdits, After after) {
+    fmt::print("{:.1f},{},{},{:.1f},{:.1f},{}\n", minutes, actions, liveEdits, residentMb(), heapMb(),
+               after == After::use ? "use" : "opening");
     std::fflush(stdout);
 }
 
+// Opening a city forgets the scenarios, the results and the cached horizons: what is held afterwards and
+// was not held before is a leak.
 int soak(const QString& city, double minutes, int liveEdits, unsigned seed) {
     WindowUser user(city, seed);
     QElapsedTimer clock;
     clock.start();
     const auto passed = [&clock] { return double(clock.elapsed()) / 60000.0; };
-    fmt::print("minutes,actions,live edits,resident MB,heap MB\n");
-    double next = 0;
+    fmt::print("minutes,actions,live edits,resident MB,heap MB,after\n");
+    double next = 1;
+    double nextOpening = 0;
     long actions = 0;
     while (passed() < minutes || user.liveEdits() < liveEdits) {
+        if (passed() >= nextOpening) {
+            user.openAgain();
+            writeLine(passed(), actions, user.liveEdits(), After::opening);
+            nextOpening += openedEveryMinutes;
+        }
         if (passed() >= next) {
-            writeLine(passed(), actions, user.liveEdits());
+            writeLine(passed(), actions, user.liveEdits(), After::use);
             next += 1;
         }
         // The live edits are spread over the time, between other actions, so that both take effect together.
@@ -57,7 +70,8 @@ int soak(const QString& city, double minutes, int liveEdits, unsigned seed) {
         if (passed() < minutes) user.act();
         ++actions;
     }
-    writeLine(passed(), actions, user.liveEdits());
+    user.openAgain();
+    writeLine(passed(), actions, user.liveEdits(), After::opening);
     return 0;
 }
 
@@ -65,7 +79,7 @@ int soak(const QString& city, double minutes, int liveEdits, unsigned seed) {
 }  // namespace noonmark::soak
 
 int main(int argc, char** argv) {
-    noonmark::returnFreedMemory();
+    noonmark::returnLargeBlocks();
     noonmark::chooseRenderer();
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);  // leaves nothing in the user's folders

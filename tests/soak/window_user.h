@@ -22,6 +22,7 @@ public:
     /// each, then waits for the last one.
     void dragTower(int edits);
     [[nodiscard]] int liveEdits() const { return liveEdits_; }
+    void openAgain();  ///< opens the city as after the start: no scenario, no result, nothing to undo
 
 private:
     using Action = void (WindowUser::*)();
@@ -37,7 +38,6 @@ private:
     void score();
     void undoAndRedo();
     void changeScenario();
-    void openAgain();
 
     void beginTower();
     void endTower(bool build);

@@ -34,6 +34,7 @@ struct PointOptions {
     std::string scenario;
     std::string baseline;
     std::string svg;  ///< file of the drawing; empty: none
+    std::string csv;  ///< file of the minutes by month and hour; empty: none
     bool overwrite = false;
     bool json = false;
 };
@@ -105,9 +106,19 @@ void print(const PointStudy& study, const City& city, const Zone& zone, std::ost
     out << describe(study, city) << '\n';
 }
 
-Result<void> checkDrawing(const PointOptions& options) {
-    if (options.svg.empty()) return {};
-    return checkOutput(options.svg, OutputKind::svg, outputRules(options.read.files, {}, options.overwrite));
+Result<void> checkFiles(const PointOptions& options) {
+    const OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
+    if (!options.svg.empty())
+        if (const auto may = checkOutput(options.svg, OutputKind::svg, rules); !may) return may;
+    return options.csv.empty() ? Result<void>() : checkOutput(options.csv, OutputKind::table, rules);
+}
+
+Result<void> writeFiles(const PointOptions& options, const PointStudy& study, const City& city,
+                        const Zone& zone) {
+    if (!options.svg.empty())
+        if (const auto written = writeText(options.svg, skylineSvg(study, city, zone)); !written)
+            return written;
+    return options.csv.empty() ? Result<void>() : writeText(options.csv, pointCsv(study));
 }
 
 int runPoint(const PointOptions& options, const Console& console) {
@@ -115,7 +126,7 @@ int runPoint(const PointOptions& options, const Console& console) {
     const auto day = parseDate(options.day);
     if (!day) return fail(console, day.error(), exitUsage);
     question.day = *day;
-    if (const auto may = checkDrawing(options); !may) return fail(console, may.error(), exitUsage);
+    if (const auto may = checkFiles(options); !may) return fail(console, may.error(), exitUsage);
     const auto cities = citiesOf(options, console);
     if (!cities) return fail(console, cities.error(), exitUsage);
     question.zone = options.zone.empty() ? cities->zone : options.zone;
@@ -125,10 +136,8 @@ int runPoint(const PointOptions& options, const Console& console) {
     const auto study = runPointStudy(cities->baseline, cities->scenario ? &*cities->scenario : nullptr,
                                      question, interrupt.token());
     if (!study) return fail(console, study.error(), exitUsage);
-    if (!options.svg.empty())
-        if (const auto written = writeText(options.svg, skylineSvg(*study, cities->baseline, *zone));
-            !written)
-            return fail(console, written.error(), exitFailed);
+    if (const auto written = writeFiles(options, *study, cities->baseline, *zone); !written)
+        return fail(console, written.error(), exitFailed);
     if (options.json)
         console.out << toJsonText(pointJson(*study, cities->baseline, *zone)) << '\n';
     else
@@ -174,6 +183,8 @@ void addPointCommand(CLI::App& app, Run& run) {
     command
         ->add_option("--svg", options->svg,
                      "Also draw the skyline and the sun's paths of the months, cylindrical and stereographic")
+        ->type_name("FILE");
+    command->add_option("--csv", options->csv, "Also write the sunlit minutes by month and hour")
         ->type_name("FILE");
     addOverwriteOption(*command, options->overwrite);
     command->add_flag("--json", options->json, "Print only JSON to standard output");

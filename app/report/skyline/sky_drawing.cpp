@@ -105,7 +105,8 @@ void SkyDrawing::drawOverhangs(const PointView& view) {
         addPoint(span.toDeg, span.lowDeg, points);
         addPoint(span.toDeg, span.highDeg, points);
         addPoint(span.fromDeg, span.highDeg, points);
-        fmt::format_to(std::back_inserter(svg_), "<polygon points=\"{}\" fill=\"url(#hatch)\"/>\n", points);
+        fmt::format_to(std::back_inserter(svg_), "<polygon points=\"{}\" fill=\"{}\"/>\n", points,
+                       overhangFill);
     }
 }
 

@@ -13,6 +13,9 @@ namespace noonmark {
 /// Fill of the buildings that have one of their own.
 using BuildingColours = std::map<std::uint32_t, std::string>;
 
+/// Of overhangs, below which the sky is seen. No pattern: Qt's reader of SVG knows none.
+inline constexpr const char* overhangFill = "#5b6470";
+
 /// Draws one sky in one frame as SVG elements, from the bottom up.
 class SkyDrawing {
 public:

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "app/report/skyline/sky_drawing.h"
+#include "app/report/skyline/sun_carpet.h"
 #include "core/base/xml_text.h"
 #include "core/study/text/point_text.h"
 
@@ -16,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int widthPx = 1200, heightPx = 1010;
+constexpr int widthPx = 1200, heightPx = 1310;
 constexpr std::array colours{"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#76b7b2",
                              "#9c755f", "#edc948", "#d37295", "#86bcb6", "#8cd17d"};
 constexpr const char* otherBuildings = "#a3a9b0";
@@ -62,6 +63,7 @@ public:
         drawFrame({SkyFrame::Kind::cylindrical, {60, 420}, 1100, 340});
         drawFrame({SkyFrame::Kind::stereographic, {290, 740}, 1, 220});
         addLegend();
+        addCarpet();
         svg_ += "</svg>\n";
         return std::move(svg_);
     }
@@ -75,9 +77,7 @@ private:
     void begin() {
         svg_ = fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-            "font-family=\"sans-serif\" font-size=\"12\">\n<defs><pattern id=\"hatch\" width=\"5\" "
-            "height=\"5\" patternUnits=\"userSpaceOnUse\"><rect width=\"5\" height=\"5\" fill=\"#8a8f96\"/>"
-            "<path d=\"M0 5L5 0\" stroke=\"#ffffff\" stroke-width=\"0.8\"/></pattern></defs>\n"
+            "font-family=\"sans-serif\" font-size=\"12\">\n"
             "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
             widthPx, heightPx);
         const PointQuestion& question = study_.question;
@@ -137,7 +137,7 @@ private:
                       fmt::format("{}: {:.0f} degrees", nameOfObstacle(city_, obstacle.building),
                                   obstacle.widthDeg));
         addSwatch(y += 20, otherBuildings, "other buildings");
-        if (!study_.baseline.overhangs.empty()) addSwatch(y += 20, "url(#hatch)", "overhangs");
+        if (!study_.baseline.overhangs.empty()) addSwatch(y += 20, overhangFill, "overhangs");
         if (study_.question.facingDeg) addSwatch(y += 20, "#d5d8dc", "behind the wall");
         if (study_.scenario) addSwatch(y += 20, addedByScenario, "hidden by the scenario alone");
         addPathKeys(y + 30);
@@ -159,6 +159,16 @@ private:
         if (study_.scenario)
             factors += fmt::format("; in the scenario {:.3f}", study_.scenario->factors.skyView);
         addText(600, y + 84, factors);
+    }
+
+    void addCarpet() {
+        addText(60, 1010,
+                study_.scenario
+                    ? "Minutes of sun on a mean day with the scenario, by month and hour of the clock; "
+                      "in red and green what it takes and gives"
+                    : "Minutes of sun on a mean day, by month and hour of the clock",
+                "font-size=\"14\"");
+        drawSunCarpet(study_, {90, 1040}, svg_);
     }
 
     const PointStudy& study_;

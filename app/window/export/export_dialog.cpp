@@ -1,8 +1,15 @@
 #include "app/window/export/export_dialog.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
 
 #include "app/window/widgets/file_dialogs.h"
 #include "app/window/widgets/push_button.h"

@@ -1,7 +1,11 @@
 #include "app/window/export/movie_dialog.h"
 
+#include <QComboBox>
 #include <QDateEdit>
 #include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QSpinBox>
 #include <QTimeEdit>
 
 #include "app/window/frame/qt_dates.h"

@@ -13,6 +13,7 @@
 #include "app/window/frame/window_menus.h"
 #include "app/window/frame/window_toolbar.h"
 #include "app/window/looks/theme_menu.h"
+#include "app/window/point/point_dock.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
 #include "app/window/review/review_dock.h"
@@ -24,6 +25,7 @@
 #include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/weights/weights_dock.h"
+#include "app/window/widgets/file_dialogs.h"
 #include "app/window/widgets/progress_strip.h"
 #include "render/view/software_drawing.h"
 
@@ -49,6 +51,7 @@ MainWindow::MainWindow(QSettings& settings)
       review_(workbench_),
       panel_(new ViewPanel),
       tools_(*panel_, horizons_),
+      points_(workbench_, *panel_),
       docks_{new ProjectDock(workbench_.session()),
              new StudyDock(workbench_.document()),
              new ResultsDock,
@@ -56,6 +59,7 @@ MainWindow::MainWindow(QSettings& settings)
              new WeightsDock(workbench_.session()),
              new WarningsDock,
              new ReviewDock(review_, workbench_.session()),
+             new PointDock(points_),
              tools_.dock(),
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
@@ -84,7 +88,7 @@ MainWindow::MainWindow(QSettings& settings)
       help_(opening_, settings_, *this),
       time_(workbench_, mode_, *panel_, horizons_),
       presets_(*panel_, time_),
-      context_(workbench_, tools_, region_, places_, *panel_) {
+      context_(workbench_, tools_, region_, places_, points_, *panel_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
@@ -154,9 +158,9 @@ void MainWindow::connectJobs() {
                           &places_.reading(), &movies_.writing()})
         progress_->follow(*slot);
     connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
-    connect(&reviews_, &ReviewActions::dockWanted, this, &MainWindow::showReview);
-    for (JobSlot* slot :
-         {&workbench_.keeping(), &tools_.context().preview.working(), &time_.looking().working()})
+    connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
+    for (JobSlot* slot : {&workbench_.keeping(), &tools_.context().preview.working(),
+                          &time_.looking().working(), &points_.working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
     docks_.study->progress().follow(workbench_.running());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
@@ -186,6 +190,8 @@ void MainWindow::connectDocks() {
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
+    connect(docks_.point, &PointDock::shown, this, [this] { showDock(docks_.point); });
+    connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }
 
@@ -210,7 +216,7 @@ void MainWindow::connectStudyForm() {
 // The panels that a kind of study needs, or the baseline of a comparison.
 void MainWindow::chooseKind(StudyKind kind) {
     ProjectSession& session = workbench_.session();
-    if (kind == StudyKind::review) return showReview();
+    if (kind == StudyKind::review) return showDock(docks_.review);
     if (kind == StudyKind::score) return raiseDock(docks_.weights);
     if (kind == StudyKind::shadow) return session.compareWith({});
     if (session.scenario() != existingCity) return session.compareWith(existingCity);
@@ -256,12 +262,20 @@ void MainWindow::raiseDock(const QWidget* content) {
         if (dock->isAncestorOf(content)) dock->raise();
 }
 
-void MainWindow::showReview() {
+// Also a dock that the user closed.
+void MainWindow::showDock(const QWidget* content) {
     for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-        if (!dock->isAncestorOf(docks_.review)) continue;
+        if (!dock->isAncestorOf(content)) continue;
         dock->show();
         dock->raise();
     }
+}
+
+void MainWindow::savePoint() {
+    const QString file = askForSky(this);
+    const auto saved = docks_.point->save(file, workbench_.exportRules());
+    if (!saved) return panel_->messages().showError(saved.error());
+    if (!file.isEmpty()) panel_->messages().showNote(tr("Saved as %1").arg(file));
 }
 
 // The camera stays: the city may be another scenario of the same project.

@@ -30,6 +30,7 @@
 #include "app/window/frame/window_view.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/help/help_actions.h"
+#include "app/window/point/point_inspector.h"
 #include "app/window/results/result_display.h"
 #include "app/window/review/review_session.h"
 #include "app/window/study_form/what_form.h"
@@ -71,6 +72,7 @@ public:
     [[nodiscard]] MovieActions& movies() { return movies_; }
     [[nodiscard]] HelpActions& help() { return help_; }
     [[nodiscard]] ContextMenu& context() { return context_; }
+    [[nodiscard]] PointInspector& points() { return points_; }
 
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
 
@@ -91,7 +93,8 @@ private:
     void explore();
     void chooseKind(StudyKind kind);
     void raiseDock(const QWidget* content);
-    void showReview();
+    void showDock(const QWidget* content);
+    void savePoint();
     void showCity();
     void showProject();
     void showDocument();
@@ -103,6 +106,7 @@ private:
     ViewPanel* panel_;
     std::shared_ptr<SharedHorizonCache> horizons_ = std::make_shared<SharedHorizonCache>();
     EditTools tools_;
+    PointInspector points_;
     WindowDocks docks_;
     ProgressStrip* progress_;
     QLabel* hover_;

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
+#include "app/window/point/point_dock.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
 #include "app/window/review/review_dock.h"
@@ -53,8 +54,10 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
     QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
+    QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
-    review->hide();  // it takes much of the view's height
+    window.tabifyDockWidget(review, point);
+    for (QDockWidget* dock : {review, point}) dock->hide();  // they take much of the view's height
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
     for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
     study->raise();
@@ -67,7 +70,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
-    for (QDockWidget* dock : {project, study, results, scenarios, weights, review, building, tower, warnings})
+    for (QDockWidget* dock :
+         {project, study, results, scenarios, weights, review, point, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
 }

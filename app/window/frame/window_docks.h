@@ -8,6 +8,7 @@ class QWidget;
 
 namespace noonmark {
 
+class PointDock;
 class ProjectDock;
 class ResultsDock;
 class ReviewDock;
@@ -25,6 +26,7 @@ struct WindowDocks {
     WeightsDock* weights;
     WarningsDock* warnings;
     ReviewDock* review;
+    PointDock* point;
     QWidget* building;  ///< the selected building
     QWidget* tower;     ///< lots, and the tower being designed
 };

@@ -2,6 +2,7 @@
 
 #include <QCommandLinkButton>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/window/looks/icons.h"

@@ -3,6 +3,7 @@
 #include <QMetaObject>
 #include <mutex>
 
+#include "app/window/study/heap_memory.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/api/partial_pace.h"
 
@@ -78,6 +79,7 @@ Job::Job(Work work) : reporter_(std::make_unique<Reporter>(*this)) {
         QMetaObject::invokeMethod(
             this, [this, result = work(*reporter_, std::move(stop))] { deliver(result); },
             Qt::QueuedConnection);
+        trimHeap();
     });
 }
 

@@ -10,6 +10,7 @@
 #include "app/window/editing/edit_tools.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/looks/icons.h"
+#include "app/window/point/point_inspector.h"
 #include "app/window/view/view_panel.h"
 
 namespace noonmark {
@@ -30,8 +31,8 @@ bool isIn(const Place& place, glm::dvec2 point) {
 }  // namespace
 
 ContextMenu::ContextMenu(Workbench& workbench, EditTools& tools, RegionActions& region, PlaceActions& places,
-                         ViewPanel& panel)
-    : workbench_(workbench), tools_(tools), region_(region), places_(places), panel_(panel) {
+                         PointInspector& points, ViewPanel& panel)
+    : workbench_(workbench), tools_(tools), region_(region), places_(places), points_(points), panel_(panel) {
     connect(&panel_.navigator(), &ViewNavigator::rightClicked, this, &ContextMenu::popUp);
 }
 
@@ -54,7 +55,7 @@ std::unique_ptr<QMenu> ContextMenu::makeMenu(QPointF pixel) {
         addBuilding(*menu, *pick->building);
     else
         addPlaces(*menu, at);
-    addGround(*menu, at);
+    addGround(*menu, *pick);
     return menu;
 }
 
@@ -87,8 +88,11 @@ void ContextMenu::addPlaces(QMenu& menu, glm::dvec2 at) {
     }
 }
 
-void ContextMenu::addGround(QMenu& menu, glm::dvec2 at) {
+void ContextMenu::addGround(QMenu& menu, const Pick& pick) {
+    const glm::dvec2 at(pick.position);
     menu.addSection(tr("Here"));
+    menu.addAction(makeIcon(QStringLiteral("sun")), tr("Sun and sky here"), &points_,
+                   [this, pick] { points_.inspect(pick); });
     menu.addAction(makeIcon(QStringLiteral("lot")), tr("Draw lot"), &tools_, &EditTools::drawLot);
     menu.addAction(makeIcon(QStringLiteral("place")), tr("Draw place"), &places_, &PlaceActions::draw);
     menu.addAction(makeIcon(QStringLiteral("region")), tr("Draw region"), region_.actions().first(),

@@ -9,6 +9,7 @@ namespace noonmark {
 
 class EditTools;
 class PlaceActions;
+class PointInspector;
 class RegionActions;
 class ViewPanel;
 class Workbench;
@@ -21,7 +22,7 @@ class ContextMenu final : public QObject {
 public:
     /// All must outlive this object.
     ContextMenu(Workbench& workbench, EditTools& tools, RegionActions& region, PlaceActions& places,
-                ViewPanel& panel);
+                PointInspector& points, ViewPanel& panel);
 
     /// The menu for what lies under a pixel of the view; without entries where there is nothing.
     [[nodiscard]] std::unique_ptr<QMenu> makeMenu(QPointF pixel);
@@ -30,12 +31,13 @@ private:
     void popUp(QPointF pixel);
     void addBuilding(QMenu& menu, std::uint32_t building);
     void addPlaces(QMenu& menu, glm::dvec2 at);
-    void addGround(QMenu& menu, glm::dvec2 at);
+    void addGround(QMenu& menu, const Pick& pick);
 
     Workbench& workbench_;
     EditTools& tools_;
     RegionActions& region_;
     PlaceActions& places_;
+    PointInspector& points_;
     ViewPanel& panel_;
 };
 

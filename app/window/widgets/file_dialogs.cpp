@@ -52,6 +52,14 @@ QStringList askForPlaces(QWidget* parent) {
         tr("Maps and polygons (*.osm *.pbf *.geojson *.json *.gpkg *.shp *.fgb *.kml);;All files (*)"));
 }
 
+QString askForSky(QWidget* parent) {
+    const QString file = QFileDialog::getSaveFileName(
+        parent, tr("Save sun and sky"), QStringLiteral("sky.svg"),
+        tr("Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".svg");
+}
+
 QString askForPicture(QWidget* parent) {
     const QString file = QFileDialog::getSaveFileName(parent, tr("Save picture"),
                                                       QStringLiteral("noonmark.png"), tr("Pictures (*.png)"));

@@ -64,8 +64,7 @@ std::pair<int, int> degreesOf(const OverhangFace& face, glm::dvec3 eye) {
             int(std::floor((start + high) * degrees / fullTurn))};
 }
 
-std::vector<SeenEdge> seeEdges(const SkyObstacles& obstacles, glm::dvec3 eye) {
-    LowestInParts lowest{};
+std::vector<SeenEdge> seeEdges(const SkyObstacles& obstacles, glm::dvec3 eye, LowestInParts& lowest) {
     std::vector<SeenEdge> seen;
     for (const TopEdge& edge : obstacles.edges)
         if (const auto view = seeEdge(edge, eye)) {
@@ -77,6 +76,22 @@ std::vector<SeenEdge> seeEdges(const SkyObstacles& obstacles, glm::dvec3 eye) {
     return seen;
 }
 
+// Whether a face can hide sky above the skyline: its upper boundary is made of its edges, unless it is
+// overhead. The ends of an edge that is seen end-on belong to the others. Most overhangs of a city are far
+// away, behind something that stands on the ground.
+bool risesAbove(const OverhangFace& face, glm::dvec3 eye, const LowestInParts& lowest) {
+    if (degreesOf(face, eye) == std::pair{0, degrees - 1}) return true;
+    bool anySeen = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 a = glm::dvec3(face.corners[i]) - eye,
+                         b = glm::dvec3(face.corners[(i + 1) % 3]) - eye;
+        const auto edge = seeEdge(a, b, face.building);
+        if (edge && risesAbove(*edge, lowest)) return true;
+        anySeen = anySeen || edge;
+    }
+    return !anySeen;
+}
+
 }  // namespace
 
 Skyline Skyline::at(const SkyPoint& point, const SkyObstacles& obstacles) {
@@ -84,16 +99,12 @@ Skyline Skyline::at(const SkyPoint& point, const SkyObstacles& obstacles) {
     skyline.eye_ = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)) +
                    glm::dvec3(RayScene::asideM, RayScene::asideM, 0);
     skyline.normal_ = point.normal;
-    skyline.pieces_ = findHighest(seeEdges(obstacles, skyline.eye_));
-    skyline.keepFacesAbove(obstacles);
+    LowestInParts lowest{};
+    skyline.pieces_ = findHighest(seeEdges(obstacles, skyline.eye_, lowest));
+    for (const OverhangFace& face : obstacles.faces)
+        if (risesAbove(face, skyline.eye_, lowest)) skyline.faces_.push_back(face);
     skyline.sortFaces();
     return skyline;
-}
-
-void Skyline::keepFacesAbove(const SkyObstacles& obstacles) {
-    const auto above = [&](glm::vec3 corner) { return double(corner.z) > eye_.z; };
-    for (const OverhangFace& face : obstacles.faces)
-        if (std::ranges::any_of(face.corners, above)) faces_.push_back(face);
 }
 
 void Skyline::sortFaces() {

@@ -51,7 +51,6 @@ public:
     [[nodiscard]] std::vector<double> breaks() const;
 
 private:
-    void keepFacesAbove(const SkyObstacles& obstacles);
     void sortFaces();
 
     glm::dvec3 eye_{};

@@ -165,4 +165,15 @@ PointJson pointJson(const PointStudy& study, const City& city, const Zone& zone)
     return json;
 }
 
+std::string pointCsv(const PointStudy& study) {
+    std::string csv = study.scenario ? "month,hour,baseline_min,scenario_min\n" : "month,hour,baseline_min\n";
+    for (std::size_t month = 0; month < study.baseline.minutes.size(); ++month)
+        for (std::size_t hour = 0; hour < study.baseline.minutes[month].size(); ++hour) {
+            csv += fmt::format("{},{},{:.2f}", month + 1, hour, study.baseline.minutes[month][hour]);
+            if (study.scenario) csv += fmt::format(",{:.2f}", study.scenario->minutes[month][hour]);
+            csv += '\n';
+        }
+    return csv;
+}
+
 }  // namespace noonmark

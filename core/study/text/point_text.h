@@ -16,6 +16,10 @@ std::string describe(const PointStudy& study, const City& city);
 /// buildings.
 nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, const Zone& zone);
 
+/// Sunlit minutes of the year: a line for each month and hour of the wall clock, with the scenario's in a
+/// column of their own.
+std::string pointCsv(const PointStudy& study);
+
 /// The name of a building or its id; "the terrain".
 std::string nameOfObstacle(const City& city, std::uint32_t building);
 

@@ -68,6 +68,21 @@ TEST(Skyline, ABalconyHidesAltitudesAndLeavesTheSkyBelowIt) {
     EXPECT_TRUE(skyline.hides(towardsSun(180, 20)));  // behind the window's plane
 }
 
+TEST(Skyline, AnOverhangBehindAWallIsLeftOut) {
+    // A bridge from 20 to 22 m, 100 m away, behind a wall of 60 m, or of 5 m, at 30 m.
+    const Box3 bridge{{-5, 100, 20}, {5, 104, 22}};
+    const auto seen = [&](double wallM) {
+        const City city = cityOf({{{-200, 30, 0}, {200, 32, wallM}}, bridge});
+        return skylineOf(city, {{0, 0, 0}, {0, 0, 1}});
+    };
+    EXPECT_TRUE(seen(60).faces().empty());
+    const Skyline low = seen(5);
+    ASSERT_FALSE(low.faces().empty());
+    EXPECT_TRUE(low.hides(towardsSun(0, 12)));     // atan(20 / 100) = 11.3, atan(22 / 100) = 12.4
+    EXPECT_FALSE(low.hides(towardsSun(0, 10.5)));  // under it, above the wall's atan(5 / 30) = 9.5
+    EXPECT_FALSE(low.hides(towardsSun(0, 13)));
+}
+
 // Unobstructed: 1 and 100 % lying level; 0.5 and 39.62 % upright. The last is (pi / 4 + 2 / 3) 2 / 3 / (7 pi
 // / 9).
 TEST(SkyFactors, OfOpenSurfaces) {

@@ -1,0 +1,47 @@
+#include "app/window/point/sky_picture.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace noonmark {
+
+namespace {
+
+constexpr int leastWidthPx = 420;
+constexpr double skylineRatio = 1200.0 / 450;  // of the upper part of skylineSvg()
+
+}  // namespace
+
+SkyPicture::SkyPicture(QWidget* parent) : QWidget(parent) {}
+
+void SkyPicture::show(const QByteArray& svg) {
+    renderer_.load(svg);
+    fitInto(room_);
+    update();
+}
+
+void SkyPicture::fitInto(QSize room) {
+    room_ = room;
+    const int width = std::min(room.width(), std::max(leastWidthPx, int(room.height() * skylineRatio)));
+    setFixedSize(width, heightFor(width));
+}
+
+int SkyPicture::heightFor(int widthPx) const {
+    const QSize size = renderer_.defaultSize();
+    return renderer_.isValid() && size.width() > 0 ? widthPx * size.height() / size.width() : 0;
+}
+
+QImage SkyPicture::image(int widthPx) {
+    QImage image(widthPx, std::max(1, heightFor(widthPx)), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    renderer_.render(&painter);
+    return image;
+}
+
+void SkyPicture::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    renderer_.render(&painter, QRectF(rect()));
+}
+
+}  // namespace noonmark

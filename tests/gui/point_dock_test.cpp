@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <numbers>
+
+#include "app/window/point/picked_point.h"
+#include "app/window/point/point_dock.h"
+#include "app/window/time/time_strip.h"
+#include "tests/gui/project_window.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::ProjectWindow;
+using test::waitFor;
+
+TEST(PickedPoint, AWallIsLookedAtFromOutside) {
+    Pick pick{{10, 0, 8}, 0U, {1, 0, 0}};
+    const PointQuestion wall = questionAt(City{}, pick);
+    ASSERT_TRUE(wall.facingDeg);
+    EXPECT_NEAR(*wall.facingDeg, 90, 1e-3);
+    EXPECT_NEAR(wall.heightM.value_or(0), 8, 1e-6);
+    EXPECT_NEAR(City{}.frame.localFromLonLat(wall.at).x, 10.02, 1e-4);
+    pick.normal = {0, 0, 1};
+    EXPECT_FALSE(questionAt(City{}, pick).facingDeg);
+    pick.building.reset();
+    EXPECT_FALSE(questionAt(City{}, pick).heightM);
+}
+
+TEST_F(ProjectWindow, APointShowsItsSunAndFollowsTheDay) {
+    PointInspector& points = window->points();
+    // The south-western corner of the city, in front of everything.
+    const Box2 box = bounds(workbench().city()->city());
+    points.inspect({{box.low.x - 5, box.low.y - 5, 0}, {}, {0, 0, 1}});
+    ASSERT_TRUE(waitFor([&] { return points.answer() != nullptr; }, 20'000));
+    const auto first = points.answer();
+    EXPECT_FALSE(first->sentence.isEmpty());
+    EXPECT_GT(first->study.possibleMin, 200'000);  // half of a year's minutes
+    TimeLook look = window->panel().time().look();
+    look.date = look.date.year() / std::chrono::December / 21;
+    window->panel().time().setLook(look);
+    Q_EMIT window->panel().time().lookChanged(look);
+    ASSERT_TRUE(waitFor([&] { return points.answer() && points.answer() != first; }, 20'000));
+    EXPECT_EQ(points.answer()->study.question.day, look.date);
+}
+
+TEST_F(ProjectWindow, APointIsSavedAsDrawingPictureAndTable) {
+    const Box2 box = bounds(workbench().city()->city());
+    window->points().inspect({{box.low.x - 5, box.low.y - 5, 0}, {}, {0, 0, 1}});
+    ASSERT_TRUE(waitFor([&] { return window->points().answer() != nullptr; }, 20'000));
+    auto* dock = window->findChild<PointDock*>();
+    ASSERT_NE(dock, nullptr);
+    const QTemporaryDir folder;
+    const QByteArrayList beginnings{"<svg", "\x89PNG", "month,hour"};
+    const QStringList names{QStringLiteral("a.svg"), QStringLiteral("a.png"), QStringLiteral("a.csv")};
+    for (int i = 0; i < names.size(); ++i) {
+        const QString file = folder.filePath(names[i]);
+        ASSERT_TRUE(dock->save(file, workbench().exportRules()));
+        QFile written(file);
+        ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+        EXPECT_TRUE(written.readAll().startsWith(beginnings[i])) << names[i].toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace noonmark
