@@ -190,7 +190,7 @@ void MainWindow::connectDocks() {
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
-    connect(docks_.point, &PointDock::shown, this, [this] { showDock(docks_.point); });
+    connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
     connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }

@@ -58,26 +58,39 @@ PointDock::PointDock(PointInspector& inspector, QWidget* parent)
       save_(new QPushButton(tr("Save..."))),
       picture_(new SkyPicture),
       scroll_(new QScrollArea) {
-    save_->setToolTip(tr("The drawing as SVG or PNG, or the minutes by month and hour as CSV"));
-    auto* texts = new QVBoxLayout;
-    for (QWidget* widget : {static_cast<QWidget*>(sentence_), static_cast<QWidget*>(figures_)})
-        texts->addWidget(widget);
-    texts->addWidget(save_, 0, Qt::AlignLeft);
-    texts->addStretch();
-    auto* side = new QWidget;
-    side->setLayout(texts);
-    side->setFixedWidth(textWidth);
     scroll_->setWidget(picture_);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->viewport()->installEventFilter(this);
     auto* row = new QHBoxLayout(this);
-    row->addWidget(side);
+    row->addWidget(makeSide());
     row->addWidget(scroll_, 1);
     connect(save_, &QPushButton::clicked, this, &PointDock::saveRequested);
     connect(&inspector_, &PointInspector::changed, this, &PointDock::showAnswer);
     connect(&inspector_, &PointInspector::failed, this, &PointDock::showError);
     showAnswer();
 }
+
+// The texts and the button, which scroll where the dock is low.
+QWidget* PointDock::makeSide() {
+    save_->setToolTip(tr("The drawing as SVG or PNG, or the minutes by month and hour as CSV"));
+    auto* side = new QWidget;
+    auto* texts = new QVBoxLayout(side);
+    texts->addWidget(sentence_);
+    texts->addWidget(figures_);
+    texts->addWidget(save_, 0, Qt::AlignLeft);
+    texts->addStretch();
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(side);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(textWidth);
+    return scroll;
+}
+
+void PointDock::showEvent(QShowEvent* /*event*/) { inspector_.setVisible(true); }
+
+void PointDock::hideEvent(QHideEvent* /*event*/) { inspector_.setVisible(false); }
 
 bool PointDock::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize) picture_->fitInto(scroll_->viewport()->size());
@@ -99,12 +112,10 @@ void PointDock::showAnswer() {
         figures = tr("Before\n%1\n\nScenario\n%2")
                       .arg(figures, figuresOf(*answer->study.scenario, answer->study, *zone));
     figures_->setText(figures);
-    Q_EMIT shown();
 }
 
 void PointDock::showError(const Error& error) {
     sentence_->setText(QString::fromStdString(error.what + ". " + error.advice + "."));
-    Q_EMIT shown();
 }
 
 Result<void> PointDock::save(const QString& file, const OutputRules& rules) {

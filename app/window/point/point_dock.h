@@ -26,10 +26,12 @@ public:
 
 Q_SIGNALS:
     void saveRequested();
-    void shown();  ///< an answer or an error has arrived
 
 private:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    QWidget* makeSide();
     void showAnswer();
     void showError(const Error& error);
 

@@ -52,17 +52,28 @@ Result<PointAnswer> answerOf(InspectedCities cities, const PointQuestion& questi
 
 PointInspector::PointInspector(Workbench& workbench, ViewPanel& panel)
     : workbench_(workbench), panel_(panel) {
-    connect(&workbench_, &Workbench::cityShown, this, &PointInspector::ask);
+    connect(&workbench_, &Workbench::cityShown, this, &PointInspector::follow);
     connect(&workbench_, &Workbench::projectOpened, this, &PointInspector::forget);
-    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &PointInspector::ask);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &PointInspector::follow);
     connect(&panel_.time(), &TimeStrip::lookChanged, this, [this](const TimeLook& look) {
-        if (look.date != day_) ask();
+        if (look.date != day_) follow();
     });
 }
 
 void PointInspector::inspect(const Pick& pick) {
     pick_ = pick;
     ask();
+    Q_EMIT asked();
+}
+
+void PointInspector::setVisible(bool visible) {
+    visible_ = visible;
+    if (visible_ && outdated_) ask();
+}
+
+void PointInspector::follow() {
+    outdated_ = true;
+    if (visible_) ask();
 }
 
 void PointInspector::forget() {
@@ -73,6 +84,7 @@ void PointInspector::forget() {
 }
 
 void PointInspector::ask() {
+    outdated_ = false;
     if (!pick_ || !workbench_.city()) return;
     const InspectedCities cities = citiesToInspect(workbench_.session());
     PointQuestion question = questionAt(*cities.baseline, *pick_);

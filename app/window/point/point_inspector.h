@@ -27,23 +27,27 @@ struct PointAnswer {
 };
 
 /// Measures the point that was clicked last, of the displayed scenario and, if that changes the city, of what
-/// it is compared with; again when the city or the day of the time strip changes.
+/// it is compared with. Again when the city or the day of the time strip changes, while the answer is
+/// visible.
 class PointInspector final : public QObject {
     Q_OBJECT
 public:
     PointInspector(Workbench& workbench, ViewPanel& panel);  ///< both must outlive this object
 
     void inspect(const Pick& pick);
-    void forget();  ///< no point; for another project
+    void setVisible(bool visible);  ///< whether the answer is; at first it is not
+    void forget();                  ///< no point; for another project
 
     [[nodiscard]] std::shared_ptr<const PointAnswer> answer() const { return answer_; }  ///< null: none yet
     [[nodiscard]] JobSlot& working() { return slot_; }
 
 Q_SIGNALS:
+    void asked();  ///< about another point
     void changed();
     void failed(noonmark::Error error);  ///< the answer is null then
 
 private:
+    void follow();
     void ask();
     void take(Result<PointAnswer> answer);
 
@@ -51,6 +55,8 @@ private:
     ViewPanel& panel_;
     std::optional<Pick> pick_;
     CivilDate day_{};  // of the running or the last question
+    bool visible_ = false;
+    bool outdated_ = false;  // something changed while the answer was not visible
     std::shared_ptr<const PointAnswer> answer_;
     JobSlot slot_;
 };
