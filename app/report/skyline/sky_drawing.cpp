@@ -47,7 +47,7 @@ void SkyDrawing::drawPolyline(const std::string& points, const char* style) {
                        style);
 }
 
-void SkyDrawing::drawSky(const std::optional<double>& facingDeg) {
+void SkyDrawing::drawSky() {
     std::string whole;
     addCurve({0, 0}, {360, 0}, whole);
     if (frame_.kind == SkyFrame::Kind::cylindrical) addCurve({360, 90}, {0, 90}, whole);
@@ -64,14 +64,18 @@ void SkyDrawing::drawSky(const std::optional<double>& facingDeg) {
         addPoint(azimuth, 90, line);
         drawPolyline(line, "stroke=\"#c9d6e2\" stroke-width=\"0.6\"");
     }
-    if (!facingDeg) return;
+}
+
+void SkyDrawing::drawBehindWall(double facingDeg) {
     for (int degree = 0; degree < 360; ++degree) {
-        if (std::cos((degree + 0.5 - *facingDeg) * std::numbers::pi / 180) > 0) continue;
+        if (std::cos((degree + 0.5 - facingDeg) * std::numbers::pi / 180) > 0) continue;
         std::string behind;
         for (const auto& [azimuth, altitude] : std::array<std::pair<int, int>, 4>{
                  {{degree, 0}, {degree + 1, 0}, {degree + 1, 90}, {degree, 90}}})
             addPoint(azimuth, altitude, behind);
-        fmt::format_to(std::back_inserter(svg_), "<polygon points=\"{}\" fill=\"#d5d8dc\"/>\n", behind);
+        fmt::format_to(std::back_inserter(svg_),
+                       "<polygon points=\"{}\" fill=\"#d5d8dc\" stroke=\"#d5d8dc\" stroke-width=\"0.7\"/>\n",
+                       behind);
     }
 }
 

@@ -21,9 +21,10 @@ class SkyDrawing {
 public:
     SkyDrawing(const SkyFrame& frame, std::string& svg) : frame_(frame), svg_(svg) {}
 
-    /// The empty sky with lines of altitude and azimuth, and the directions behind a wall that faces
-    /// `facingDeg`.
-    void drawSky(const std::optional<double>& facingDeg);
+    /// The empty sky with lines of altitude and azimuth.
+    void drawSky();
+    /// Covers the directions behind a wall that faces `facingDeg`.
+    void drawBehindWall(double facingDeg);
     /// Everything below a skyline; without colours, in `fill`.
     void drawSkyline(const PointView& view, const BuildingColours& colours, const char* fill);
     void drawOverhangs(const PointView& view);

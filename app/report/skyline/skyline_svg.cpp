@@ -29,12 +29,10 @@ struct Obstacle {
     double widthDeg = 0;
 };
 
-std::vector<Obstacle> widestObstacles(const PointView& view) {
-    std::map<std::uint32_t, double> widths;
-    for (const SkylineStretch& stretch : view.stretches)
-        widths[stretch.building] += std::fmod(stretch.toDeg - stretch.fromDeg + 360, 360);
+std::vector<Obstacle> widestObstacles(const PointStudy& study) {
     std::vector<Obstacle> obstacles;
-    for (const auto& [building, width] : widths) obstacles.push_back({building, width});
+    for (const auto& [building, width] : skylineWidthsDeg(study.baseline, study.question.facingDeg))
+        obstacles.push_back({building, width});
     std::ranges::stable_sort(obstacles, std::ranges::greater{}, &Obstacle::widthDeg);
     if (obstacles.size() > colours.size()) obstacles.resize(colours.size());
     return obstacles;
@@ -54,7 +52,7 @@ std::optional<std::size_t> dayOfMonth(const SunSteps& sun, unsigned month) {
 class SkylineSheet {
 public:
     SkylineSheet(const PointStudy& study, const City& city, const Zone& zone)
-        : study_(study), city_(city), zone_(zone), obstacles_(widestObstacles(study.baseline)) {
+        : study_(study), city_(city), zone_(zone), obstacles_(widestObstacles(study)) {
         for (std::size_t i = 0; i < obstacles_.size(); ++i) colours_[obstacles_[i].building] = colours[i];
     }
 
@@ -91,11 +89,12 @@ private:
 
     void drawFrame(const SkyFrame& frame) {
         SkyDrawing drawing(frame, svg_);
-        drawing.drawSky(study_.question.facingDeg);
+        drawing.drawSky();
         if (study_.scenario) drawing.drawSkyline(*study_.scenario, {}, addedByScenario);
         drawing.drawSkyline(study_.baseline, colours_, otherBuildings);
         drawing.drawOverhangs(study_.scenario ? *study_.scenario : study_.baseline);
         if (study_.scenario) drawing.drawOutline(*study_.scenario, addedByScenario);
+        if (study_.question.facingDeg) drawing.drawBehindWall(*study_.question.facingDeg);
         drawPaths(drawing);
         drawDirections(frame, drawing);
     }

@@ -62,11 +62,9 @@ std::string describeLosses(const PointStudy& study) {
     return text + ".";
 }
 
-// The building along whose stretches of the skyline the azimuths add up to most.
-std::string widestObstacle(const PointView& view, const City& city) {
-    std::map<std::uint32_t, double> widths;
-    for (const SkylineStretch& stretch : view.stretches)
-        widths[stretch.building] += std::fmod(stretch.toDeg - stretch.fromDeg + 360, 360);
+// The building that makes most of the skyline.
+std::string widestObstacle(const PointStudy& study, const City& city) {
+    const auto widths = skylineWidthsDeg(study.baseline, study.question.facingDeg);
     if (widths.empty()) return {};
     const auto widest = std::ranges::max_element(widths, {}, [](const auto& entry) { return entry.second; });
     return fmt::format("; {} makes {:.0f} degrees of its skyline", nameOfObstacle(city, widest->first),
@@ -85,7 +83,7 @@ std::string describeDay(const PointStudy& study, const City& city) {
                                           : fmt::format("gets {} of sun in {} band{}", durationText(minutes),
                                                         bands.size(), bands.size() == 1 ? "" : "s");
     return fmt::format("On {} this point {}, and over the year {:.0f} % of the time the sun is up{}.",
-                       dayText(study.question.day), day, share, widestObstacle(study.baseline, city));
+                       dayText(study.question.day), day, share, widestObstacle(study, city));
 }
 
 PointJson bandsJson(const std::vector<SunBand>& bands, const Zone& zone) {
@@ -163,6 +161,22 @@ PointJson pointJson(const PointStudy& study, const City& city, const Zone& zone)
     json["sentence"] = describe(study, city);
     json["seconds"] = rounded(study.seconds, 0.0001);
     return json;
+}
+
+std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
+                                                 const std::optional<double>& facingDeg) {
+    std::map<std::uint32_t, double> widths;
+    for (const SkylineStretch& stretch : view.stretches) {
+        const double width = std::fmod(stretch.toDeg - stretch.fromDeg + 360, 360);
+        // From the left end of what the wall faces, which is 180 degrees wide; beyond 360 it begins again.
+        const double from = facingDeg ? std::fmod(stretch.fromDeg - *facingDeg + 90 + 720, 360) : 0;
+        const double to = from + width;
+        const double seen =
+            facingDeg ? std::max(0.0, std::min(to, 180.0) - from) + std::max(0.0, std::min(to, 540.0) - 360)
+                      : width;
+        if (seen > 0) widths[stretch.building] += seen;
+    }
+    return widths;
 }
 
 std::string pointCsv(const PointStudy& study) {

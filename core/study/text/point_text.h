@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "core/city/city.h"
@@ -19,6 +21,11 @@ nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, cons
 /// Sunlit minutes of the year: a line for each month and hour of the wall clock, with the scenario's in a
 /// column of their own.
 std::string pointCsv(const PointStudy& study);
+
+/// How many degrees of the skyline each building makes (index in City::buildings); of a wall, in front of it
+/// only.
+std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
+                                                 const std::optional<double>& facingDeg);
 
 /// The name of a building or its id; "the terrain".
 std::string nameOfObstacle(const City& city, std::uint32_t building);
