@@ -79,7 +79,7 @@ struct PointStudy {
 
 /// Measures the point in a city and, if given, in the city of a scenario. Error: the point is inside a
 /// building or an overhang, the zone is unknown, a value out of range, cancelled(). In Midtown, of 100,000
-/// edges, 0.4 s for one city and a year at one minute.
+/// edges, 0.14 s for one city and a year at one minute, 0.2 s with a scenario.
 Result<PointStudy> runPointStudy(const City& baseline, const City* scenario, const PointQuestion& question,
                                  const std::stop_token& stop);
 
