@@ -2,7 +2,6 @@
 
 #include <QFile>
 #include <QTemporaryDir>
-#include <numbers>
 
 #include "app/window/point/picked_point.h"
 #include "app/window/point/point_dock.h"

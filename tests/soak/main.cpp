@@ -44,8 +44,8 @@ void writeLine(double minutes, long actions, int liveEdits, After after) {
     std::fflush(stdout);
 }
 
-// Opening a city forgets the scenarios, the results and the cached horizons: what is held afterwards and
-// was not held before is a leak.
+// Opening a city forgets the scenarios, the results and the cached horizons. A study of the mode begins anew
+// and may hold memory then: a leak shows as a rise of the least that is held.
 int soak(const QString& city, double minutes, int liveEdits, unsigned seed) {
     WindowUser user(city, seed);
     QElapsedTimer clock;

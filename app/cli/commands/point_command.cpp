@@ -90,11 +90,7 @@ Result<PointCities> citiesOf(const PointOptions& options, const Console& console
 void print(const PointStudy& study, const City& city, const Zone& zone, std::ostream& out) {
     Table table;
     const auto addView = [&](const std::string& name, const PointView& view) {
-        std::string bands;
-        for (const SunBand& band : view.sunlit)
-            bands += fmt::format("{}{}-{}", bands.empty() ? "" : ", ", zone.text(band.from).substr(11, 5),
-                                 zone.text(band.to).substr(11, 5));
-        table.add(name + "sunlit", bands.empty() ? "not at all" : bands);
+        table.add(name + "sunlit", sunlitText(view, zone));
         table.add(name + "sky view factor", fmt::format("{:.3f}", view.factors.skyView));
         if (study.question.facingDeg)
             table.add(name + "vertical sky component", fmt::format("{:.1f} %", view.factors.skyComponentPct));

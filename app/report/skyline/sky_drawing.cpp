@@ -74,8 +74,8 @@ void SkyDrawing::drawBehindWall(double facingDeg) {
                  {{degree, 0}, {degree + 1, 0}, {degree + 1, 90}, {degree, 90}}})
             addPoint(azimuth, altitude, behind);
         fmt::format_to(std::back_inserter(svg_),
-                       "<polygon points=\"{}\" fill=\"#d5d8dc\" stroke=\"#d5d8dc\" stroke-width=\"0.7\"/>\n",
-                       behind);
+                       "<polygon points=\"{0}\" fill=\"{1}\" stroke=\"{1}\" stroke-width=\"0.7\"/>\n", behind,
+                       behindWallFill);
     }
 }
 

@@ -15,6 +15,7 @@ using BuildingColours = std::map<std::uint32_t, std::string>;
 
 /// Of overhangs, below which the sky is seen. No pattern: Qt's reader of SVG knows none.
 inline constexpr const char* overhangFill = "#5b6470";
+inline constexpr const char* behindWallFill = "#d5d8dc";
 
 /// Draws one sky in one frame as SVG elements, from the bottom up.
 class SkyDrawing {

@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int widthPx = 1200, heightPx = 1310;
+constexpr int widthPx = skylineSvgWidthPx, heightPx = 1310;
 constexpr std::array colours{"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#76b7b2",
                              "#9c755f", "#edc948", "#d37295", "#86bcb6", "#8cd17d"};
 constexpr const char* otherBuildings = "#a3a9b0";
@@ -137,7 +137,7 @@ private:
                                   obstacle.widthDeg));
         addSwatch(y += 20, otherBuildings, "other buildings");
         if (!study_.baseline.overhangs.empty()) addSwatch(y += 20, overhangFill, "overhangs");
-        if (study_.question.facingDeg) addSwatch(y += 20, "#d5d8dc", "behind the wall");
+        if (study_.question.facingDeg) addSwatch(y += 20, behindWallFill, "behind the wall");
         if (study_.scenario) addSwatch(y += 20, addedByScenario, "hidden by the scenario alone");
         addPathKeys(y + 30);
     }

@@ -11,6 +11,9 @@
 
 namespace noonmark {
 
+/// The width of the drawing, and the height of its upper part, the cylindrical frame.
+inline constexpr int skylineSvgWidthPx = 1200, skylineSvgUpperPx = 450;
+
 /// The skyline of a point as SVG, in a cylindrical frame (azimuth across, altitude up) and a stereographic
 /// one (the sky from above: north up, east to the right, the zenith in the middle). Buildings that hide most
 /// have colours of their own, listed with the azimuths that each takes; the others are grey, overhangs

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -11,7 +12,7 @@ namespace noonmark {
 namespace {
 
 constexpr double cellWidthPx = 44, cellHeightPx = 20;
-constexpr double leastMinutes = 0.5;
+constexpr double leastMinutes = 0.5;  // of a mean day; less is not written
 constexpr int hours = 24, months = 12;
 
 std::array<int, months> countDays(const SunSteps& sun) {
@@ -51,8 +52,6 @@ void addCell(std::string& svg, glm::dvec2 corner, double before, double after) {
 }
 
 }  // namespace
-
-glm::dvec2 sunCarpetSizePx() { return {hours * cellWidthPx, months * cellHeightPx}; }
 
 void drawSunCarpet(const PointStudy& study, glm::dvec2 corner, std::string& svg) {
     constexpr std::array names{"Jan", "Feb", "Mar", "Apr", "May", "Jun",

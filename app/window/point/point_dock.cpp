@@ -20,18 +20,11 @@ namespace {
 constexpr int textWidth = 260;
 constexpr int savedWidthPx = 2400;
 
-QString bandsText(const PointView& view, const Zone& zone) {
-    QStringList bands;
-    for (const SunBand& band : view.sunlit)
-        bands << QString::fromStdString(zone.text(band.from).substr(11, 5)) + QStringLiteral("-") +
-                     QString::fromStdString(zone.text(band.to).substr(11, 5));
-    return bands.isEmpty() ? PointDock::tr("not at all") : bands.join(QStringLiteral(", "));
-}
-
 QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zone) {
     const double lit = study.possibleMin - view.year.grossMin * double(study.sun.dayCount());
     QString text = PointDock::tr("In the sun on %1: %2\nIn the year: %3 h of %4 h\nSky view factor: %5")
-                       .arg(QString::fromStdString(formatText(study.question.day)), bandsText(view, zone))
+                       .arg(QString::fromStdString(formatText(study.question.day)),
+                            QString::fromStdString(sunlitText(view, zone)))
                        .arg(lit / 60, 0, 'f', 0)
                        .arg(study.possibleMin / 60, 0, 'f', 0)
                        .arg(view.factors.skyView, 0, 'f', 3);
@@ -100,12 +93,12 @@ bool PointDock::eventFilter(QObject* watched, QEvent* event) {
 void PointDock::showAnswer() {
     const auto answer = inspector_.answer();
     save_->setVisible(answer != nullptr);
-    picture_->show(answer ? answer->drawing : QByteArray());
+    picture_->setDrawing(answer ? answer->drawing : QByteArray());
     figures_->clear();
     sentence_->setText(tr("Right-click the ground, a roof or a wall and choose Sun and sky here."));
     if (!answer) return;
     sentence_->setText(answer->sentence);
-    const auto zone = Zone::named(answer->zone.toStdString());
+    const auto zone = Zone::named(answer->study.question.zone);
     if (!zone) return;
     QString figures = figuresOf(answer->study.baseline, answer->study, *zone);
     if (answer->study.scenario)
@@ -114,9 +107,7 @@ void PointDock::showAnswer() {
     figures_->setText(figures);
 }
 
-void PointDock::showError(const Error& error) {
-    sentence_->setText(QString::fromStdString(error.what + ". " + error.advice + "."));
-}
+void PointDock::showError(const Error& error) { sentence_->setText(QString::fromStdString(error.text())); }
 
 Result<void> PointDock::save(const QString& file, const OutputRules& rules) {
     const auto answer = inspector_.answer();

@@ -42,7 +42,7 @@ Result<PointAnswer> answerOf(InspectedCities cities, const PointQuestion& questi
     auto study = measure(cities, question, stop);
     if (!study) return tl::make_unexpected(study.error());
     const City& city = *cities.baseline;
-    PointAnswer answer{*std::move(study), {}, {}, QString::fromStdString(zone->name())};
+    PointAnswer answer{*std::move(study), {}, {}};
     answer.sentence = QString::fromStdString(describe(answer.study, city));
     answer.drawing = QByteArray::fromStdString(skylineSvg(answer.study, city, *zone));
     return answer;

@@ -23,7 +23,6 @@ struct PointAnswer {
     PointStudy study;
     QString sentence;
     QByteArray drawing;  ///< SVG, of skylineSvg()
-    QString zone;        ///< the clock of the times
 };
 
 /// Measures the point that was clicked last, of the displayed scenario and, if that changes the city, of what

@@ -3,18 +3,19 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "app/report/skyline/skyline_svg.h"
+
 namespace noonmark {
 
 namespace {
 
 constexpr int leastWidthPx = 420;
-constexpr double skylineRatio = 1200.0 / 450;  // of the upper part of skylineSvg()
 
 }  // namespace
 
 SkyPicture::SkyPicture(QWidget* parent) : QWidget(parent) {}
 
-void SkyPicture::show(const QByteArray& svg) {
+void SkyPicture::setDrawing(const QByteArray& svg) {
     renderer_.load(svg);
     fitInto(room_);
     update();
@@ -22,7 +23,8 @@ void SkyPicture::show(const QByteArray& svg) {
 
 void SkyPicture::fitInto(QSize room) {
     room_ = room;
-    const int width = std::min(room.width(), std::max(leastWidthPx, int(room.height() * skylineRatio)));
+    const int width = std::min(
+        room.width(), std::max(leastWidthPx, int(room.height() * skylineSvgWidthPx / skylineSvgUpperPx)));
     setFixedSize(width, heightFor(width));
 }
 

@@ -11,8 +11,8 @@ class SkyPicture final : public QWidget {
 public:
     explicit SkyPicture(QWidget* parent = nullptr);
 
-    void show(const QByteArray& svg);  ///< empty: nothing
-    void fitInto(QSize room);          ///< the visible size
+    void setDrawing(const QByteArray& svg);  ///< empty: nothing
+    void fitInto(QSize room);                ///< the visible size
     /// The drawing as a picture of this width.
     [[nodiscard]] QImage image(int widthPx);
 

@@ -179,6 +179,14 @@ std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
     return widths;
 }
 
+std::string sunlitText(const PointView& view, const Zone& zone) {
+    const auto clock = [&zone](Instant at) { return zone.text(at).substr(11, 5); };
+    std::string text;
+    for (const SunBand& band : view.sunlit)
+        text += fmt::format("{}{}-{}", text.empty() ? "" : ", ", clock(band.from), clock(band.to));
+    return text.empty() ? "not at all" : text;
+}
+
 std::string pointCsv(const PointStudy& study) {
     std::string csv = study.scenario ? "month,hour,baseline_min,scenario_min\n" : "month,hour,baseline_min\n";
     for (std::size_t month = 0; month < study.baseline.minutes.size(); ++month)

@@ -18,6 +18,9 @@ std::string describe(const PointStudy& study, const City& city);
 /// buildings.
 nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, const Zone& zone);
 
+/// The sunlit times of the day on the clock: "09:46-10:41, 12:06-14:15", or "not at all".
+std::string sunlitText(const PointView& view, const Zone& zone);
+
 /// Sunlit minutes of the year: a line for each month and hour of the wall clock, with the scenario's in a
 /// column of their own.
 std::string pointCsv(const PointStudy& study);
