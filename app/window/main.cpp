@@ -39,9 +39,7 @@ QStringList filesOf(const noonmark::WindowArguments& arguments) {
     return files.isEmpty() ? QStringList{QStringLiteral("sample:central-park-south")} : files;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     noonmark::WindowArguments arguments;
     if (const auto chosen = noonmark::useInstructionSetOfEnvironment(); !chosen) {
         std::cerr << "noonmark: " << chosen.error().text() << '\n';
@@ -60,4 +58,15 @@ int main(int argc, char** argv) {
     window.open(filesOf(arguments));
     if (arguments.files.empty()) window.help().showStart();
     return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "noonmark: " << error.what() << '\n';
+        return 1;
+    }
 }

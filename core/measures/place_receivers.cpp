@@ -39,7 +39,7 @@ std::vector<CellSpan> spansIn(const Place& place, const Receivers& receivers) {
 }
 
 // Joins spans that follow or overlap each other: polygons of a place may touch.
-std::vector<CellSpan> joined(std::vector<CellSpan> spans) {
+std::vector<CellSpan> joined(const std::vector<CellSpan>& spans) {
     std::vector<CellSpan> all;
     for (const CellSpan& span : spans) {
         if (all.empty() || span.first > all.back().first + all.back().count)

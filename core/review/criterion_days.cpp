@@ -106,8 +106,8 @@ Measured measureShare(const Criterion& criterion, const DayShadow& day, bool for
     std::array<std::size_t, 3> meeting{};
     const std::size_t cells = runs.total.size();
     for (std::size_t cell = 0; cell < cells; ++cell)
-        for (const int sign : {-1, 0, 1})
-            meeting[std::size_t(sign + 1)] += meets(criterion.spot, runs, cell, day, sign) ? 1 : 0;
+        for (std::size_t bound = 0; bound < meeting.size(); ++bound)
+            meeting[bound] += meets(criterion.spot, runs, cell, day, int(bound) - 1) ? 1 : 0;
     if (cells == 0) return {};
     const auto share = [&](double count) { return std::clamp(count / double(cells), 0.0, 1.0); };
     // A cell on the edge of the place may be in or out; where all or no cells meet the condition it changes

@@ -11,7 +11,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t largestRuleFile = 256 * 1024;
+constexpr std::size_t largestRuleFile = std::size_t{256} * 1024;
 constexpr int deepestRule = 12;
 
 /// Notes what nlohmann's parser accepts and a rule may not have.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/sun/close_names.h"
 
@@ -84,7 +85,7 @@ std::string RuleFields::text(const char* key) {
 }
 
 std::string RuleFields::textOr(const char* key, std::string otherwise) {
-    return has(key) ? text(key) : otherwise;
+    return has(key) ? text(key) : std::move(otherwise);
 }
 
 double RuleFields::number(const char* key, double lowest, double highest) {

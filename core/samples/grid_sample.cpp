@@ -29,7 +29,7 @@ struct Extent {
 Extent extentFor(int buildings) {
     const double blocks = buildings / lotsPerBlock;
     const double columns = std::sqrt(blocks * rowM / (columnM * longerThanWide));
-    const int whole = std::max(1, int(columns + 0.5));
+    const int whole = std::max(1, int(std::lround(columns)));
     return {whole, std::ceil(blocks / whole) * rowM};
 }
 

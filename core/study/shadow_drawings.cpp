@@ -98,8 +98,8 @@ std::vector<DrawnTime> timesOf(const std::vector<RuleMoment>& moments, const std
         const std::string day = formatText(moment.day);
         std::string digits = moment.clock;
         std::erase(digits, ':');
-        times.push_back(
-            {day + "_" + digits, day, fmt::format("{} {} {}", day, moment.clock, clock), moment.sun});
+        times.push_back({fmt::format("{}_{}", day, digits), day,
+                         fmt::format("{} {} {}", day, moment.clock, clock), moment.sun});
     }
     return times;
 }

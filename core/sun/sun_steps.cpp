@@ -232,8 +232,9 @@ Result<SunSteps> computeSunSteps(std::span<const DayWindow> windows, const StepR
     return joinDays(std::move(days), rule.stepMinutes);
 }
 
-Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer, std::stop_token stop) {
-    auto sun = computeSunSteps(period, observer, std::move(stop));
+Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer,
+                                      const std::stop_token& stop) {
+    auto sun = computeSunSteps(period, observer, stop);
     if (sun && sun->steps.empty())
         return failure("The sun is below the horizon all the time", formatText(period),
                        "Choose other hours or days");

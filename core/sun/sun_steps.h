@@ -71,6 +71,7 @@ Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
                                  const std::stop_token& stop = {});
 
 /// The same; error where the sun is below the horizon at all steps.
-Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer, std::stop_token stop);
+Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer,
+                                      const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -11,7 +11,7 @@
 
 #include "render/scene/array_entity.h"
 #include "render/scene/city_arrays.h"
-#include "render/scene/handle_shape.h"
+#include "render/scene/mark_shapes.h"
 #include "render/scene/shader_material.h"
 
 namespace noonmark {
@@ -25,6 +25,8 @@ constexpr QColor edgeColour{0x05, 0x3d, 0x30};
 constexpr QColor lotColour{0x0a, 0x6f, 0x4f, 235};
 constexpr QColor handleColour{0xc2, 0x18, 0x8b, 255};
 constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
+constexpr QColor pinColour{0xd5, 0x5e, 0x00, 255};
+constexpr double pinPx = 34;
 
 QVector4D vectorOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
 
@@ -66,8 +68,10 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* par
     line_->blend();
     line_->alwaysVisible();
     line_->bothSides();
-    handleMaterial_ = made("handle");
+    handle_.material = made("mark");
     lightHandle(false);
+    pin_.material = made("mark");
+    pin_.material->set(QStringLiteral("tint"), vectorOf(pinColour));
 }
 
 OverlayBodies::~OverlayBodies() { delete root_; }
@@ -92,34 +96,37 @@ void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
     if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *line_, root_, blended_);
 }
 
-void OverlayBodies::makeHandle() {
-    const TriangleMesh arrow = makeDoubleArrow(float(handlePx));
-    handle_ = makeArrayEntity(
-        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrow.vertices, indicesOf(arrow)),
-        *handleMaterial_, root_);
+void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at, const TriangleMesh& shape) {
+    mark.at = at;
+    if (!at) return drop(mark.entity);
+    mark.material->set(QStringLiteral("anchor"), QVector3D(float(at->x), float(at->y), float(at->z)));
+    if (mark.entity) return;
+    mark.entity = makeArrayEntity(
+        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, shape.vertices, indicesOf(shape)),
+        *mark.material, root_);
 }
 
 void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) {
-    foot_ = foot;
-    if (!foot) return drop(handle_);
-    handleMaterial_->set(QStringLiteral("anchor"), QVector3D(float(foot->x), float(foot->y), float(foot->z)));
-    if (!handle_) makeHandle();
+    show(handle_, foot, makeDoubleArrow(float(handlePx)));
 }
 
+void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip, makePin(float(pinPx))); }
+
 void OverlayBodies::lightHandle(bool lit) {
-    handleMaterial_->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));
+    handle_.material->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));
 }
 
 std::optional<glm::dvec2> OverlayBodies::handlePixel(const CameraPose& pose, const ViewLens& lens) const {
-    if (!foot_) return std::nullopt;
-    const auto foot = pixelOf(pose, lens, *foot_);
+    if (!handle_.at) return std::nullopt;
+    const auto foot = pixelOf(pose, lens, *handle_.at);
     if (!foot) return foot;
     return *foot - glm::dvec2(0, handlePx / 2);
 }
 
 void OverlayBodies::setLens(const ViewLens& lens) {
     const double atOneMetre = 2 * std::tan(glm::radians(lens.verticalDeg) / 2) / lens.heightPx;
-    handleMaterial_->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
+    for (const Mark& mark : {handle_, pin_})
+        mark.material->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
     line_->set(QStringLiteral("viewSize"), QVector2D(float(lens.widthPx), float(lens.heightPx)));
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/city/city.h"
+#include "core/city/meshes/mesh.h"
 #include "render/scene/outline_geometry.h"
 #include "render/view/view_ray.h"
 
@@ -20,8 +21,9 @@ namespace noonmark {
 
 class ShaderMaterial;
 
-/// What the user is editing, drawn over the city: tinted buildings, a proposed building, lines, and a drag
-/// handle. Each can be replaced on its own many times a second; the city's arrays do not change.
+/// What the user is editing or asking about, drawn over the city: tinted buildings, a proposed building,
+/// lines, a drag handle and a pin. Each can be replaced on its own many times a second; the city's arrays do
+/// not change.
 class OverlayBodies {
 public:
     enum class Tint { hovered, selected, proposed };
@@ -39,6 +41,9 @@ public:
     /// Shows a vertical double arrow at this point, with a constant size in pixels.
     void showHandle(std::optional<glm::dvec3> foot);
     void lightHandle(bool lit);  ///< under the cursor
+    /// Shows a pin whose tip is at this point, with a constant size in pixels and in front of everything.
+    void showPin(std::optional<glm::dvec3> tip);
+    [[nodiscard]] const std::optional<glm::dvec3>& pin() const { return pin_.at; }
 
     /// The pixel of the handle's centre; empty without a handle, or where it is behind the eye.
     [[nodiscard]] std::optional<glm::dvec2> handlePixel(const CameraPose& pose, const ViewLens& lens) const;
@@ -54,8 +59,14 @@ private:
         Qt3DCore::QEntity* faces = nullptr;
         Qt3DCore::QEntity* edges = nullptr;
     };
+    /// A solid of a constant size in pixels.
+    struct Mark {
+        ShaderMaterial* material = nullptr;
+        Qt3DCore::QEntity* entity = nullptr;
+        std::optional<glm::dvec3> at;
+    };
     Body& of(Tint tint) { return bodies_[std::size_t(tint)]; }
-    void makeHandle();
+    void show(Mark& mark, std::optional<glm::dvec3> at, const TriangleMesh& shape);
 
     Qt3DCore::QEntity* root_;
     Qt3DRender::QLayer* layer_;
@@ -63,10 +74,8 @@ private:
     std::array<Body, 3> bodies_;
     ShaderMaterial* edge_;
     ShaderMaterial* line_;
-    ShaderMaterial* handleMaterial_;
     Qt3DCore::QEntity* lines_ = nullptr;
-    Qt3DCore::QEntity* handle_ = nullptr;
-    std::optional<glm::dvec3> foot_;
+    Mark handle_, pin_;
 };
 
 }  // namespace noonmark

@@ -168,10 +168,11 @@ SavedLayer readLayer(Database& database, const Statement& row, const Grid& grid)
     checkTable(database, table, {"id", "zoom_level", "tile_column", "tile_row", "tile_data"});
     Statement tile = database.prepare("SELECT id, tile_column, tile_row, tile_data FROM " + table +
                                       " WHERE zoom_level = 0");
+    const int lastColumn = (grid.columns - 1) / tileCells, lastRow = (grid.rows - 1) / tileCells;
     while (tile.step()) {
         const CheckedRow checked(tile, table.c_str());
-        const int column = checked.integer(1, "tile_column", {0, double((grid.columns - 1) / tileCells)});
-        const int line = checked.integer(2, "tile_row", {0, double((grid.rows - 1) / tileCells)});
+        const int column = checked.integer(1, "tile_column", {0, double(lastColumn)});
+        const int line = checked.integer(2, "tile_row", {0, double(lastRow)});
         if (!decodeTile(tile.blob(3), grid, column, line, layer.values)) checked.refuse("a broken tile");
     }
     for (const float value : layer.values)

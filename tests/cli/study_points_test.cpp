@@ -107,6 +107,26 @@ TEST_F(StudyPoints, OptionsThatDoNotBelongAreRefused) {
     EXPECT_EQ(noonmarkCli({"city-study", "sample:grid", "--receivers", "facades"}).code, exitUsage);
 }
 
+TEST_F(StudyPoints, NamedBuildingsAndWindowsNeedNoRegion) {
+    const auto withoutRegion = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"study",       folder_.file("city.geojson", house).string(),
+                                           "--start",     "2026-03-21",
+                                           "--zone",      "UTC",
+                                           "--receivers", "facades",
+                                           "--out",       out_.string(),
+                                           "--json",      "--overwrite"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    };
+    const std::vector<std::string> named{"--facades-of", "A", "--from", "14:00"};
+    const Spoken spoken = withoutRegion(named);
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const std::string repeat = spoken.json()["repeat"].get<std::string>();
+    EXPECT_THAT(repeat, HasSubstr("--region "));
+    EXPECT_EQ(withoutRegion({"--facades-of", "all"}).code, exitUsage) << "all of which region?";
+    EXPECT_EQ(withoutRegion({}).code, exitUsage);
+}
+
 TEST_F(StudyPoints, APlaneAboveTheGround) {
     const Spoken spoken = study({"--receivers", "plane", "--plane-height", "4", "--cell", "5", "--json"});
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/report/maps/palette.h"
 #include "app/window/looks/icons.h"
 #include "app/window/widgets/message_bar.h"
 #include "tests/gui/project_window.h"
@@ -52,6 +53,19 @@ TEST_F(Themes, AreReadableInBothColours) {
                 << int(theme) << ", role " << int(text);
         for (const NoteColours& colours : {noteColours(theme), errorColours(theme), warningColours(theme)})
             EXPECT_GE(contrastOf(colours.text, colours.background), 4.5);
+    }
+}
+
+TEST_F(Themes, LegendsAndChartsAreReadableInBothColours) {
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        const Inks inks = inksOf(theme);
+        for (const QColor& colour : {inks.text, inks.quiet}) EXPECT_GE(contrastOf(colour, inks.paper), 4.5);
+        for (const QColor& colour : {shade::proposal, shade::incremental, shade::baseline}) {
+            const QColor shown = readableOn(inks.paper, colour);
+            EXPECT_GE(contrastOf(shown, inks.paper), 1.8) << int(theme) << ' ' << colour.name().toStdString();
+            EXPECT_TRUE(theme == Theme::dark || shown == colour) << "as printed";
+        }
+        EXPECT_GE(contrastOf(readableOn(inks.paper, shade::proposal), inks.paper), 3) << "a thin line";
     }
 }
 

@@ -45,6 +45,22 @@ TEST_F(ProjectWindow, APointShowsItsSunAndFollowsTheDay) {
     EXPECT_EQ(points.answer()->study.question.day, look.date);
 }
 
+TEST_F(ProjectWindow, APinMarksThePointWhileItsAnswerIsVisible) {
+    PointInspector& points = window->points();
+    OverlayBodies& overlay = window->panel().view().overlay();
+    EXPECT_FALSE(overlay.pin());
+    points.setVisible(true);
+    points.inspect({{3, 4, 0}, {}, {0, 0, 1}});
+    ASSERT_TRUE(overlay.pin());
+    EXPECT_EQ(*overlay.pin(), glm::dvec3(3, 4, 0));
+    points.setVisible(false);
+    EXPECT_FALSE(overlay.pin());
+    points.setVisible(true);
+    EXPECT_TRUE(overlay.pin());
+    points.forget();
+    EXPECT_FALSE(overlay.pin());
+}
+
 TEST_F(ProjectWindow, APointIsSavedAsDrawingPictureAndTable) {
     const Box2 box = bounds(workbench().city()->city());
     window->points().inspect({{box.low.x - 5, box.low.y - 5, 0}, {}, {0, 0, 1}});

@@ -1,4 +1,5 @@
 // Hostile project files: any number, table or statement in them may be malicious.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -285,14 +286,13 @@ TEST_F(HostileProject, ChangedCellsNeverCrash) {
         for (int i = 0; i < 1 + int(random() % 2); ++i) {
             const auto [table, column] = any(cells);
             // A blob keeps most of its bytes; other values are replaced.
-            const std::string old = "cast(" + column + " AS blob)";
-            const std::string at = std::to_string(1 + random() % 60);
-            const std::string flipped = "CASE typeof(" + column + ") WHEN 'blob' THEN cast(substr(" + old +
-                                        ", 1, " + at + ") || randomblob(1) || substr(" + old + ", " + at +
-                                        " + 2) AS blob) ELSE " + any(values) + " END";
-            sql("UPDATE OR IGNORE \"" + table + "\" SET " + column + " = " +
-                (random() % 2 == 0 ? flipped : any(values)) +
-                (random() % 2 == 0 ? "" : " WHERE rowid % 2 = 1"));
+            const std::string flipped = fmt::format(
+                "CASE typeof({0}) WHEN 'blob' THEN cast(substr(cast({0} AS blob), 1, {1}) || "
+                "randomblob(1) || substr(cast({0} AS blob), {1} + 2) AS blob) ELSE {2} END",
+                column, 1 + random() % 60, any(values));
+            const std::string value = random() % 2 == 0 ? flipped : any(values);
+            sql(fmt::format("UPDATE OR IGNORE \"{}\" SET {} = {}{}", table, column, value,
+                            random() % 2 == 0 ? "" : " WHERE rowid % 2 = 1"));
         }
         SCOPED_TRACE(round);
         useAll(file());

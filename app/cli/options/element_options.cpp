@@ -7,13 +7,21 @@ namespace noonmark::cli {
 
 namespace {
 
-void addFacadeOptions(CLI::App& command, ElementSettings& elements) {
+/// Named buildings and windows have places of their own: the region may be left out, and is the city then.
+void makeRegionOptional(CLI::App& command, StudyOptions& options) {
+    command.get_option("--region")->required(false);
+    if (options.region.empty()) options.region = "city";
+}
+
+void addFacadeOptions(CLI::App& command, StudyOptions& options) {
+    ElementSettings& elements = options.elements;
     command
         .add_option_function<std::vector<std::string>>(
             "--facades-of",
-            [&elements](const std::vector<std::string>& names) {
-                elements.buildings = names;
-                if (names.size() == 1 && names.front() == "all") elements.buildings.clear();
+            [&command, &options](const std::vector<std::string>& names) {
+                if (names.size() == 1 && names.front() == "all") return;
+                options.elements.buildings = names;
+                makeRegionOptional(command, options);
             },
             "Facades: buildings of the region by name or id (default: all, those whose middle is in the "
             "region); may be repeated")
@@ -29,10 +37,15 @@ void addFacadeOptions(CLI::App& command, ElementSettings& elements) {
     addMetres("--above-floor", facades.aboveFloorM, "Facades: height of the points above the floor", 0, 50);
 }
 
-void addWindowOptions(CLI::App& command, ElementSettings& elements) {
+void addWindowOptions(CLI::App& command, StudyOptions& options) {
+    ElementSettings& elements = options.elements;
     command
         .add_option_function<std::string>(
-            "--windows", [&elements](const std::string& file) { elements.windows = file; },
+            "--windows",
+            [&command, &options](const std::string& file) {
+                options.elements.windows = file;
+                makeRegionOptional(command, options);
+            },
             "Windows: a file of points or polygons with heights (fields id, azimuth, floor)")
         ->type_name("FILE");
     command
@@ -62,8 +75,8 @@ Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces
 }  // namespace
 
 void addElementOptions(CLI::App& command, StudyOptions& options) {
-    addFacadeOptions(command, options.elements);
-    addWindowOptions(command, options.elements);
+    addFacadeOptions(command, options);
+    addWindowOptions(command, options);
     command
         .add_option("--plane-height", options.elements.planeHeightM,
                     "Plane: its height above the mean of the region's ground")

@@ -1,5 +1,7 @@
 #include "app/cli/tiles/study_arguments.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace noonmark::cli {
@@ -14,7 +16,7 @@ std::vector<std::string> listArguments(const CLI::App& command, const std::vecto
             words.push_back(name);
             continue;
         }
-        for (const std::string& value : option->results()) words.push_back(name + "=" + value);
+        for (const std::string& value : option->results()) words.push_back(fmt::format("{}={}", name, value));
     }
     return words;
 }

@@ -40,7 +40,8 @@ void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart
         const QPointF top(xOf(axes.across, axes.plot, from),
                           yOf(axes.up, axes.plot, values[i] / axes.unitM2));
         const QPointF foot(xOf(axes.across, axes.plot, from + barShare * width), yOf(axes.up, axes.plot, 0));
-        canvas.painter.fillRect(QRectF(top, foot).normalized(), chart.series[i].colour);
+        canvas.painter.fillRect(QRectF(top, foot).normalized(),
+                                readableOn(canvas.inks.paper, chart.series[i].colour));
     }
 }
 

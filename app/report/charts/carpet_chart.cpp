@@ -93,13 +93,14 @@ CarpetAxes axesOf(const QRectF& area, double point, const CarpetChart& chart) {
     return {plot, monthAxis(chart), up};
 }
 
-QImage imageOf(const CarpetChart& chart) {
+QImage imageOf(const CarpetChart& chart, const QColor& paper) {
     QImage image(columnCount(chart), int(chart.rows), QImage::Format_RGB32);
-    image.fill(ink::paper);
+    image.fill(paper);
     for (std::size_t day = 0; day < chart.days.size(); ++day) {
         const auto [first, end] = columnsOf(chart, day);
         for (std::size_t row = 0; row < chart.rows; ++row) {
-            const QColor colour = carpetColour(chart.shares[day * chart.rows + row], chart.quantity);
+            const float share = chart.shares[day * chart.rows + row];
+            const QColor colour = std::isnan(share) ? paper : carpetColour(share, chart.quantity);
             for (int x = first; x < end; ++x) image.setPixelColor(x, int(chart.rows - 1 - row), colour);
         }
     }
@@ -116,7 +117,7 @@ void paintShares(const Canvas& canvas, const QRectF& plot, CarpetQuantity quanti
         canvas.painter.fillRect(keyBox(canvas, plot, at, partPt),
                                 carpetColour(i / double(parts - 1), quantity));
     at = paintKeyText(canvas, plot, at + gapPt, QObject::tr("100 % of the place")) + 12;
-    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.5));
+    canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.5));
     canvas.painter.drawRect(keyBox(canvas, plot, at, 9));
     paintKeyText(canvas, plot, at + 9 + gapPt, QObject::tr("not counted"));
 }
@@ -124,7 +125,6 @@ void paintShares(const Canvas& canvas, const QRectF& plot, CarpetQuantity quanti
 }  // namespace
 
 QColor carpetColour(double share, CarpetQuantity quantity) {
-    if (std::isnan(share)) return ink::paper;
     if (quantity != CarpetQuantity::incremental) return shadowColour(share);
     if (share <= 0) return {0xee, 0xef, 0xf1};
     return impactColour(0.15 + 0.85 * share);
@@ -151,7 +151,7 @@ void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& ch
         const CarpetAxes axes = axesOf(area, canvas.point, chart);
         canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
         canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-        canvas.painter.drawImage(axes.plot, imageOf(chart));
+        canvas.painter.drawImage(axes.plot, imageOf(chart, canvas.inks.paper));
         paintAxes(canvas, axes.plot, axes.across, axes.up);
         paintShares(canvas, axes.plot, chart.quantity);
     }

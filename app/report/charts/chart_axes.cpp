@@ -29,12 +29,12 @@ void paintTicksAcross(const Canvas& canvas, const QRectF& plot, const ChartAxis&
     double free = -std::numeric_limits<double>::infinity();  // right of the text before
     for (const Tick& tick : axis.ticks) {
         const double x = xOf(axis, plot, tick.at);
-        canvas.painter.setPen(linePen(canvas, ink::line, 0.5));
+        canvas.painter.setPen(linePen(canvas, canvas.inks.line, 0.5));
         if (tick.line) canvas.painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         const double half = widthOf(canvas, tick.text, tickPt) / 2;
         if (half <= 0 || x - half < free) continue;
         paintText(canvas, {x - half, plot.bottom() + 2 * pt, 2 * half, 10 * pt},
-                  Qt::AlignHCenter | Qt::AlignTop, tick.text, tickPt, ink::quiet);
+                  Qt::AlignHCenter | Qt::AlignTop, tick.text, tickPt, canvas.inks.quiet);
         free = x + half + 3 * pt;
     }
 }
@@ -43,10 +43,10 @@ void paintTicksUp(const Canvas& canvas, const QRectF& plot, const ChartAxis& axi
     const double pt = canvas.point;
     for (const Tick& tick : axis.ticks) {
         const double y = yOf(axis, plot, tick.at);
-        canvas.painter.setPen(linePen(canvas, ink::line, 0.5));
+        canvas.painter.setPen(linePen(canvas, canvas.inks.line, 0.5));
         if (tick.line) canvas.painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         paintText(canvas, {plot.left() - leftPt * pt, y - 6 * pt, (leftPt - 4) * pt, 12 * pt},
-                  Qt::AlignRight | Qt::AlignVCenter, tick.text, tickPt, ink::quiet);
+                  Qt::AlignRight | Qt::AlignVCenter, tick.text, tickPt, canvas.inks.quiet);
     }
 }
 
@@ -107,12 +107,12 @@ double valueAt(const ChartAxis& axis, const QRectF& plot, double x) {
 void paintAxes(const Canvas& canvas, const QRectF& plot, const ChartAxis& across, const ChartAxis& up) {
     paintTicksAcross(canvas, plot, across);
     paintTicksUp(canvas, plot, up);
-    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.6));
+    canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.6));
     canvas.painter.setBrush(Qt::NoBrush);
     canvas.painter.drawRect(plot);
     const double pt = canvas.point;
     paintText(canvas, {plot.left() - leftPt * pt, plot.top() - topPt * pt, (leftPt - 4) * pt, 10 * pt},
-              Qt::AlignRight | Qt::AlignVCenter, up.title, titlePt, ink::quiet);
+              Qt::AlignRight | Qt::AlignVCenter, up.title, titlePt, canvas.inks.quiet);
 }
 
 QRectF keyBox(const Canvas& canvas, const QRectF& plot, double fromPt, double widthPt) {
@@ -124,7 +124,7 @@ double paintKeyText(const Canvas& canvas, const QRectF& plot, double fromPt, con
     const double width = widthOf(canvas, text, keyPt);
     const QRectF box = keyBox(canvas, plot, fromPt, width / canvas.point);
     paintText(canvas, box.adjusted(0, -3 * canvas.point, 0, 3 * canvas.point),
-              Qt::AlignLeft | Qt::AlignVCenter, text, keyPt, ink::text);
+              Qt::AlignLeft | Qt::AlignVCenter, text, keyPt, canvas.inks.text);
     return fromPt + width / canvas.point;
 }
 
@@ -133,19 +133,20 @@ void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<Chart
     double at = 0;
     for (const ChartKey& key : keys) {
         const QRectF box = keyBox(canvas, plot, at, keyBoxPt);
+        const QColor colour = readableOn(canvas.inks.paper, key.colour);
         if (key.line) {
-            canvas.painter.setPen(linePen(canvas, key.colour, 1.5));
+            canvas.painter.setPen(linePen(canvas, colour, 1.5));
             canvas.painter.drawLine(QPointF(box.left(), box.center().y()),
                                     QPointF(box.right(), box.center().y()));
         } else {
-            canvas.painter.fillRect(box, key.colour);
+            canvas.painter.fillRect(box, colour);
         }
         at = paintKeyText(canvas, plot, at + keyBoxPt + keyGapPt, key.text) + apartPt;
     }
 }
 
 void paintNothing(const Canvas& canvas, const QRectF& area, const QString& words) {
-    paintText(canvas, area, Qt::AlignCenter | Qt::TextWordWrap, words, 9, ink::quiet);
+    paintText(canvas, area, Qt::AlignCenter | Qt::TextWordWrap, words, 9, canvas.inks.quiet);
 }
 
 QString formatClock(double minutes) {

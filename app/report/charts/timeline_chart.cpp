@@ -148,7 +148,7 @@ void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart
         fillBands(canvas, axes, chart);
         paintAxes(canvas, axes.plot, axes.across, axes.up);
         canvas.painter.setBrush(Qt::NoBrush);
-        canvas.painter.setPen(linePen(canvas, shade::proposal, 1));
+        canvas.painter.setPen(linePen(canvas, readableOn(canvas.inks.paper, shade::proposal), 1));
         for (const QPolygonF& line : linesOf(axes, chart, [](const Sample& s) { return s.scenarioM2; }))
             canvas.painter.drawPolyline(line);
         paintLegend(canvas, axes.plot, chart);

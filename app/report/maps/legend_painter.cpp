@@ -26,11 +26,11 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     const QFont bold = textFont(canvas, titlePt, QFont::Bold);
     const double baseline = area.top() + titlePt * canvas.point;
     painter.setFont(bold);
-    painter.setPen(ink::text);
+    painter.setPen(canvas.inks.text);
     painter.drawText(QPointF(area.left(), baseline), legend.title);
     const double used = QFontMetricsF(bold).horizontalAdvance(legend.title + QStringLiteral("  "));
     painter.setFont(textFont(canvas, titlePt));
-    painter.setPen(ink::quiet);
+    painter.setPen(canvas.inks.quiet);
     painter.drawText(QPointF(area.left() + used, baseline),
                      fittingParts(legend.unit, QFontMetricsF(painter.font()), area.width() - used));
 }
@@ -52,7 +52,7 @@ void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
         gradient.setColorAt(share, colourAt(legend, share));
     }
     canvas.painter.setBrush(gradient);
-    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
+    canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
     canvas.painter.drawRect(bar);
 }
 
@@ -95,19 +95,19 @@ void paintTicks(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     canvas.painter.setFont(textFont(canvas, labelPt));
     for (int i = 0; i <= ticks; ++i) {
         const double x = bar.left() + bar.width() * i / ticks;
-        canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
+        canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
         canvas.painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tickPt * canvas.point));
-        canvas.painter.setPen(ink::text);
+        canvas.painter.setPen(canvas.inks.text);
         if ((i - first) % stride == 0) paintLabel(canvas, bar, x, labels[i]);
     }
 }
 
 void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour, const QString& label) {
     canvas.painter.setBrush(colour);
-    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
+    canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
     canvas.painter.drawRect(patch);
     canvas.painter.setFont(textFont(canvas, labelPt));
-    canvas.painter.setPen(ink::text);
+    canvas.painter.setPen(canvas.inks.text);
     canvas.painter.drawText(QPointF(patch.right() + 4 * canvas.point, patch.bottom() - 1.5 * canvas.point),
                             label);
 }

@@ -41,9 +41,9 @@ void paintLabel(const Canvas& canvas, double x, double baseline, const QString& 
 }
 
 void paintFields(const Canvas& canvas, const QRectF& bar, int parts) {
-    canvas.painter.setPen(linePen(canvas, ink::text, 0.5));
+    canvas.painter.setPen(linePen(canvas, canvas.inks.text, 0.5));
     for (int i = 0; i < parts; ++i) {
-        canvas.painter.setBrush(i % 2 == 0 ? ink::text : ink::paper);
+        canvas.painter.setBrush(i % 2 == 0 ? canvas.inks.text : canvas.inks.paper);
         canvas.painter.drawRect(
             QRectF(bar.left() + bar.width() * i / parts, bar.top(), bar.width() / parts, bar.height()));
     }
@@ -69,7 +69,7 @@ void paintScaleBar(const Canvas& canvas, const QRectF& area, const ScaleBar& sca
     const QRectF bar(area.right() - endLabel / 2 - length, area.top() + 13 * canvas.point, length,
                      barPt * canvas.point);
     paintFields(canvas, bar, scale.parts);
-    canvas.painter.setPen(ink::text);
+    canvas.painter.setPen(canvas.inks.text);
     const double baseline = bar.top() - 3 * canvas.point;
     paintLabel(canvas, bar.left(), baseline, QStringLiteral("0"));
     paintLabel(canvas, bar.right(), baseline, number + unit);
@@ -89,12 +89,12 @@ void paintNorthArrow(const Canvas& canvas, const QRectF& area) {
     east.closeSubpath();
     canvas.painter.save();
     canvas.painter.setRenderHint(QPainter::Antialiasing);
-    canvas.painter.setPen(linePen(canvas, ink::text, 0.5));
-    canvas.painter.fillPath(west, ink::text);
-    canvas.painter.setBrush(ink::paper);
+    canvas.painter.setPen(linePen(canvas, canvas.inks.text, 0.5));
+    canvas.painter.fillPath(west, canvas.inks.text);
+    canvas.painter.setBrush(canvas.inks.paper);
     canvas.painter.drawPath(east);
     canvas.painter.setFont(textFont(canvas, labelPt, QFont::Bold));
-    canvas.painter.setPen(ink::text);
+    canvas.painter.setPen(canvas.inks.text);
     paintLabel(canvas, tip.x(), area.top() + 6.5 * point, QStringLiteral("N"));
     canvas.painter.restore();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace noonmark {
 
@@ -12,6 +13,13 @@ QFont sizeFont(const Canvas& canvas, QFont font, double points) {
     return font;
 }
 }  // namespace
+
+QColor readableOn(const QColor& paper, const QColor& colour) {
+    constexpr int leastDifference = 60;  // of lightness, of 255
+    const int lightness = colour.lightness();
+    if (std::abs(lightness - paper.lightness()) >= leastDifference) return colour;
+    return QColor::fromHsl(colour.hslHue(), colour.hslSaturation(), 255 - lightness);
+}
 
 QFont textFont(const Canvas& canvas, double points, QFont::Weight weight) {
     QFont font;

@@ -6,14 +6,6 @@
 
 namespace noonmark {
 
-/// A painter and the size of a typographic point (1/72 inch in print) in its units. All text sizes and line
-/// widths are in points, so that a picture on screen and a printed page look the same. Does not own the
-/// painter.
-struct Canvas {
-    QPainter& painter;
-    double point = 1;
-};
-
 namespace ink {
 constexpr QColor text{0x1d, 0x20, 0x27};
 constexpr QColor heading{0x3b, 0x2a, 0x6e};  ///< the dark end of the palette
@@ -25,6 +17,25 @@ constexpr QColor buildingLine{0x7c, 0x7f, 0x84};
 constexpr QColor context{0xe3, 0xe4, 0xe6};  ///< a building outside the region
 constexpr QColor contextLine{0xcf, 0xd1, 0xd4};
 }  // namespace ink
+
+/// The colours of text and lines, and of the paper under them: as printed, unless a dark window asks for
+/// others.
+struct Inks {
+    QColor text = ink::text, quiet = ink::quiet, line = ink::line, paper = ink::paper;
+};
+
+/// A painter and the size of a typographic point (1/72 inch in print) in its units. All text sizes and line
+/// widths are in points, so that a picture on screen and a printed page look the same. Does not own the
+/// painter.
+struct Canvas {
+    QPainter& painter;
+    double point = 1;
+    Inks inks{};
+};
+
+/// `colour`, or where it is about as light as the paper, the colour of the same hue that is as much lighter
+/// or darker than medium as this one is darker or lighter.
+QColor readableOn(const QColor& paper, const QColor& colour);
 
 /// Roboto, or a fallback, `points` high on `canvas`. Unhinted, so that lines break in the same places at
 /// every size.

@@ -9,7 +9,7 @@ namespace noonmark {
 namespace {
 
 // A tab or a line end inside a cell would begin another one.
-QString plainCell(QString text) { return text.simplified(); }
+QString plainCell(const QString& text) { return text.simplified(); }
 
 QString lineOf(const QAbstractItemModel& model, int row, const QModelIndex& parent) {
     QStringList cells;

@@ -33,7 +33,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 7;
+constexpr int layoutVersion = 8;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -140,14 +140,15 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::makeToolBars(const WindowActions& actions) {
-    QToolBar* tools = addToolBar(tr("Tools"));
-    tools->setObjectName(QStringLiteral("toolBar"));
-    fillToolBar(*tools, actions);
+    // First, so that a narrow window shows it whole and moves tools into the menu at the end.
     QToolBar* bar = addToolBar(tr("Mode"));
     bar->setObjectName(QStringLiteral("modeBar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addActions(mode_.actions());
     bar->addWidget(new ScenarioBar(workbench_.session()));
+    QToolBar* tools = addToolBar(tr("Tools"));
+    tools->setObjectName(QStringLiteral("toolBar"));
+    fillToolBar(*tools, actions);
 }
 
 void MainWindow::connectJobs() {

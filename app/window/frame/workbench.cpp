@@ -37,8 +37,8 @@ void Workbench::open(const QStringList& files, const ReadSettings& reading) {
     running_.cancel();
     opening_.start<OpenProject>(
         tr("Opening %1").arg(QFileInfo(files.front()).fileName()),
-        [files = textsOf(files), reading](Progress& progress, std::stop_token stop) {
-            return openProject(files, reading, progress, std::move(stop));
+        [files = textsOf(files), reading](Progress& progress, const std::stop_token& stop) {
+            return openProject(files, reading, progress, stop);
         },
         [this, version = session_.version()](Result<OpenProject> opened) {
             takeProject(std::move(opened), version);
@@ -95,8 +95,8 @@ void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
     source_ = {};
     opening_.start<OpenProject>(
         tr("Recovering"),
-        [file = recovery.string()](Progress& progress, std::stop_token stop) {
-            return openProject({file}, {}, progress, std::move(stop)).map([](OpenProject opened) {
+        [file = recovery.string()](Progress& progress, const std::stop_token& stop) {
+            return openProject({file}, {}, progress, stop).map([](OpenProject opened) {
                 opened.file.reset();
                 opened.recovered = true;
                 return opened;

@@ -104,6 +104,11 @@ NoteColours warningColours(Theme theme) {
                                 : NoteColours{{0xff, 0xd5, 0x8a}, {0xd9, 0xa0, 0x3a}, {0x1d, 0x20, 0x27}};
 }
 
+Inks inksOf(Theme theme) {
+    if (theme == Theme::light) return {};
+    return {darkColours.text, {0xb0, 0xb5, 0xbd}, {0x4a, 0x4f, 0x57}, darkColours.base};
+}
+
 void followTheme(QWidget& widget, std::function<void()> look) {
     look();
     new ThemeFollower(widget, std::move(look));

@@ -7,6 +7,8 @@
 #include <QPalette>
 #include <functional>
 
+#include "app/report/sheets/style.h"
+
 class QLabel;
 class QSettings;
 class QWidget;
@@ -43,6 +45,9 @@ NoteColours warningColours(Theme theme);  ///< of results that are out of date
 
 /// Calls `look` now and whenever the theme changes, as long as the widget lives.
 void followTheme(QWidget& widget, std::function<void()> look);
+
+/// The colours of legends and charts.
+Inks inksOf(Theme theme);
 
 QColor errorTextColour(Theme theme);  ///< of errors without a background of their own
 /// Shows a label's text in that colour.

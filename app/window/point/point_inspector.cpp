@@ -62,13 +62,19 @@ PointInspector::PointInspector(Workbench& workbench, ViewPanel& panel)
 
 void PointInspector::inspect(const Pick& pick) {
     pick_ = pick;
+    mark();
     ask();
     Q_EMIT asked();
 }
 
 void PointInspector::setVisible(bool visible) {
     visible_ = visible;
+    mark();
     if (visible_ && outdated_) ask();
+}
+
+void PointInspector::mark() {
+    panel_.view().overlay().showPin(visible_ && pick_ ? std::optional(pick_->position) : std::nullopt);
 }
 
 void PointInspector::follow() {
@@ -78,6 +84,7 @@ void PointInspector::follow() {
 
 void PointInspector::forget() {
     pick_.reset();
+    mark();
     slot_.drop();
     answer_.reset();
     Q_EMIT changed();
@@ -100,9 +107,10 @@ void PointInspector::ask() {
 
 void PointInspector::take(Result<PointAnswer> answer) {
     if (!answer && answer.error().kind == ErrorKind::cancelled) return;
+    const std::optional<Error> error = answer ? std::nullopt : std::optional(answer.error());
     answer_ = answer ? std::make_shared<const PointAnswer>(*std::move(answer)) : nullptr;
     Q_EMIT changed();
-    if (!answer_) Q_EMIT failed(answer.error());
+    if (error) Q_EMIT failed(*error);
 }
 
 }  // namespace noonmark

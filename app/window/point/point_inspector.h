@@ -46,6 +46,7 @@ Q_SIGNALS:
     void failed(noonmark::Error error);  ///< the answer is null then
 
 private:
+    void mark();  ///< in the view, while the answer is visible
     void follow();
     void ask();
     void take(Result<PointAnswer> answer);

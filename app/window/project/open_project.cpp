@@ -77,13 +77,13 @@ bool isProject(const std::vector<std::string>& files) {
 }
 
 Result<OpenProject> openProject(const std::vector<std::string>& files, const ReadSettings& settings,
-                                Progress& progress, std::stop_token stop) {
+                                Progress& progress, const std::stop_token& stop) {
     OpenProject opened;
     auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress)
                                    : readCityFiles(files, settings, opened, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
     opened.zone = findNearestZone(loaded->read.city.frame.origin());
-    return shownCity(*std::move(loaded), nullptr, progress, std::move(stop)).map([&](OpenCity city) {
+    return shownCity(*std::move(loaded), nullptr, progress, stop).map([&](OpenCity city) {
         opened.city = std::move(city);
         return std::move(opened);
     });

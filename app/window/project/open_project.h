@@ -25,7 +25,7 @@ bool isProject(const std::vector<std::string>& files);
 /// Reads a project, or city files as a project without a file; no widgets, for use in a job. If the scenario
 /// of the view cannot be shown any more, the existing city is shown, with a warning.
 Result<OpenProject> openProject(const std::vector<std::string>& files, const ReadSettings& settings,
-                                Progress& progress, std::stop_token stop);
+                                Progress& progress, const std::stop_token& stop);
 
 /// `loaded` with the buildings of `city`, for a scenario.
 LoadedCity withCity(LoadedCity loaded, const City& city);

@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "app/report/maps/palette.h"
-#include "app/report/sheets/style.h"
+#include "app/window/looks/theme.h"
 #include "app/window/results/score_rows.h"
 
 namespace noonmark {
@@ -52,11 +52,12 @@ QStackedBarSeries* seriesOf(const Bars& bars) {
 
 template <class Axis>
 Axis* axisOf(const QFont& font) {
+    const Inks inks = inksOf(themeInUse());
     auto* axis = new Axis;
     axis->setLabelsFont(smallFont(font));
-    axis->setLabelsBrush(ink::quiet);
-    axis->setGridLinePen(QPen(ink::line, 0.5));
-    axis->setLinePen(QPen(ink::quiet, 0.5));
+    axis->setLabelsBrush(inks.quiet);
+    axis->setGridLinePen(QPen(inks.line, 0.5));
+    axis->setLinePen(QPen(inks.quiet, 0.5));
     return axis;
 }
 
@@ -79,12 +80,14 @@ void addAxes(QChart& chart, QStackedBarSeries& series, const QStringList& months
 }
 
 QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& font) {
+    const Inks inks = inksOf(themeInUse());
     auto* chart = new QChart;
     chart->setAnimationOptions(QChart::NoAnimation);
     chart->legend()->hide();
     chart->setTitle(bars.title);
     chart->setTitleFont(smallFont(font, true));
-    chart->setTitleBrush(ink::text);
+    chart->setTitleBrush(inks.text);
+    chart->setBackgroundBrush(inks.paper);
     chart->setMargins({0, 0, 4, 0});
     chart->layout()->setContentsMargins(0, 0, 0, 0);
     QStackedBarSeries* series = seriesOf(bars);
@@ -110,9 +113,11 @@ MonthChart::MonthChart(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     hide();
+    followTheme(*this, [this] { show(months_); });
 }
 
 void MonthChart::show(const std::vector<MonthFigures>& months) {
+    months_ = months;
     while (QLayoutItem* item = layout()->takeAt(0)) {
         delete item->widget();
         delete item;

@@ -15,6 +15,9 @@ public:
     explicit MonthChart(QWidget* parent = nullptr);
 
     void show(const std::vector<MonthFigures>& months);  ///< none: hides the charts
+
+private:
+    std::vector<MonthFigures> months_;
 };
 
 }  // namespace noonmark

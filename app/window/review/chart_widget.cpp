@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/report/charts/chart_axes.h"
+#include "app/window/looks/theme.h"
 
 namespace noonmark {
 
@@ -30,11 +31,12 @@ QRectF ChartWidget::area() const { return QRectF(rect()).adjusted(2, 4, -4, -2);
 
 void ChartWidget::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    painter.fillRect(rect(), ink::paper);
-    if (paint_) paint_({painter, point()}, area());
+    const Inks inks = inksOf(themeInUse());
+    painter.fillRect(rect(), inks.paper);
+    if (paint_) paint_({painter, point(), inks}, area());
     const QRectF plot = plotIn(area(), point());
     if (!paint_ || !cursor_ || *cursor_ < plot.left() || *cursor_ > plot.right()) return;
-    painter.setPen(QPen(ink::quiet, 1, Qt::DotLine));
+    painter.setPen(QPen(inks.quiet, 1, Qt::DotLine));
     painter.drawLine(QPointF(*cursor_, plot.top()), QPointF(*cursor_, plot.bottom()));
 }
 

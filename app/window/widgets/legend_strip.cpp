@@ -26,7 +26,6 @@ constexpr int needleRoom = 56;
 constexpr int scaleRoom = 104;       // of the scale bar left of the needle
 constexpr int leastWithScale = 560;  // a narrower strip has no scale bar
 constexpr int longestBarPx = 72;
-constexpr QColor dimPaper{0xdd, 0xe0, 0xe4};  // of a dark window: legends are read on paper
 constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
 void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
@@ -39,14 +38,15 @@ void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
     painter.fillPath(half, colour);
 }
 
-void paintCompass(QPainter& painter, QPointF centre, double headingDeg) {
+void paintCompass(const Canvas& canvas, QPointF centre, double headingDeg) {
+    QPainter& painter = canvas.painter;
     painter.save();
     painter.translate(centre);
     painter.rotate(-headingDeg);
-    paintNeedle(painter, ink::line, false);
-    paintNeedle(painter, ink::text, true);
-    painter.setPen(ink::text);
-    painter.setFont(textFont({painter, 1.0}, 10, QFont::Bold));
+    paintNeedle(painter, canvas.inks.line, false);
+    paintNeedle(painter, canvas.inks.text, true);
+    painter.setPen(canvas.inks.text);
+    painter.setFont(textFont(canvas, 10, QFont::Bold));
     painter.drawText(QRectF(-8, -29, 16, 12), Qt::AlignCenter, QStringLiteral("N"));
     painter.restore();
 }
@@ -155,10 +155,10 @@ void LegendStrip::setScale(double pixelsPerM) {
 }
 
 // Distances in a slanting view shrink with depth; the bar holds for its middle.
-void LegendStrip::paintScale(QPainter& painter) const {
+void LegendStrip::paintScale(const Canvas& canvas) const {
     if (pixelsPerM_ <= 0 || width() < leastWithScale) return;
     const QRectF area(width() - compassWidth(width()) + 8.0, 16, scaleRoom - 8.0, stripHeight - 24.0);
-    paintScaleBar({painter, 1.0}, area, scaleBarWithin(longestBarPx / pixelsPerM_), pixelsPerM_);
+    paintScaleBar(canvas, area, scaleBarWithin(longestBarPx / pixelsPerM_), pixelsPerM_);
 }
 
 ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->currentIndex()); }
@@ -205,16 +205,17 @@ QRectF LegendStrip::legendArea() const {
 }
 
 // On amber if the result is partial.
-void LegendStrip::paintNote(QPainter& painter) const {
+void LegendStrip::paintNote(const Canvas& canvas) const {
     const QRectF chip = noteArea();
     if (chip.isEmpty()) return;
+    QPainter& painter = canvas.painter;
     if (partial_) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(partColour);
         painter.drawRoundedRect(chip, 4, 4);
     }
     painter.setFont(noteFont());
-    painter.setPen(partial_ ? ink::text : ink::quiet);
+    painter.setPen(partial_ ? ink::text : canvas.inks.quiet);
     painter.drawText(chip.adjusted(8, 0, -8, 0), Qt::AlignCenter | Qt::TextWordWrap, paintedNote());
 }
 
@@ -227,14 +228,15 @@ void LegendStrip::resizeEvent(QResizeEvent* event) {
 void LegendStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), themeInUse() == Theme::dark ? dimPaper : ink::paper);
-    painter.fillRect(QRect(0, 0, width(), 1), ink::line);
-    paintCompass(painter, {width() - needleRoom / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
-    paintScale(painter);
-    paintNote(painter);
+    const Canvas canvas{painter, 1, inksOf(themeInUse())};
+    painter.fillRect(rect(), canvas.inks.paper);
+    painter.fillRect(QRect(0, 0, width(), 1), canvas.inks.line);
+    paintCompass(canvas, {width() - needleRoom / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
+    paintScale(canvas);
+    paintNote(canvas);
     const QRectF area = legendArea();
-    if (legend_) return paintLegend({painter, area.height() / legendHeightPt}, area, *legend_);
-    painter.setPen(ink::quiet);
+    if (legend_) return paintLegend({painter, area.height() / legendHeightPt, canvas.inks}, area, *legend_);
+    painter.setPen(canvas.inks.quiet);
     painter.setFont(font());
     painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, hint_);
 }

@@ -12,7 +12,6 @@
 #include "app/report/maps/legend_painter.h"
 
 class QComboBox;
-class QPainter;
 class QSpinBox;
 
 namespace noonmark {
@@ -58,8 +57,8 @@ private:
     [[nodiscard]] QFont noteFont() const;
     [[nodiscard]] QSizeF noteRoom() const;
     void placeNote();
-    void paintNote(QPainter& painter) const;
-    void paintScale(QPainter& painter) const;
+    void paintNote(const Canvas& canvas) const;
+    void paintScale(const Canvas& canvas) const;
 
     QComboBox* measure_;
     QSpinBox* scale_;  ///< 0: fitted to each

@@ -159,7 +159,8 @@ void PeriodForm::show(const Period& period) {
     showing_ = true;
     start_->setDate(dateOf(period.start));
     days_->setValue(period.days);
-    from_->setTime(QTime(0, 0).addSecs(int(period.from.count() % (24 * 60)) * 60));
+    from_->setTime(
+        QTime(0, 0).addSecs(int(std::chrono::seconds(period.from % std::chrono::days{1}).count())));
     hours_->setValue(period.hours);
     step_->setValue(period.stepMinutes);
     zone_->setCurrentText(QString::fromStdString(period.zone));

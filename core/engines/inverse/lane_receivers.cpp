@@ -4,8 +4,8 @@ namespace noonmark {
 
 LaneReceivers::LaneReceivers(const Receivers& receivers, int marginCells) {
     const Grid& grid = receivers.grid;
-    const std::size_t wideColumns = std::size_t(grid.columns + 2 * marginCells);
-    ofCell_.assign(wideColumns * std::size_t(grid.rows + 2 * marginCells), none);
+    const std::size_t wideColumns = std::size_t(grid.columns) + 2 * std::size_t(marginCells);
+    ofCell_.assign(wideColumns * (std::size_t(grid.rows) + 2 * std::size_t(marginCells)), none);
     for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
         const int column = int(receivers.cells[i]) % grid.columns,
                   row = int(receivers.cells[i]) / grid.columns;

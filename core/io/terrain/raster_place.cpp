@@ -66,7 +66,7 @@ std::optional<PixelWindow> shrunk(const PixelWindow& window, const PixelPlaces& 
         for (int x = 0; x < side; ++x) {
             QuadBox box;
             for (const int corner : {0, 1, side + 1, side + 2})
-                box.add(corners[std::size_t(y * (side + 1) + x + corner)]);
+                box.add(corners[std::size_t(y) * (side + 1) + std::size_t(x + corner)]);
             if (!box.overlaps(farAwayM)) continue;
             first = glm::min(first, glm::ivec2(x, y));
             end = glm::max(end, glm::ivec2(x + 1, y + 1));
@@ -144,7 +144,7 @@ private:
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const double p = polynomial(ofU, at(x)) * polynomial(ofV, at(y));
-                sum += p * values_[std::size_t(y * side + x)];
+                sum += p * values_[std::size_t(y) * side + std::size_t(x)];
                 squares += p * p;
             }
         return sum / squares;

@@ -28,7 +28,8 @@ public:
 
     [[nodiscard]] std::size_t count() const { return std::size_t(count_.x) * std::size_t(count_.y); }
     [[nodiscard]] Box2 box(std::size_t tile) const {
-        const glm::dvec2 at(double(tile % std::size_t(count_.x)), double(tile / std::size_t(count_.x)));
+        const std::size_t columns(count_.x), row = tile / columns;
+        const glm::dvec2 at(double(tile % columns), double(row));
         return {corner(at), corner(at + 1.0)};
     }
 
@@ -119,7 +120,7 @@ Geometry joinTwo(const Geos& geos, const Geometry& a, const Geometry& b) {
     return joined ? std::move(joined) : geos.owned(GEOSUnionPrec_r(geos, a.get(), b.get(), overlayGridM));
 }
 
-Geometry coverGeometry(const Geos& geos, std::vector<Footprint> cover, const Box2& box) {
+Geometry coverGeometry(const Geos& geos, const std::vector<Footprint>& cover, const Box2& box) {
     const Geometry all = collection(geos, cover);
     // A margin, so that no cover ends just before the edge of the tile.
     return unite(
@@ -151,8 +152,7 @@ struct TiledShadows {
         const Box2 box = tiles.box(tile);
         std::vector<Footprint> over;
         for (const std::uint32_t i : coverOfTile[tile]) over.push_back(cover[i]);
-        const Geometry covered = coverGeometry(geos, std::move(over), box),
-                       shared = unite(geos, common.in(tile, box)),
+        const Geometry covered = coverGeometry(geos, over, box), shared = unite(geos, common.in(tile, box)),
                        before = unite(geos, baseline.in(tile, box)),
                        after = unite(geos, scenario.in(tile, box));
         const Geometry wasDark = joinTwo(geos, shared, before), isDark = joinTwo(geos, shared, after);

@@ -18,7 +18,8 @@ std::vector<std::string> namesOf(const std::vector<PlaceReview>& reviews) {
 
 void addRule(CommandWords& line, const Rule& rule) {
     line.option("--rule", rule.key);
-    for (const auto& [choice, option] : rule.chosen) line.option("--choose", choice + "=" + option);
+    for (const auto& [choice, option] : rule.chosen)
+        line.option("--choose", fmt::format("{}={}", choice, option));
     line.unless(rule.file.empty(), "--rules", ".");
 }
 

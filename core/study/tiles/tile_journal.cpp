@@ -89,15 +89,16 @@ Result<void> TileJournal::read(const std::string& text, const std::string& first
 void TileJournal::take(const std::string& line, const TilePlan& plan) {
     auto result = tileResultFrom(Json::parse(line, nullptr, false));
     if (!result || result->number >= plan.count()) return;
-    if (result->empty() || isWhole(fileOf(result->number), *result))
-        finished_[result->number] = *std::move(result);
+    const std::size_t tile = result->number;
+    if (result->empty() || isWhole(fileOf(tile), *result)) finished_[tile] = *std::move(result);
 }
 
 std::filesystem::path TileJournal::fileOf(std::size_t tile) const { return fileIn(folder_, tile); }
 
 Result<void> TileJournal::add(TileResult result) {
     if (auto kept = append(toJson(result).dump()); !kept) return kept;
-    finished_[result.number] = std::move(result);
+    const std::size_t tile = result.number;
+    finished_[tile] = std::move(result);
     return {};
 }
 

@@ -42,7 +42,7 @@ private:
     void collect(const Json& json, const std::string& path) {
         if (json.is_object()) {
             for (const auto& [key, value] : json.items())
-                if (isCompared(key)) collect(value, path.empty() ? key : path + "." + key);
+                if (isCompared(key)) collect(value, path.empty() ? key : fmt::format("{}.{}", path, key));
         } else if (json.is_array()) {
             for (std::size_t i = 0; i < json.size(); ++i) collect(json[i], fmt::format("{}[{}]", path, i));
         } else {

@@ -23,7 +23,7 @@ struct RecordedFile {
 };
 
 /// What a result states about itself. Comes from strangers: everything is checked, nothing is run here.
-struct ResultRecord {
+struct ResultRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
     nlohmann::ordered_json json;
     std::vector<std::string> command;  ///< its words, from the program's name on
     std::vector<RecordedFile> files;

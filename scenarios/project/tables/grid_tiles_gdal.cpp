@@ -23,6 +23,8 @@ std::string memoryFile() {
 // Row of the grid for a line of a tile; lines run from north to south.
 int rowOf(const Grid& grid, int tileRow, int line) { return grid.rows - 1 - (tileRow * tileCells + line); }
 
+std::size_t indexInTile(int line, int column) { return std::size_t(line) * tileCells + std::size_t(column); }
+
 std::vector<float> cellsOf(const Grid& grid, const std::vector<float>& values, int column, int row) {
     std::vector<float> cells(std::size_t(tileCells) * tileCells, tileNoData);
     for (int line = 0; line < tileCells; ++line)
@@ -30,7 +32,7 @@ std::vector<float> cellsOf(const Grid& grid, const std::vector<float>& values, i
             const int c = column * tileCells + x, r = rowOf(grid, row, line);
             if (c >= grid.columns || r < 0) continue;
             const float value = values[grid.index(c, r)];
-            if (!std::isnan(value)) cells[std::size_t(line * tileCells + x)] = value;
+            if (!std::isnan(value)) cells[indexInTile(line, x)] = value;
         }
     return cells;
 }
@@ -99,7 +101,7 @@ bool decodeTile(std::string_view tiff, const Grid& grid, int column, int row, st
     for (int line = 0; read && line < tileCells; ++line)
         for (int x = 0; x < tileCells; ++x) {
             const int c = column * tileCells + x, r = rowOf(grid, row, line);
-            const float value = cells[std::size_t(line * tileCells + x)];
+            const float value = cells[indexInTile(line, x)];
             if (c < grid.columns && r >= 0 && value != tileNoData) values[grid.index(c, r)] = value;
         }
     return read;

@@ -130,7 +130,7 @@ TEST(HorizonBreakdown, SoleMinutesAreTheImpactOfRemovingABuilding) {
 /// ground.
 City overhangingQuarter() {
     City city = cityOf(randomBoxes(8, 6));
-    const auto add = [&](std::vector<Box3> boxes) {
+    const auto add = [&](const std::vector<Box3>& boxes) {
         Building building;
         for (const Box3& box : boxes) building.parts.push_back(buildingOf(box)->parts.front());
         city.buildings.push_back(std::make_shared<const Building>(std::move(building)));

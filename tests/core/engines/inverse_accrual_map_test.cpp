@@ -74,7 +74,7 @@ TEST(FirstOccluders, FewerLevelsGiveTheNearest) {
         std::vector<glm::vec3> origins(16);
         for (auto& origin : origins) origin = {at(random), at(random), 0};
         const glm::vec3 sun = towardsSun(round * 3.7, 5 + round % 60);
-        std::vector<Occluder> three(16 * 3), one(16), eight(16 * 8);
+        std::vector<Occluder> three(std::size_t{16} * 3), one(16), eight(std::size_t{16} * 8);
         scene.firstOccluders(origins, sun, 0.001F, 3, three);
         scene.firstOccluders(origins, sun, 0.001F, 1, one);
         scene.firstOccluders(origins, sun, 0.001F, 8, eight);

@@ -38,7 +38,9 @@ struct Partials : ::testing::Test {
     Receivers receivers = receiversOver(city, 0, 0, 100, 80);
     SunSteps sun;
 
-    void SetUp() override {
+    void SetUp() override { addThreeDays(); }
+
+    void addThreeDays() {
         for (const double lift : {0.0, 6.0, 12.0}) {
             std::vector<Sun> suns;
             for (int k = 0; k < 150; ++k) suns.push_back({120 + 0.8 * k, 12 + lift + 0.1 * k});
@@ -129,7 +131,7 @@ TEST_F(Partials, OfTheRayReferenceFillTheWholeRegionEarly) {
     std::array<int, 4> known{};
     for (const std::uint32_t cell : receivers.cells)
         if (!std::isnan(early->field.grossMin[cell]))
-            ++known[std::size_t((cell % 100 >= 50 ? 1 : 0) + (cell >= 40 * 100 ? 2 : 0))];
+            ++known[(cell % 100 >= 50 ? 1U : 0U) + (cell >= 40 * 100 ? 2U : 0U)];
     for (const int quarter : known) EXPECT_GT(quarter, 64) << "cells known of a quarter of the region";
     EXPECT_NE(early->part.find(" of 130 tiles"), std::string::npos) << early->part;
 }
@@ -227,7 +229,7 @@ TEST_F(PartialsOfADay, TakeTheStepsToComeFromAroundAndNoOthers) {
 }
 
 TEST_F(PartialsOfADay, AreOfTheStepsDoneWhereSeveralDaysAreAsked) {
-    Partials::SetUp();
+    addThreeDays();
     for (const PartialField& partial : seenOn(around)) EXPECT_FALSE(partial.wholePeriod);
 }
 

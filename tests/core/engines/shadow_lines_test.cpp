@@ -178,11 +178,11 @@ TEST(ShadowLines, ARunIsShadedAsItsEndsSay) {
         GridSources sources({0, 0, 1, 160, 1}, 1);
         const float rise = float(int(random() % 5) - 2) * 0.5F, low = 1 + float(random() % 200);
         for (int i = 0; i <= width; ++i)
-            sources.heightM[std::size_t(first + i)] = std::max(0.5F, low + rise * float(i));
+            sources.heightM[std::size_t(first) + std::size_t(i)] = std::max(0.5F, low + rise * float(i));
         const Lanes lanes(sources.grid, motion.shift);
         const LinePass pass(lanes, motion, 4);
         const SourceRun run{first, first + width, sources.heightM[std::size_t(first)],
-                            sources.heightM[std::size_t(first + width)], 0};
+                            sources.heightM[std::size_t(first) + std::size_t(width)], 0};
         const RunSweep sweep(run, pass.rule, 160);
         const auto masks = drawn(*makeShadowLineDrawer(), sources, motion);
         for (int i = 0; i < 160; ++i) {

@@ -28,7 +28,8 @@ protected:
     }
 
     /// Why it may not be written, with and without permission to replace files.
-    static std::string whyNever(const fs::path& file, OutputKind kind, std::vector<fs::path> inputs = {}) {
+    static std::string whyNever(const fs::path& file, OutputKind kind,
+                                const std::vector<fs::path>& inputs = {}) {
         const std::string words = why(file, kind, {inputs, false});
         EXPECT_EQ(why(file, kind, {inputs, true}), words);
         return words;

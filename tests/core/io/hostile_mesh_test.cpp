@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -112,11 +113,8 @@ TEST(HostileMesh, DeepAndEndlessTreesOfNodesEndTheReaderOnly) {
     const tests::TemporaryFolder folder;
     const std::string start = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
     std::string chain, twins;
-    for (int i = 1; i <= 100000; ++i) chain += "{\"children\":[" + std::to_string(i) + "]},";
-    for (int i = 1; i <= 40; ++i) {
-        const std::string next = std::to_string(i);
-        twins += "{\"children\":[" + next + "," + next + "]},";  // 2^40 nodes
-    }
+    for (int i = 1; i <= 100000; ++i) chain += fmt::format(R"({{"children":[{}]}},)", i);
+    for (int i = 1; i <= 40; ++i) twins += fmt::format(R"({{"children":[{0},{0}]}},)", i);  // 2^40 nodes
     const std::string nested =
         R"({"asset":{"version":"2.0"},"extras":)" + std::string(200000, '[') + std::string(200000, ']') + "}";
     for (const std::string& text : {start + chain + "{}]}", start + twins + "{}]}", nested}) {

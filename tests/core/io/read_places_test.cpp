@@ -49,7 +49,7 @@ std::string osmOf(const std::string& content) {
 }
 
 TEST(PlaceTags, SayWhatKindAnAreaIs) {
-    const auto kindOf = [](PlaceTags tags) { return classifyArea(tags); };
+    const auto kindOf = [](const PlaceTags& tags) { return classifyArea(tags); };
     EXPECT_EQ(kindOf({{"leisure", "park"}}), PlaceKind::park);
     EXPECT_EQ(kindOf({{"leisure", "pitch"}, {"landuse", "grass"}}), PlaceKind::playground);
     EXPECT_EQ(kindOf({{"leisure", "garden"}}), PlaceKind::greenstreet);
@@ -66,7 +66,7 @@ TEST(PlaceTags, SayWhatKindAnAreaIs) {
 }
 
 TEST(PlaceTags, GiveAStreetItsWidth) {
-    const auto widthOf = [](PlaceTags tags) { return readStreetWidth(tags); };
+    const auto widthOf = [](const PlaceTags& tags) { return readStreetWidth(tags); };
     EXPECT_EQ(widthOf({{"highway", "primary"}, {"width", "18.5"}, {"lanes", "4"}})->widthM, 18.5);
     EXPECT_NEAR(widthOf({{"highway", "primary"}, {"width", "30'"}})->widthM, 9.144, 1e-9);
     const auto byLanes = widthOf({{"highway", "residential"}, {"lanes", "3"}});

@@ -127,7 +127,7 @@ TEST(MaskRuns, TheLongestRunOfAColumnIsThatOfCountingOneByOne) {
 
 TEST(MaskRuns, OfEquallyLongRunsTheEarliestIsTakenAndThenTheFirstColumn) {
     // Runs of two rows: column 300 in rows 1 and 2, columns 310 and 20 in rows 2 and 3.
-    std::vector<std::uint64_t> bits(4 * 5);
+    std::vector<std::uint64_t> bits(std::size_t{4} * 5);
     const auto set = [&](std::size_t row, std::size_t column) {
         bits[row * 5 + column / 64] |= std::uint64_t{1} << column % 64;
     };

@@ -17,7 +17,8 @@ TEST(StepCounts, AreThoseOfCountingBitByBitOnEverySet) {
         std::vector<std::uint64_t> before(words), after(words);
         StepCounts expected;
         for (std::size_t i = 0; i < words; ++i) {
-            before[i] = i % 5 == 0 ? ~std::uint64_t{0} : random() & random();
+            const std::uint64_t one = random(), other = random();
+            before[i] = i % 5 == 0 ? ~std::uint64_t{0} : one & other;
             after[i] = i % 7 == 0 ? 0 : random();
             expected.baseline += std::size_t(std::popcount(before[i]));
             expected.scenario += std::size_t(std::popcount(after[i]));

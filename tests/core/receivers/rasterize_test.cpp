@@ -76,7 +76,7 @@ TEST(Rasterize, PartyWallsShareNoCellAndLeaveNoneOut) {
         for (int y = 0; y < lots; ++y)
             for (int x = 0; x < lots; ++x) {
                 const auto at = [&](int dx, int dy) {
-                    return corners[std::size_t((y + dy) * (lots + 1) + x + dx)];
+                    return corners[std::size_t(y + dy) * (lots + 1) + std::size_t(x + dx)];
                 };
                 block.push_back({{at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, {}});
             }

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 City houseWithBalcony() { return cityOf({{{0, 0, 0}, {10, 10, 9}}, {{0, -1, 3}, {10, 0, 3.2}}}); }
 const Region everywhere = makeRegionFromLocalBox({{-100, -100}, {100, 100}});
 
-WindowsPlaced placed(const City& city, std::vector<WindowShape> windows) {
+WindowsPlaced placed(const City& city, const std::vector<WindowShape>& windows) {
     return placeWindows(city, everywhere, windows, {});
 }
 

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <random>
+#include <span>
 
 #include "core/engines/horizon/attribution/attributed_block.h"
 #include "core/engines/horizon/geometry/piece_bounds.h"
@@ -62,8 +62,9 @@ SeenEdge seeEdge(const WallOnBlock& wall, const BlockRows& rows, int row, int pl
     return seeWall(wall, rows, row, place, 1 / over);
 }
 
-void expectSameBits(const CacheLine<float>* a, const CacheLine<float>* b) {
-    EXPECT_EQ(std::memcmp(a, b, side * sizeof(CacheLine<float>)), 0);
+// Of two arrays.
+void expectSameBits(const auto& a, const auto& b) {
+    EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b))));
 }
 
 TEST(HorizonKernels, WallsRaiseABlockAsScalarCodeDoes) {
@@ -152,9 +153,9 @@ TEST(HorizonKernels, AttributedHorizonsNameTheBuildingThatMakesThem) {
             clearBlock(masks, horizons);
             std::ranges::fill(horizons.grounds, CacheLine<float>{});
             for (const WallOnBlock& wall : walls) raiseBlock(wall, rows, horizons);
-            EXPECT_EQ(std::memcmp(horizons.highest.rows, best, sizeof best), 0);
-            EXPECT_EQ(std::memcmp(horizons.others.rows, other, sizeof other), 0);
-            EXPECT_EQ(std::memcmp(horizons.buildings, building, sizeof building), 0);
+            expectSameBits(horizons.highest.rows, best);
+            expectSameBits(horizons.others.rows, other);
+            expectSameBits(horizons.buildings, building);
         });
     }
 }

@@ -173,8 +173,9 @@ TEST(HorizonLookups, VisibleCellsOfOverhangsAreThoseOfScalarCode) {
         VisibleCells expected;
         for (int cell = 0; cell < ReceiverBlocks::cells; ++cell)
             for (int strip = 0; strip < strips.count; ++strip) {
-                const float place = float(cell % blockSide), shift = axes.shift * float(cell / blockSide),
-                            along = axes.sign * float(cell / blockSide);
+                const int row = cell / blockSide;
+                const float place = float(cell % blockSide), shift = axes.shift * float(row),
+                            along = axes.sign * float(row);
                 if (!(strips.low[strip] + shift <= place && place < strips.high[strip] + shift)) continue;
                 if (block.horizons.values[cell] > highest) break;
                 const float width = place - (strips.low[strip] + shift);

@@ -47,7 +47,7 @@ StudySettings ofOneDay(const Region& region) {
 const Region aroundHouses = makeRegionFromLocalBox({{-50, -50}, {80, 60}});
 
 Result<ElementStudy> measure(const City& city, const ElementSettings& elements,
-                             StudySettings settings = ofOneDay(aroundHouses)) {
+                             const StudySettings& settings = ofOneDay(aroundHouses)) {
     NoProgress quiet;
     return runElementStudy(city, settings, elements, quiet, {});
 }

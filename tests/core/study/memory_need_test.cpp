@@ -38,10 +38,10 @@ TEST(MemoryNeed, CountsTrianglesAndSteps) {
     building.parts.push_back({.footprint = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}, .topM = 3});
     city.buildings.assign(1000, std::make_shared<const Building>(building));
     const auto empty = estimateMemory({}, over(100, 1));
-    EXPECT_GT(estimateMemory(city, over(100, 1)), empty + 1000 * 12 * 100);
+    EXPECT_GT(estimateMemory(city, over(100, 1)), empty + std::size_t{1000} * 12 * 100);
     StudySettings year = over(100, 1);
     year.period.days = 365;
-    EXPECT_GT(estimateMemory({}, year), empty + 364 * 360 * sizeof(SunStep));
+    EXPECT_GT(estimateMemory({}, year), empty + std::size_t{364} * 360 * sizeof(SunStep));
 }
 
 TEST(MemoryNeed, TooLargeIsRefusedWithItsSize) {

@@ -24,7 +24,7 @@ Json aRecord() {
             {"seconds", {{"total", 1.5}}}};
 }
 
-std::string troubleOf(Json record) {
+std::string troubleOf(const Json& record) {
     const auto parsed = parseResultRecord(record.dump(), "study.json");
     return parsed ? "" : parsed.error().text();
 }

@@ -176,8 +176,9 @@ TEST(FlowText, KeepsAllTextInOrderInColumnsThatFit) {
     TextBlocks blocks;
     QString all;
     for (int i = 0; i < 40; ++i) {
-        blocks.push_back(i % 5 == 0 ? heading(QStringLiteral("Part %1").arg(i))
-                                    : body(QStringLiteral("word ").repeated(7 * i) + QString::number(i)));
+        blocks.push_back(i % 5 == 0
+                             ? heading(QStringLiteral("Part %1").arg(i))
+                             : body(QStringLiteral("word ").repeated(qsizetype{7} * i) + QString::number(i)));
         all += blocks.back().text;
     }
     MeasuringCanvas measure;

@@ -42,7 +42,7 @@ constexpr Eight eight;
 // Interleaves rows i and i + 4 into rows 2i and 2i + 1; applied three times this transposes eight rows.
 HWY_INLINE void weave(const hn::Vec<Eight>* from, hn::Vec<Eight>* to) {
     HWY_UNROLL(4)
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
         to[2 * i] = hn::InterleaveLower(eight, from[i], from[i + 4]);
         to[2 * i + 1] = hn::InterleaveUpper(eight, from[i], from[i + 4]);
     }

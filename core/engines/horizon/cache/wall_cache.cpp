@@ -30,7 +30,10 @@ struct SquareGrid {
         return std::size_t((y - south) / side) * columns + std::size_t((x - west) / side);
     }
     [[nodiscard]] float middleX(std::size_t at) const { return west + (float(at % columns) + 0.5F) * side; }
-    [[nodiscard]] float middleY(std::size_t at) const { return south + (float(at / columns) + 0.5F) * side; }
+    [[nodiscard]] float middleY(std::size_t at) const {
+        const std::size_t row = at / columns;
+        return south + (float(row) + 0.5F) * side;
+    }
 
     float west = 0, south = 0, side = 0;
     std::size_t columns = 0, rows = 0;

@@ -121,8 +121,8 @@ HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns, std::span<const Horizo
         last_ = high - low + 1;
     }
     counts_.assign(std::size_t(last_) + 1, 0);
-    for (const HorizonCode sun : suns) ++counts_[std::size_t(sun - lowest_ + 1)];
-    for (const HorizonCode sun : others) --counts_[std::size_t(sun - lowest_ + 1)];
+    for (const HorizonCode sun : suns) ++counts_[std::size_t(sun - lowest_) + 1];
+    for (const HorizonCode sun : others) --counts_[std::size_t(sun - lowest_) + 1];
     for (std::size_t i = 1; i < counts_.size(); ++i) counts_[i] += counts_[i - 1];
     if (std::max(suns.size(), others.size()) <= std::size_t(std::numeric_limits<std::int16_t>::max()))
         short_.assign(counts_.begin(), counts_.end());

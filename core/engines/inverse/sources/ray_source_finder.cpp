@@ -68,7 +68,8 @@ private:
                               glm::vec3(towardsSun_), nearestHitM_, sources.levels, occluders);
         for (int i = 0; i < packet.count; ++i)
             for (int level = 0; level < sources.levels; ++level) {
-                const Occluder& occluder = occluders[std::size_t(i * sources.levels + level)];
+                const Occluder& occluder =
+                    occluders[std::size_t(i) * std::size_t(sources.levels) + std::size_t(level)];
                 const auto [major, lane] = packet.places[std::size_t(i)];
                 const std::size_t line = sources.line(into, major, level);
                 sources.heightM[line].values[lane] = occluder.distanceM * float(towardsSun_.z);

@@ -106,7 +106,7 @@ private:
 
     // As many days as keep all cores busy.
     std::span<DayInWork> begin(std::size_t day, std::vector<DayInWork>& storage) const {
-        const auto enough = std::size_t(4 * tbb::info::default_concurrency());
+        const auto enough = 4 * std::size_t(tbb::info::default_concurrency());
         std::size_t count = 0;
         for (std::size_t tasks = 0; day < sun_.days.size() && tasks < enough; ++day) {
             if (count == storage.size()) storage.emplace_back();

@@ -87,10 +87,10 @@ protected:
         return *std::move(made);
     }
     [[nodiscard]] Result<TaskReport> run(const TaskPlan& plan, std::size_t task,
-                                         std::stop_token stop = {}) const {
+                                         const std::stop_token& stop = {}) const {
         NoProgress progress;
         return runTask(folder.path("plan"), plan, task, {request.reading, request.settings, request.subject},
-                       progress, std::move(stop));
+                       progress, stop);
     }
     [[nodiscard]] Result<MergeReport> merge(const TaskPlan& plan) const {
         NoProgress progress;

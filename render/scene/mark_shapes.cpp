@@ -1,4 +1,4 @@
-#include "render/scene/handle_shape.h"
+#include "render/scene/mark_shapes.h"
 
 #include <cmath>
 #include <glm/vec2.hpp>
@@ -36,6 +36,21 @@ TriangleMesh makeDoubleArrow(float height) {
     addTurned(
         mesh,
         {{0, 0}, {wide, neck}, {thin, neck}, {thin, height - neck}, {wide, height - neck}, {0, height}});
+    return mesh;
+}
+
+TriangleMesh makePin(float height) {
+    const float radius = height * 0.2F, middle = height - radius;
+    std::vector<glm::vec2> profile{{0, 0}};
+    constexpr int rings = 12;
+    // The head begins where the cone touches it.
+    const float touch = -std::asin(radius / middle);
+    for (int i = 0; i <= rings; ++i) {
+        const float angle = touch + (std::numbers::pi_v<float> / 2 - touch) * float(i) / rings;
+        profile.emplace_back(radius * std::cos(angle), middle + radius * std::sin(angle));
+    }
+    TriangleMesh mesh;
+    addTurned(mesh, profile);
     return mesh;
 }
 

@@ -6,5 +6,7 @@ namespace noonmark {
 
 /// A vertical double arrow from the origin up to `height`.
 TriangleMesh makeDoubleArrow(float height);
+/// A pin with a round head that stands with its tip on the origin, `height` high.
+TriangleMesh makePin(float height);
 
 }  // namespace noonmark
