@@ -177,6 +177,19 @@ RuleSampling readSampling(RuleFields& rule, const std::string& ruleSource) {
     return sampling;
 }
 
+std::optional<RoadShift> readRoadShift(RuleFields& receivers) {
+    if (!receivers.has("road_shift")) return std::nullopt;
+    RuleFields fields = receivers.object("road_shift");
+    RoadShift shift;
+    shift.narrowM = fields.number("narrow_m", 0, 1000);
+    shift.share = fields.number("share", 0, 1);
+    shift.fromFarSideM = fields.number("far_side_m", 0, 1000);
+    fields.finish();
+    if (shift.fromFarSideM > shift.narrowM)
+        fields.trouble("far_side_m", "The distance must be at most narrow_m");
+    return shift;
+}
+
 RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
     RuleFields fields = rule.object("receivers");
     RuleReceivers receivers;
@@ -194,6 +207,7 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
         lines.finish();
         if (receivers.innerLineM >= receivers.outerLineM)
             fields.trouble("lines_m", "The outer line must be farther out than the inner one");
+        receivers.roads = readRoadShift(fields);
     }
     receivers.evidence = readEvidence(fields, ruleSource);
     fields.finish();

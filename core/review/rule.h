@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/receivers/parcels/parcel_roads.h"
 #include "core/receivers/place.h"
 #include "core/sun/day_clock.h"
 #include "core/sun/sun_events.h"
@@ -95,10 +96,11 @@ enum class RuleSurface { ground, plane, windows };
 
 struct RuleReceivers {
     RuleSurface surface = RuleSurface::ground;
-    double planeM = 0;             ///< of `plane`: metres above the mean ground, 0 to 1000
-    std::vector<PlaceKind> kinds;  ///< kinds of places that the rule covers; empty: all
-    double innerLineM = 0;         ///< lines at this distance from the parcel's line, 0 to 1000;
-    double outerLineM = 0;         ///< 0: the rule has no lines
+    double planeM = 0;               ///< of `plane`: metres above the mean ground, 0 to 1000
+    std::vector<PlaceKind> kinds;    ///< kinds of places that the rule covers; empty: all
+    double innerLineM = 0;           ///< lines at this distance from the parcel's line, 0 to 1000;
+    double outerLineM = 0;           ///< 0: the rule has no lines
+    std::optional<RoadShift> roads;  ///< of the parcel's line
     Evidence evidence;
     [[nodiscard]] bool hasLines() const { return outerLineM > 0; }
 };

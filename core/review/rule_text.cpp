@@ -58,6 +58,11 @@ std::string receiversText(const RuleReceivers& receivers) {
     if (receivers.hasLines())
         text += fmt::format("; lines {:g} and {:g} m from the parcel", receivers.innerLineM,
                             receivers.outerLineM);
+    if (receivers.roads)
+        text += fmt::format(
+            ", whose line moves out by {:g} of the width of roads up to {:g} m, to {:g} m "
+            "inside the far side of wider ones",
+            receivers.roads->share, receivers.roads->narrowM, receivers.roads->fromFarSideM);
     std::vector<std::string_view> kinds;
     for (const PlaceKind kind : receivers.kinds) kinds.push_back(nameOf(kind));
     return text + (kinds.empty() ? "; all places" : fmt::format("; {}", fmt::join(kinds, ", ")));

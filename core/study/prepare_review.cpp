@@ -9,7 +9,7 @@
 
 #include "core/measures/place_run.h"
 #include "core/receivers/city_above_plane.h"
-#include "core/receivers/line_belts.h"
+#include "core/receivers/parcels/line_belts.h"
 #include "core/receivers/plane_receivers.h"
 
 namespace noonmark {

@@ -10,7 +10,7 @@
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/outlines/shadow_fan.h"
 #include "core/measures/place_run.h"
-#include "core/receivers/line_belts.h"
+#include "core/receivers/parcels/line_belts.h"
 #include "core/study/prepare_review.h"
 #include "core/sun/chosen_days.h"
 

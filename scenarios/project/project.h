@@ -16,6 +16,7 @@
 #include "core/city/city.h"
 #include "core/geo/grid.h"
 #include "core/io/heights/height_facts.h"
+#include "core/receivers/parcels/parcel_roads.h"
 #include "core/receivers/place.h"
 #include "core/receivers/region.h"
 #include "core/study/provenance/provenance.h"
@@ -30,6 +31,7 @@ namespace noonmark {
 struct NamedLot {
     std::string name;
     Footprint outline;
+    std::vector<RoadFront> roads{};  ///< along its sides; at most one on each
     bool operator==(const NamedLot&) const = default;
 };
 

@@ -27,13 +27,15 @@ std::vector<InputFile> readInputs(Database& database) {
 // A lot drawn in a GIS program may have several pieces; each piece becomes a lot.
 std::vector<NamedLot> readLots(Database& database) {
     std::vector<NamedLot> lots;
-    Statement row = database.prepare("SELECT fid, geom, name FROM lots ORDER BY fid");
+    Statement row = database.prepare("SELECT fid, geom, name, roads FROM lots ORDER BY fid");
     while (row.step()) {
         const auto polygons = toPolygons(row.blob(1));
         if (!polygons) throwDamaged("a lot has an invalid outline");
         const std::string name = row.isNull(2) ? fmt::format("lot {}", row.integer(0)) : row.text(2);
+        const auto roads = parseRoads(row.text(3));
+        if (!roads) throwDamaged(fmt::format("lot {}: {}", name, roads.error().text()));
         for (std::size_t i = 0; i < polygons->size(); ++i)
-            lots.push_back({i == 0 ? name : fmt::format("{} ({})", name, i + 1), (*polygons)[i]});
+            lots.push_back({i == 0 ? name : fmt::format("{} ({})", name, i + 1), (*polygons)[i], *roads});
     }
     return lots;
 }

@@ -31,10 +31,10 @@ void writeInputs(Database& database, const std::vector<InputFile>& inputs) {
 
 void writeLots(Database& database, const std::vector<NamedLot>& lots) {
     database.execute("DELETE FROM lots");
-    Statement add = database.prepare("INSERT INTO lots (geom, name, area_m2) VALUES (?, ?, ?)");
+    Statement add = database.prepare("INSERT INTO lots (geom, name, area_m2, roads) VALUES (?, ?, ?, ?)");
     Box2 box;
     for (const NamedLot& lot : lots) {
-        add.run(AsBlob{polygonBlob(lot.outline)}, lot.name, area(lot.outline));
+        add.run(AsBlob{polygonBlob(lot.outline)}, lot.name, area(lot.outline), formatText(lot.roads));
         box.add(bounds(lot.outline));
     }
     touch(database, "lots", box);

@@ -1,9 +1,11 @@
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLineEdit>
 #include <QTreeView>
 #include <QUndoStack>
 
+#include "app/window/project/lot_roads_dialog.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/project/project_model.h"
 #include "core/receivers/place_names.h"
@@ -150,6 +152,21 @@ TEST_F(PlacesWindow, AFileWithoutPolygonsIsRefused) {
     read(bad.fileName());
     EXPECT_TRUE(places().empty());
     EXPECT_FALSE(message().isEmpty());
+}
+
+TEST_F(PlacesWindow, RoadsAlongALotAreAnUndoStep) {
+    session().addLot({"Corner", {{{0, 0}, {20, 0}, {20, 30}, {0, 30}}, {}}, {{ParcelSide::east, 12}}});
+    const auto roads = [&] { return findLot(session().project(), "Corner")->roads; };
+    tree().askForRoads("Corner");
+    auto* dialog = tree().findChild<LotRoadsDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->roads(), roads());
+    dialog->findChild<QDoubleSpinBox*>(QStringLiteral("south"))->setValue(8);
+    dialog->findChild<QDoubleSpinBox*>(QStringLiteral("east"))->setValue(0);
+    dialog->accept();
+    EXPECT_EQ(roads(), (std::vector<RoadFront>{{ParcelSide::south, 8}}));
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(roads(), (std::vector<RoadFront>{{ParcelSide::east, 12}}));
 }
 
 }  // namespace

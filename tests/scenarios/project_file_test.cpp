@@ -45,12 +45,18 @@ protected:
     TemporaryFolder folder_;
 };
 
+// Version 4 stored no roads along lots.
+Project asVersion4Holds(Project project) {
+    for (NamedLot& lot : project.lots) lot.roads.clear();
+    return project;
+}
+
 // Version 3 stored no map context.
 Project asVersion3Holds(Project project) {
     City city = *project.city;
     city.context = nullptr;
     project.city = std::make_shared<const City>(std::move(city));
-    return project;
+    return asVersion4Holds(std::move(project));
 }
 
 // Version 2 stored no places and no title block.
@@ -206,7 +212,20 @@ TEST_F(ProjectFileTest, AFileOfVersion3IsOpened) {
 
 TEST_F(ProjectFileTest, AFileOfVersion4IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-4.noonmark.gpkg"), file());
+    expectSame(opened(), asVersion4Holds(sampleProject()));
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion5IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-5.noonmark.gpkg"), file());
     expectSame(opened(), sampleProject());
+}
+
+TEST_F(ProjectFileTest, RoadsThatMakeNoSenseAreDamage) {
+    made();
+    Database(file(), Database::Access::write).execute("UPDATE lots SET roads = 'up=8'");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("names no side of a parcel"));
+    Database(file(), Database::Access::write).execute("UPDATE lots SET roads = NULL");
+    EXPECT_TRUE(opened().lots.front().roads.empty());
 }
 
 TEST_F(ProjectFileTest, ContextThatIsNoShapeIsDamage) {

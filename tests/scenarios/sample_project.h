@@ -59,7 +59,8 @@ inline Project sampleProject() {
     reading.heights = {{{"city.gpkg", "HAUTEUR", "height of the building", "m", 3}},
                        {{"city.gpkg", "n_d'Été", 1, 12.5, false, 4}}};
     project.reading = std::make_shared<const CityReading>(reading);
-    project.lots = {{"corner", box(200, 0, 240, 30)}, {"court", court.parts[0].footprint}};
+    project.lots = {{"corner", box(200, 0, 240, 30), {{ParcelSide::south, 8}, {ParcelSide::east, 12.5}}},
+                    {"court", court.parts[0].footprint}};
     project.regions = {{"Park", {box(0, 60, 100, 90), box(0, 100, 50, 120)}}};
     project.places = {
         {"Church \"yard\"", PlaceKind::cemetery, {court.parts[0].footprint}, "OSM way 12"},

@@ -24,6 +24,12 @@ struct AddOptions {
     std::string scenario;  // the scenario of the building
 };
 
+struct RoadOptions {
+    ChangeOptions change;
+    std::string name;
+    std::vector<std::string> roads;  // SIDE=WIDTH
+};
+
 struct ImportOptions {
     ChangeOptions change;
     std::string file;
@@ -102,13 +108,29 @@ Result<std::string> import(const ImportOptions& options, Project& project) {
     return words;
 }
 
+Result<std::string> setRoads(const RoadOptions& options, Project& project) {
+    const auto roads = parseRoads(fmt::format("{}", fmt::join(options.roads, ",")));
+    if (!roads) return tl::make_unexpected(roads.error());
+    const auto found = findLot(project, options.name);
+    if (!found) return tl::make_unexpected(found.error());
+    std::ranges::find(project.lots, found->name, &NamedLot::name)->roads = *roads;
+    return roads->empty() ? fmt::format("{}: no roads\n", found->name)
+                          : fmt::format("{}: roads {}\n", found->name, formatText(*roads));
+}
+
+Listed listed(const NamedLot& lot) {
+    const std::string courtyard = lot.outline.holes.empty() ? "" : ", with a courtyard";
+    const std::string roads = lot.roads.empty() ? "" : ", roads " + formatText(lot.roads);
+    return {lot.name,
+            fmt::format("{:.0f} m2{}{}", area(lot.outline), courtyard, roads),
+            {{"area_m2", area(lot.outline)},
+             {"courtyards", lot.outline.holes.size()},
+             {"roads", formatText(lot.roads)}}};
+}
+
 std::vector<Listed> list(const Project& project) {
     std::vector<Listed> lines;
-    for (const NamedLot& lot : project.lots)
-        lines.push_back({lot.name,
-                         fmt::format("{:.0f} m2{}", area(lot.outline),
-                                     lot.outline.holes.empty() ? "" : ", with a courtyard"),
-                         {{"area_m2", area(lot.outline)}, {"courtyards", lot.outline.holes.size()}}});
+    for (const NamedLot& lot : project.lots) lines.push_back(listed(lot));
     return lines;
 }
 
@@ -134,6 +156,20 @@ void addAdd(CLI::App& group, Run& run) {
         ->default_val(existingCity)
         ->needs(of)
         ->type_name("NAME");
+}
+
+void addRoad(CLI::App& group, Run& run) {
+    const auto options = std::make_shared<RoadOptions>();
+    CLI::App* command = addChangeCommand(
+        group, "road", "State the roads, water and railways along a lot, for rules about parcels", options,
+        setRoads, run);
+    command->add_option("name", options->name, "Name of the lot")->required()->type_name("NAME");
+    command
+        ->add_option(
+            "roads", options->roads,
+            "Sides and widths in metres, such as south=8 east=12 (sides: north, northeast, ...); none: "
+            "the lot has no roads")
+        ->type_name("SIDE=M...");
 }
 
 void addImport(CLI::App& group, Run& run) {
@@ -162,6 +198,7 @@ void addProjectLot(CLI::App& project, Run& run) {
     CLI::App* group = project.add_subcommand("lot", "Ground to build on");
     group->require_subcommand(1);
     addAdd(*group, run);
+    addRoad(*group, run);
     addImport(*group, run);
     addListCommand(*group, "List the lots", list, run);
     addRemoveCommand(*group, "Remove lots", remove, run);

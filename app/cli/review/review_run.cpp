@@ -24,6 +24,7 @@
 #include "core/review/verdict_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
+#include "scenarios/project/rule_parcels.h"
 
 namespace noonmark::cli {
 
@@ -51,40 +52,18 @@ struct ReviewAnswer {
     std::vector<Place> streets;
 };
 
-Place placeOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
-
-/// Rules with lines are about parcels: the lots of the project, or else its places.
-Result<Place> placeNamed(const Rule& rule, const Project& project, const std::string& name) {
-    if (rule.receivers.hasLines())
-        if (const auto lot = findLot(project, name)) return placeOf(*lot);
-    return findPlace(project, name);
-}
-
-std::vector<Place> allPlaces(const Rule& rule, const Project& project) {
-    if (!rule.receivers.hasLines()) return project.places;
-    std::vector<Place> parcels;
-    for (const NamedLot& lot : project.lots) parcels.push_back(placeOf(lot));
-    return parcels;
-}
-
 Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule& rule,
                                      const Project& project) {
-    std::vector<Place> places;
-    if (options.places == std::vector<std::string>{"all"}) {
-        places = allPlaces(rule, project);
-    } else {
-        for (const std::string& name : options.places) {
-            auto place = placeNamed(rule, project, name);
-            if (!place) return tl::make_unexpected(place.error());
-            places.push_back(*std::move(place));
-        }
+    std::vector<std::string> names = options.places;
+    if (names == std::vector<std::string>{"all"}) {
+        names.clear();
+        for (const Place& place : placesUnder(rule, project)) names.push_back(place.name);
     }
-    if (!places.empty()) return places;
-    return rule.receivers.hasLines()
-               ? Result<std::vector<Place>>(failure("The project has no lots", options.file,
-                                                    "Add the parcels: noonmark-cli project lot add"))
-               : Result<std::vector<Place>>(failure("The project has no places", options.file,
-                                                    "Add some: noonmark-cli project place --help"));
+    if (!names.empty()) return findPlacesUnder(rule, project, names);
+    if (rule.receivers.hasLines())
+        return failure("The project has no lots", options.file,
+                       "Add the parcels: noonmark-cli project lot add");
+    return failure("The project has no places", options.file, "Add some: noonmark-cli project place --help");
 }
 
 /// The zone of the options, or the one that all periods of the project have.

@@ -119,6 +119,12 @@ Project rebase(Project project, const std::string& scenario, const std::string& 
     return project;
 }
 
+Project withRoads(Project project, const std::string& lot, const std::vector<RoadFront>& roads) {
+    for (NamedLot& one : project.lots)
+        if (one.name == lot) one.roads = roads;
+    return project;
+}
+
 Project withPlaceKind(Project project, const std::string& place, PlaceKind kind) {
     for (Place& one : project.places)
         if (one.name == place) one.kind = kind;

@@ -5,6 +5,7 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "app/window/project/lot_roads_dialog.h"
 #include "app/window/project/project_model.h"
 #include "app/window/project/project_session.h"
 #include "app/window/study/region_words.h"
@@ -157,6 +158,17 @@ void ProjectDock::setKind(const std::string& place, PlaceKind kind) {
                     tr("change kind of %1").arg(QString::fromStdString(place)));
 }
 
+void ProjectDock::askForRoads(const std::string& lot) {
+    const auto found = findLot(session_.project(), lot);
+    if (!found) return;
+    auto* dialog = new LotRoadsDialog(QString::fromStdString(lot), found->roads, this);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, lot] {
+        session_.change(withRoads(session_.project(), lot, dialog->roads()),
+                        tr("roads along %1").arg(QString::fromStdString(lot)));
+    });
+    dialog->open();
+}
+
 void ProjectDock::editName(ProjectPart part, const std::string& name) {
     select(part, name);
     tree_->edit(model_->indexOf(part, name));
@@ -184,6 +196,8 @@ void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index
     if (node.kind == Kind::part) menu.addAction(describeUse(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
     if (node.part == ProjectPart::place && node.kind == Kind::part) addPlaceActions(menu, node.name);
+    if (node.part == ProjectPart::lot && node.kind == Kind::part)
+        menu.addAction(tr("R&oads along it..."), this, [this, name = node.name] { askForRoads(name); });
     if (node.kind == Kind::part)
         menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });
     if (canDuplicate(node)) menu.addAction(tr("D&uplicate"), this, [this, index] { duplicate(index); });

@@ -30,6 +30,7 @@ public:
     void remove(const QModelIndex& index);      ///< removes a part, or an edit of a scenario
     void duplicate(const QModelIndex& index);   ///< a scenario, lot, region, place, period or weight table
     void addScenario(const std::string& base);  ///< and displays it
+    void askForRoads(const std::string& lot);   ///< opens a dialog, whose answer is one undo step
     void setKind(const std::string& place, PlaceKind kind);
     void select(ProjectPart part, const std::string& name);
     void editName(ProjectPart part,

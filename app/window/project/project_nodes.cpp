@@ -87,7 +87,11 @@ void addLots(ProjectNode& root, const Project& project) {
     ProjectNode& group =
         addGroup(root, ProjectPart::lot, tr("Lots"), project.lots.size(), tr("Ground to build on"));
     for (const NamedLot& lot : project.lots)
-        addPart(group, lot.name, describeArea(area(lot.outline)),
+        addPart(group, lot.name,
+                lot.roads.empty() ? describeArea(area(lot.outline))
+                                  : tr("%1, roads: %2")
+                                        .arg(describeArea(area(lot.outline)),
+                                             QString::fromStdString(noonmark::formatText(lot.roads))),
                 tr("Press Enter or double-click to zoom to it"));
 }
 

@@ -6,12 +6,11 @@
 
 #include "app/window/frame/workbench.h"
 #include "core/receivers/place_names.h"
+#include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
 
 namespace {
-
-Place parcelOf(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
 
 // The shipped rules and those of the user's folder; without it the shipped ones.
 RuleLibrary loadLibrary() {
@@ -70,29 +69,25 @@ std::string ReviewSession::scenarioName() const {
 std::vector<Place> ReviewSession::candidates() const {
     const auto rule = this->rule();
     const Project& project = workbench_.session().project();
-    if (!rule || !rule->receivers.hasLines()) return project.places;
-    std::vector<Place> parcels;
-    for (const NamedLot& lot : project.lots) parcels.push_back(parcelOf(lot));
-    return parcels;
+    return rule ? placesUnder(*rule, project) : project.places;
 }
 
 Result<std::vector<Place>> ReviewSession::chosenPlaces(const Rule& rule) const {
-    std::vector<Place> places = candidates();
-    const bool lots = rule.receivers.hasLines();
-    if (places.empty() && lots)
+    const std::vector<Place> places = candidates();
+    if (places.empty() && rule.receivers.hasLines())
         return failure("The project has no lots, and this rule is about parcels", {},
                        "Draw the lot of the proposal: Edit > Draw lot");
     if (places.empty())
         return failure("The project has no places yet", {},
                        "Read them from a map or draw one: Study > Read places, Study > Draw place");
-    if (choice_.allPlaces) return places;
-    std::erase_if(places, [this](const Place& place) {
-        return std::ranges::find(choice_.places, place.name) == choice_.places.end();
-    });
-    if (places.empty())
+    std::vector<std::string> names;
+    for (const Place& place : places)
+        if (choice_.allPlaces || std::ranges::find(choice_.places, place.name) != choice_.places.end())
+            names.push_back(place.name);
+    if (names.empty())
         return failure("No place is chosen", {},
                        "Tick the places to review, or Screen to find those in reach");
-    return places;
+    return findPlacesUnder(rule, workbench_.session().project(), names);
 }
 
 Result<ReviewQuestion> ReviewSession::question() {

@@ -29,7 +29,7 @@ CREATE INDEX buildings_building ON buildings (building);
 CREATE TABLE meshes (id INTEGER PRIMARY KEY NOT NULL, vertices BLOB NOT NULL, triangles BLOB NOT NULL);
 CREATE TABLE terrain (id INTEGER PRIMARY KEY NOT NULL, west_m REAL NOT NULL, south_m REAL NOT NULL, cell_m REAL NOT NULL,
   columns INTEGER NOT NULL, rows INTEGER NOT NULL, elevations_m BLOB NOT NULL);
-CREATE TABLE lots (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, area_m2 REAL);
+CREATE TABLE lots (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, area_m2 REAL, roads TEXT);
 CREATE TABLE regions (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, area_m2 REAL);
 CREATE TABLE scenarios (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL, base TEXT NOT NULL);
 CREATE TABLE edits (id INTEGER PRIMARY KEY NOT NULL, scenario INTEGER NOT NULL, position INTEGER NOT NULL,
@@ -183,9 +183,12 @@ void toVersion4(Database& database) {
     addContextTable(database);
 }
 
+void toVersion5(Database& database) { database.execute("ALTER TABLE lots ADD COLUMN roads TEXT"); }
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4};
+    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4,
+                                                                   toVersion5};
     return steps;
 }
 

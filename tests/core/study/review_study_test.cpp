@@ -147,6 +147,27 @@ TEST(ReviewStudy, JapansBeltsFollowTheHeightOfTheBuilding) {
     EXPECT_EQ(verdicts(60), (std::pair{Verdict::fail, Verdict::fail}));
 }
 
+TEST(ReviewStudy, JapansLinesMoveOutAlongWideRoads) {
+    // 24 m high, 20 m above the plane. Without roads a point 16 m west and 10 m north of the building's
+    // middle of the west wall has its sun hidden from 8 h to 10 h and more. Roads of 40 m move the lines 35 m
+    // out, to 55 m and 60 m from the middle, on all sides where shadow falls in winter: there the building
+    // spans less than 25 degrees, and the sun passes them in less than two hours.
+    const City none = cityAt({139.7, 35.7}, {}),
+               city = cityAt({139.7, 35.7}, {{{-10, -10, 0}, {10, 10, 24}}});
+    const Rule rule = shippedRule("japan");
+    ASSERT_TRUE(rule.receivers.roads);
+    const Footprint lot{tests::rectangle(-15, -15, 15, 15), {}};
+    const auto verdicts = [&](const std::vector<RoadFront>& roads) {
+        const auto polygons = moveLineOut(lot, roads, *rule.receivers.roads).value();
+        const ReviewStudy study =
+            reviewed(rule, none, city, {{"Lot", PlaceKind::other, polygons, "lot"}}, "Asia/Tokyo");
+        return std::pair{study.places.at(0).verdict, study.places.at(1).verdict};
+    };
+    EXPECT_EQ(verdicts({}), (std::pair{Verdict::fail, Verdict::fail}));
+    EXPECT_EQ(verdicts({{ParcelSide::west, 40}, {ParcelSide::north, 40}, {ParcelSide::east, 40}}),
+              (std::pair{Verdict::pass, Verdict::pass}));
+}
+
 TEST(ReviewStudy, JapansShadowsAreDrawnOnThePlaneAsFarAsTheyReach) {
     // 20 m wide and 24 m high, on a plane 4 m up: at noon the shadow reaches 20 / tan(altitude) = 33 m north
     // of the building, far beyond the parcel, which ends 5 m from it.

@@ -5,7 +5,7 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/day_isochrones.h"
-#include "core/receivers/line_belts.h"
+#include "core/receivers/parcels/line_belts.h"
 #include "core/review/rule_moments.h"
 #include "core/sun/chosen_days.h"
 

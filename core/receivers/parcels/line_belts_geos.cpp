@@ -1,7 +1,7 @@
 #include <geos_c.h>
 
 #include "core/city/footprints/geos_shapes.h"
-#include "core/receivers/line_belts.h"
+#include "core/receivers/parcels/line_belts.h"
 
 namespace noonmark {
 

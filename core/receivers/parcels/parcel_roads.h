@@ -1,0 +1,55 @@
+#pragma once
+
+// The folder core/receivers/parcels has the lines around parcels that rules measure at: parcel_roads.h moves
+// the parcel's own line out along roads, line_belts.h cuts the ground between two distances from it.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/city/footprints/footprint.h"
+
+namespace noonmark {
+
+/// Where a side of a parcel faces, in the local frame.
+enum class ParcelSide : std::uint8_t { north, northeast, east, southeast, south, southwest, west, northwest };
+/// All sides, clockwise from north: parcelSides[i] == ParcelSide(i).
+inline constexpr std::array parcelSides{ParcelSide::north,     ParcelSide::northeast, ParcelSide::east,
+                                        ParcelSide::southeast, ParcelSide::south,     ParcelSide::southwest,
+                                        ParcelSide::west,      ParcelSide::northwest};
+/// "north", "northeast", ...
+std::string_view nameOf(ParcelSide side);
+
+/// A road, water or railway along the edges of a parcel that face about `side`.
+struct RoadFront {
+    ParcelSide side = ParcelSide::north;
+    double widthM = 0;  ///< leastRoadM to mostRoadM
+    bool operator==(const RoadFront&) const = default;
+};
+inline constexpr double leastRoadM = 0.5, mostRoadM = 200;
+
+/// "south=8, east=12.5"; no road: empty.
+std::string formatText(const std::vector<RoadFront>& roads);
+/// Reads what formatText() writes. Error: no such side, a side named twice, a width out of range.
+Result<std::vector<RoadFront>> parseRoads(std::string_view text);
+
+/// How a rule moves the line of a parcel out along a road.
+struct RoadShift {
+    double narrowM = 0;       ///< of a road up to this width, 0 to 1000,
+    double share = 0;         ///< by this share of its width, 0 to 1;
+    double fromFarSideM = 0;  ///< of a wider one to this distance inside its far side, 0 to narrowM
+};
+/// Metres, at least 0.
+double shiftOf(const RoadShift& rule, double widthM);
+
+/// The parcel and the ground between its line and the line moved out along its roads. An edge belongs to the
+/// front whose side is nearest to where it faces, if that is within 45 degrees. At a corner of two fronts
+/// both lines run on until they meet; at the end of a front the ground ends square to the edge. Error: the
+/// polygons cannot be joined. Backend: parcel_roads_geos.cpp.
+Result<std::vector<Footprint>> moveLineOut(const Footprint& parcel, const std::vector<RoadFront>& roads,
+                                           const RoadShift& rule);
+
+}  // namespace noonmark

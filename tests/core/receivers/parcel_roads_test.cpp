@@ -1,0 +1,104 @@
+#include "core/receivers/parcels/parcel_roads.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/receivers/parcels/line_belts.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+// Japan: half the width of a road of at most 10 m, else to 5 m inside its far side.
+constexpr RoadShift japan{10, 0.5, 5};
+const Footprint lot{{{0, 0}, {20, 0}, {20, 30}, {0, 30}}, {}};
+
+Footprint moved(const Footprint& parcel, const std::vector<RoadFront>& roads) {
+    const auto polygons = moveLineOut(parcel, roads, japan);
+    EXPECT_TRUE(polygons);
+    EXPECT_EQ(polygons->size(), 1U);
+    return polygons->front();
+}
+
+TEST(ParcelRoads, NarrowRoadsCountHalfAndWideOnesAllButTheRest) {
+    EXPECT_EQ(shiftOf(japan, 8), 4);
+    EXPECT_EQ(shiftOf(japan, 10), 5);
+    EXPECT_EQ(shiftOf(japan, 12), 7);
+}
+
+TEST(ParcelRoads, AStripIsAddedAlongTheRoad) {
+    const Footprint south = moved(lot, {{ParcelSide::south, 8}});
+    EXPECT_NEAR(area(south), 20 * 30 + 20 * 4, 1e-3);
+    EXPECT_EQ(bounds(south).low.y, -4);
+    // The 5 m line is 9 m from the lot there, and 5 m elsewhere.
+    const auto belt = cutBelt({south}, 0, 5);
+    ASSERT_TRUE(belt);
+    EXPECT_TRUE(contains(belt->front(), {10, -8.9}));
+    EXPECT_FALSE(contains(belt->front(), {10, -9.1}));
+    EXPECT_FALSE(contains(belt->front(), {10, 35.1}));
+}
+
+TEST(ParcelRoads, AtACornerBothLinesRunOnUntilTheyMeet) {
+    const Footprint corner = moved(lot, {{ParcelSide::south, 8}, {ParcelSide::east, 12}});
+    EXPECT_NEAR(area(corner), 20 * 30 + 20 * 4 + 30 * 7 + 4 * 7, 1e-3);
+    EXPECT_TRUE(contains(corner, {26.9, -3.9}));
+}
+
+TEST(ParcelRoads, EdgesBelongToTheSideTheyFace) {
+    // A quarter of the edges of a polygon of 48 edges faces within 45 degrees of south.
+    constexpr int edges = 48;
+    const auto around = [](double radius) {
+        Footprint circle;
+        for (int i = 0; i < edges; ++i) {
+            const double angle = 2 * std::numbers::pi * i / edges;
+            circle.outer.emplace_back(float(radius * std::cos(angle)), float(radius * std::sin(angle)));
+        }
+        return circle;
+    };
+    const Footprint parcel = around(20);
+    std::vector<RoadFront> all;
+    for (const ParcelSide side : parcelSides) all.push_back({side, 8});
+    // Moved out on all sides, it is the same polygon with an apothem that is 4 m longer.
+    const double apothem = 20 * std::cos(std::numbers::pi / edges);
+    EXPECT_NEAR(area(moved(parcel, all)),
+                edges * std::tan(std::numbers::pi / edges) * (apothem + 4) * (apothem + 4), 0.05);
+    const double strip = area(moved(parcel, {{ParcelSide::south, 8}})) - area(parcel);
+    const double ring = area(moved(parcel, all)) - area(parcel);
+    EXPECT_NEAR(strip, ring / 4, ring / edges);
+}
+
+TEST(ParcelRoads, StripsOfAnInnerCornerOverlap) {
+    // An L: roads of 8 m in front of the edges that face south and east meet inside it.
+    const Footprint angle{{{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 30}, {0, 30}}, {}};
+    const Footprint north = moved(angle, {{ParcelSide::north, 8}, {ParcelSide::east, 8}});
+    // The lot of 500 m2; north of the foot 20 x 4, east of the stem 20 x 4 less 4 x 4 twice counted, the ends
+    // 10 x 4 each with corners of 4 x 4.
+    EXPECT_NEAR(area(north), 500 + 20 * 4 + 20 * 4 - 4 * 4 + 2 * (10 * 4 + 4 * 4), 1e-2);
+}
+
+TEST(ParcelRoads, WithoutRoadsTheLineStays) {
+    EXPECT_EQ(moved(lot, {}), lot);
+    EXPECT_EQ(moveLineOut(lot, {{ParcelSide::south, 3}}, {10, 0, 5})->size(), 1U) << "a share of 0";
+}
+
+TEST(ParcelRoads, AreWrittenAsTheyAreRead) {
+    const std::vector<RoadFront> roads{{ParcelSide::south, 8}, {ParcelSide::northeast, 12.5}};
+    EXPECT_EQ(formatText(roads), "south=8, northeast=12.5");
+    EXPECT_EQ(parseRoads(formatText(roads)).value(), roads);
+    EXPECT_EQ(parseRoads(" south = 8 ,northeast=12.5 ").value(), roads);
+    EXPECT_TRUE(parseRoads("").value().empty());
+}
+
+TEST(ParcelRoads, WhatMakesNoSenseIsRefused) {
+    for (const char* text : {"up=8", "=8", "south 8", ","})
+        EXPECT_THAT(parseRoads(text).error().text(), HasSubstr("no side")) << text;
+    for (const char* text : {"south", "south=", "south=8m", "south=0", "south=nan", "south=1e9", "south=-8"})
+        EXPECT_THAT(parseRoads(text).error().text(), HasSubstr("no width")) << text;
+    EXPECT_THAT(parseRoads("south=8,south=9").error().text(), HasSubstr("Two roads"));
+}
+
+}  // namespace
+}  // namespace noonmark
