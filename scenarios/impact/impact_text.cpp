@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/csv_field.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/error_json.h"

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/csv_field.h"
 #include "core/io/files/fold_text.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
@@ -135,7 +136,7 @@ std::string weightsCsv(const TimeWeights& weights) {
     for (const WeightedInterval& interval : weights.intervals) {
         const auto texts = textsOf(interval);
         std::vector<std::string> fields;
-        for (const char* column : columns) fields.push_back(csvField(texts.at(column)));
+        for (const char* column : columns) fields.push_back(quoteField(texts.at(column)));
         csv += fmt::format("{}\r\n", fmt::join(fields, ","));
     }
     return csv;

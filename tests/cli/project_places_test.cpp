@@ -52,13 +52,13 @@ TEST_F(ProjectPlaces, ALotIsABoxAPolygonAFileOrABuildingsOutline) {
 
 TEST_F(ProjectPlaces, ALotStatesTheRoadsAlongIt) {
     done("lot add", {"box", "-73.98,40.765,-73.979,40.766"});
-    EXPECT_THAT(done("lot road", {"box", "south=8", "east=12.5"}),
+    EXPECT_THAT(done("lot set-roads", {"box", "south=8", "east=12.5"}),
                 HasSubstr("box: roads south=8, east=12.5"));
     EXPECT_EQ(formatText(opened().lots.back().roads), "south=8, east=12.5");
     EXPECT_THAT(done("lot list", {}), HasSubstr("roads south=8, east=12.5"));
-    EXPECT_THAT(refused("lot road", {"box", "up=8"}), HasSubstr("names no side"));
-    EXPECT_THAT(refused("lot road", {"nowhere", "south=8"}), HasSubstr("nowhere"));
-    EXPECT_THAT(done("lot road", {"box"}), HasSubstr("box: no roads"));
+    EXPECT_THAT(refused("lot set-roads", {"box", "up=8"}), HasSubstr("names no side"));
+    EXPECT_THAT(refused("lot set-roads", {"nowhere", "south=8"}), HasSubstr("nowhere"));
+    EXPECT_THAT(done("lot set-roads", {"box"}), HasSubstr("box: no roads"));
     EXPECT_TRUE(opened().lots.back().roads.empty());
 }
 

@@ -107,7 +107,7 @@ TEST_F(StudyPoints, OptionsThatDoNotBelongAreRefused) {
     EXPECT_EQ(noonmarkCli({"city-study", "sample:grid", "--receivers", "facades"}).code, exitUsage);
 }
 
-TEST_F(StudyPoints, NamedBuildingsAndWindowsNeedNoRegion) {
+TEST_F(StudyPoints, NamedBuildingsNeedNoRegion) {
     const auto withoutRegion = [&](const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"study",       folder_.file("city.geojson", house).string(),
                                            "--start",     "2026-03-21",

@@ -104,6 +104,8 @@ void print(const PointStudy& study, const City& city, const Zone& zone, std::ost
 
 Result<void> checkFiles(const PointOptions& options) {
     const OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
+    if (!options.svg.empty() && options.svg == options.csv)
+        return failure("The drawing and the table cannot be one file", options.svg, "Name two files");
     if (!options.svg.empty())
         if (const auto may = checkOutput(options.svg, OutputKind::svg, rules); !may) return may;
     return options.csv.empty() ? Result<void>() : checkOutput(options.csv, OutputKind::table, rules);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/csv_field.h"
 #include "core/measures/has_runs.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"

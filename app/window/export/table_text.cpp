@@ -4,12 +4,16 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "core/base/csv_field.h"
+
 namespace noonmark {
 
 namespace {
 
 // A tab or a line end inside a cell would begin another one.
-QString plainCell(const QString& text) { return text.simplified(); }
+QString plainCell(const QString& text) {
+    return QString::fromStdString(disarmFormula(text.simplified().toStdString()));
+}
 
 QString lineOf(const QAbstractItemModel& model, int row, const QModelIndex& parent) {
     QStringList cells;

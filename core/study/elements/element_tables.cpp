@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <set>
 
+#include "core/base/csv_field.h"
 #include "core/geo/earth_drop.h"
 #include "core/study/provenance/source_columns.h"
 
@@ -102,17 +103,9 @@ private:
     std::array<std::string, sourceColumnNames.size()> source_;
 };
 
-// A text that a spreadsheet would take for a formula gets a quote in front.
-std::string harmless(const std::string& text) {
-    const bool risky = !text.empty() &&
-                       std::string_view("=+-@").find(text.front()) != std::string_view::npos &&
-                       text.find_first_not_of("+-0123456789.") != std::string::npos;
-    return risky ? "'" + text : text;
-}
-
 // Degrees of places need more digits than metres and minutes.
 std::string textOf(const ElementValue& value, const std::string& column) {
-    if (const auto* text = std::get_if<std::string>(&value)) return csvField(harmless(*text));
+    if (const auto* text = std::get_if<std::string>(&value)) return csvField(*text);
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::to_string(*whole);
     const auto* number = std::get_if<double>(&value);
     if (number == nullptr || !std::isfinite(*number)) return {};

@@ -1,5 +1,7 @@
 #include "core/study/provenance/source_columns.h"
 
+#include "core/base/csv_field.h"
+
 namespace noonmark {
 
 std::array<std::string, sourceColumnNames.size()> sourceValues(const Provenance& provenance) {
@@ -16,13 +18,6 @@ std::string sourceFields(const Provenance& provenance) {
         fields += csvField(value);
     }
     return fields;
-}
-
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + '"';
 }
 
 }  // namespace noonmark

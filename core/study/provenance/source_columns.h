@@ -16,7 +16,4 @@ std::string sourceFields(const Provenance& provenance);
 inline constexpr std::array sourceColumnNames{"project", "scenario", "baseline", "content_sha256"};
 std::array<std::string, sourceColumnNames.size()> sourceValues(const Provenance& provenance);
 
-/// Quotes a field of a CSV file (RFC 4180).
-std::string csvField(const std::string& text);
-
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/csv_field.h"
 #include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
@@ -13,14 +14,6 @@ namespace noonmark {
 namespace {
 
 double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-// RFC 4180. A leading = + - @ is escaped, since spreadsheets would take it for a formula.
-std::string cell(const std::string& text) {
-    std::string quoted = "\"";
-    if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) quoted += "'";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& caster,
              const std::string& source) {
@@ -85,9 +78,10 @@ std::string contributionsCsv(const Study& study) {
                              [](const BuildingShadow& shadow) { return total(shadow.attributedMinM2); });
     for (const BuildingShadow& shadow : shadows) {
         const Building& building = *study.city.buildings[shadow.building];
-        addLine(csv, shadow,
-                fmt::format("{},{},{}", shadow.building, cell(building.sourceId), cell(building.name)),
-                source);
+        addLine(
+            csv, shadow,
+            fmt::format("{},{},{}", shadow.building, csvField(building.sourceId), csvField(building.name)),
+            source);
     }
     if (breakdown.terrain) addLine(csv, *breakdown.terrain, ",\"terrain\",\"terrain\"", source);
     return csv;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/csv_field.h"
 #include "core/base/version.h"
 #include "core/review/review_columns.h"
 #include "core/review/rule_names.h"

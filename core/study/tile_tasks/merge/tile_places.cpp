@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/csv_field.h"
 #include "core/io/write_raster.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"

@@ -1,0 +1,26 @@
+#include "core/base/csv_field.h"
+
+#include <gtest/gtest.h>
+
+namespace noonmark {
+namespace {
+
+TEST(CsvField, IsQuotedWhereItsTextWouldEndIt) {
+    EXPECT_EQ(csvField("Bryant Park"), "Bryant Park");
+    EXPECT_EQ(csvField("a, b"), "\"a, b\"");
+    EXPECT_EQ(csvField("5\" \nlot"), "\"5\"\" \nlot\"");
+    EXPECT_EQ(csvField(""), "");
+}
+
+TEST(CsvField, FormulasOfStrangersAreTexts) {
+    EXPECT_EQ(csvField("=HYPERLINK(\"http://x\",\"y\")"), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
+    EXPECT_EQ(csvField("=1+1"), "'=1+1");
+    EXPECT_EQ(csvField("@SUM(A1)"), "'@SUM(A1)");
+    EXPECT_EQ(csvField("+A1(2)"), "'+A1(2)");
+    EXPECT_EQ(csvField("-2+3+cmd|' /C calc'!A0"), "'-2+3+cmd|' /C calc'!A0");
+    for (const char* text : {"-5", "+0.5", "-5 m2", "- the park", "a=b"}) EXPECT_EQ(csvField(text), text);
+    EXPECT_EQ(quoteField("=1+1"), "=1+1") << "of tables that are read back";
+}
+
+}  // namespace
+}  // namespace noonmark
