@@ -207,8 +207,10 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
         lines.finish();
         if (receivers.innerLineM >= receivers.outerLineM)
             fields.trouble("lines_m", "The outer line must be farther out than the inner one");
-        receivers.roads = readRoadShift(fields);
     }
+    if (fields.has("road_shift") && !receivers.hasLines())
+        fields.trouble("road_shift", "The field needs lines_m");
+    receivers.roads = readRoadShift(fields);
     receivers.evidence = readEvidence(fields, ruleSource);
     fields.finish();
     return receivers;

@@ -68,9 +68,9 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* par
     line_->blend();
     line_->alwaysVisible();
     line_->bothSides();
-    handle_.material = made("mark");
+    handle_ = {makeDoubleArrow(float(handlePx)), made("mark"), nullptr, {}};
     lightHandle(false);
-    pin_.material = made("mark");
+    pin_ = {makePin(float(pinPx)), made("mark"), nullptr, {}};
     pin_.material->set(QStringLiteral("tint"), vectorOf(pinColour));
 }
 
@@ -96,21 +96,19 @@ void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
     if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *line_, root_, blended_);
 }
 
-void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at, const TriangleMesh& shape) {
+void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at) {
     mark.at = at;
     if (!at) return drop(mark.entity);
     mark.material->set(QStringLiteral("anchor"), QVector3D(float(at->x), float(at->y), float(at->z)));
     if (mark.entity) return;
-    mark.entity = makeArrayEntity(
-        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, shape.vertices, indicesOf(shape)),
-        *mark.material, root_);
+    mark.entity = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles,
+                                                      mark.shape.vertices, indicesOf(mark.shape)),
+                                  *mark.material, root_);
 }
 
-void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) {
-    show(handle_, foot, makeDoubleArrow(float(handlePx)));
-}
+void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) { show(handle_, foot); }
 
-void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip, makePin(float(pinPx))); }
+void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip); }
 
 void OverlayBodies::lightHandle(bool lit) {
     handle_.material->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));
@@ -125,8 +123,8 @@ std::optional<glm::dvec2> OverlayBodies::handlePixel(const CameraPose& pose, con
 
 void OverlayBodies::setLens(const ViewLens& lens) {
     const double atOneMetre = 2 * std::tan(glm::radians(lens.verticalDeg) / 2) / lens.heightPx;
-    for (const Mark& mark : {handle_, pin_})
-        mark.material->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
+    for (const Mark* mark : {&handle_, &pin_})
+        mark->material->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
     line_->set(QStringLiteral("viewSize"), QVector2D(float(lens.widthPx), float(lens.heightPx)));
 }
 

@@ -61,12 +61,13 @@ private:
     };
     /// A solid of a constant size in pixels.
     struct Mark {
+        TriangleMesh shape;  ///< pixels
         ShaderMaterial* material = nullptr;
         Qt3DCore::QEntity* entity = nullptr;
         std::optional<glm::dvec3> at;
     };
     Body& of(Tint tint) { return bodies_[std::size_t(tint)]; }
-    void show(Mark& mark, std::optional<glm::dvec3> at, const TriangleMesh& shape);
+    void show(Mark& mark, std::optional<glm::dvec3> at);
 
     Qt3DCore::QEntity* root_;
     Qt3DRender::QLayer* layer_;

@@ -2,27 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace noonmark {
 
 namespace {
 
 Place asDrawn(const NamedLot& lot) { return {lot.name, PlaceKind::other, {lot.outline}, "lot"}; }
 
-Result<Place> parcelOf(const Rule& rule, const NamedLot& lot) {
-    Place parcel = asDrawn(lot);
-    if (!rule.receivers.roads || lot.roads.empty()) return parcel;
-    return moveLineOut(lot.outline, lot.roads, *rule.receivers.roads)
-        .map([&](std::vector<Footprint> polygons) {
-            parcel.polygons = std::move(polygons);
-            parcel.source = fmt::format("lot, its line moved out along roads: {}", formatText(lot.roads));
-            return parcel;
-        });
-}
-
 Result<Place> placeNamed(const Rule& rule, const Project& project, const std::string& name) {
     if (rule.receivers.hasLines())
-        if (const auto lot = findLot(project, name)) return parcelOf(rule, *lot);
+        if (const auto lot = findLot(project, name)) return asDrawn(*lot);
     return findPlace(project, name);
+}
+
+Warning warningOf(const NamedLot& lot) {
+    return {WarningKind::assumed, "the parcel's line is moved out along the roads that its lot states",
+            fmt::format("{}: {}", lot.name, formatText(lot.roads))};
 }
 
 }  // namespace
@@ -43,6 +39,23 @@ Result<std::vector<Place>> findPlacesUnder(const Rule& rule, const Project& proj
         places.push_back(*std::move(place));
     }
     return places;
+}
+
+Result<PlacesToReview> moveLines(const Rule& rule, const Project& project, std::vector<Place> places) {
+    PlacesToReview review{std::move(places), {}};
+    if (!rule.receivers.roads) return review;
+    std::map<std::string, const NamedLot*> lots;
+    for (const NamedLot& lot : project.lots) lots.emplace(lot.name, &lot);
+    for (Place& place : review.places) {
+        const auto found = lots.find(place.name);
+        if (found == lots.end() || found->second->roads.empty() || place != asDrawn(*found->second)) continue;
+        const NamedLot& lot = *found->second;
+        auto polygons = moveLineOut(lot.outline, lot.roads, *rule.receivers.roads);
+        if (!polygons) return failure(polygons.error().what, "lot " + lot.name, polygons.error().advice);
+        place.polygons = *std::move(polygons);
+        review.moved.push_back(warningOf(lot));
+    }
+    return review;
 }
 
 }  // namespace noonmark

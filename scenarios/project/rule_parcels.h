@@ -3,19 +3,26 @@
 #include <string>
 #include <vector>
 
+#include "core/base/warnings.h"
 #include "core/receivers/place.h"
 #include "core/review/rule.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {
 
-/// What a review may be about: the places of a project or, by a rule with lines, its lots as they are drawn.
+/// What a review may be about: the places of a project or, by a rule with lines, its lots, as they are drawn.
 std::vector<Place> placesUnder(const Rule& rule, const Project& project);
-
-/// The places of these names or, by a rule with lines, the lots, with their line moved out along their roads
-/// where the rule says so. Of a name that no lot has, the place. Error: an unknown name; errors of
-/// moveLineOut().
+/// Of these names; by a rule with lines lots, and places where no lot has the name. Error: an unknown name.
 Result<std::vector<Place>> findPlacesUnder(const Rule& rule, const Project& project,
                                            const std::vector<std::string>& names);
+
+/// Places as a rule takes them.
+struct PlacesToReview {
+    std::vector<Place> places;
+    Warnings moved;  ///< one assumption for each lot whose line was moved out, with its roads
+};
+/// Moves the line of lots out along their roads, where the rule says so. Error: that of moveLineOut(), naming
+/// the lot.
+Result<PlacesToReview> moveLines(const Rule& rule, const Project& project, std::vector<Place> places);
 
 }  // namespace noonmark

@@ -66,6 +66,8 @@ TEST_F(Themes, LegendsAndChartsAreReadableInBothColours) {
             EXPECT_TRUE(theme == Theme::dark || shown == colour) << "as printed";
         }
         EXPECT_GE(contrastOf(readableOn(inks.paper, shade::proposal), inks.paper), 3) << "a thin line";
+        // Sunlight gained is the yellow of sunlight; only areas, and on white as pale as printed.
+        EXPECT_GE(contrastOf(readableOn(inks.paper, shade::gained), inks.paper), 1.3);
     }
 }
 

@@ -253,6 +253,12 @@ TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {
     }
 }
 
+TEST_F(ProjectFileTest, AColumnOfANewNameThatIsNotOursIsNotTaken) {
+    fs::copy_file(testFile("scenarios/files/version-4.noonmark.gpkg"), file());
+    Database(file(), Database::Access::write).execute("ALTER TABLE lots ADD COLUMN Roads TEXT");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("column 'roads'"));
+}
+
 TEST_F(ProjectFileTest, PlacesThatAGisProgramLeftIncompleteAreCompleted) {
     made();
     Database(file(), Database::Access::write)

@@ -1,14 +1,12 @@
 #include "scenarios/project/rule_parcels.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "core/review/rule_library.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
 namespace {
-
-using testing::HasSubstr;
 
 Project twoLots() {
     Project project;
@@ -28,16 +26,27 @@ TEST(RuleParcels, AreTheLotsOfARuleWithLinesOnly) {
     EXPECT_EQ(lots[0].polygons.front(), project.lots[0].outline) << "as drawn";
 }
 
-TEST(RuleParcels, TheirLineMovesOutAlongTheirRoads) {
+TEST(RuleParcels, AreFoundByName) {
     const Project project = twoLots();
-    const auto parcels = findPlacesUnder(ruleNamed("japan"), project, {"A", "B", "Park"});
-    ASSERT_TRUE(parcels);
-    EXPECT_NEAR(area((*parcels)[0].polygons.front()), 20 * 34, 1e-3);
-    EXPECT_THAT((*parcels)[0].source, HasSubstr("south=8"));
-    EXPECT_EQ((*parcels)[1].polygons.front(), project.lots[1].outline);
-    EXPECT_EQ((*parcels)[2], project.places[0]) << "places may be parcels, too";
+    EXPECT_EQ(findPlacesUnder(ruleNamed("japan"), project, {"B"})->front().polygons.front(),
+              project.lots[1].outline);
+    EXPECT_EQ(findPlacesUnder(ruleNamed("japan"), project, {"Park"})->front(), project.places[0])
+        << "places may be parcels, too";
     EXPECT_FALSE(findPlacesUnder(ruleNamed("japan"), project, {"C"}));
     EXPECT_FALSE(findPlacesUnder(ruleNamed("ceqr"), project, {"A"})) << "a lot is no place";
+}
+
+TEST(RuleParcels, TheirLineMovesOutAlongTheirRoads) {
+    const Project project = twoLots();
+    const Rule japan = ruleNamed("japan");
+    const auto taken = moveLines(japan, project, placesUnder(japan, project)).value();
+    EXPECT_NEAR(area(taken.places[0].polygons.front()), 20 * 34, 1e-3);
+    EXPECT_EQ(taken.places[1].polygons.front(), project.lots[1].outline);
+    ASSERT_EQ(taken.moved.size(), 1U);
+    EXPECT_EQ(taken.moved[0].where, "A: south=8");
+    const auto park = moveLines(ruleNamed("ceqr"), project, project.places).value();
+    EXPECT_EQ(park.places, project.places);
+    EXPECT_TRUE(park.moved.empty());
 }
 
 }  // namespace

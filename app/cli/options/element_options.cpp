@@ -7,7 +7,7 @@ namespace noonmark::cli {
 
 namespace {
 
-/// Named buildings and windows have places of their own: the region may be left out, and is the city then.
+/// Named buildings have places of their own: the region may be left out, and is the city then.
 void makeRegionOptional(CLI::App& command, StudyOptions& options) {
     command.get_option("--region")->required(false);
     if (options.region.empty()) options.region = "city";
@@ -37,15 +37,10 @@ void addFacadeOptions(CLI::App& command, StudyOptions& options) {
     addMetres("--above-floor", facades.aboveFloorM, "Facades: height of the points above the floor", 0, 50);
 }
 
-void addWindowOptions(CLI::App& command, StudyOptions& options) {
-    ElementSettings& elements = options.elements;
+void addWindowOptions(CLI::App& command, ElementSettings& elements) {
     command
         .add_option_function<std::string>(
-            "--windows",
-            [&command, &options](const std::string& file) {
-                options.elements.windows = file;
-                makeRegionOptional(command, options);
-            },
+            "--windows", [&elements](const std::string& file) { elements.windows = file; },
             "Windows: a file of points or polygons with heights (fields id, azimuth, floor)")
         ->type_name("FILE");
     command
@@ -76,7 +71,7 @@ Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces
 
 void addElementOptions(CLI::App& command, StudyOptions& options) {
     addFacadeOptions(command, options);
-    addWindowOptions(command, options);
+    addWindowOptions(command, options.elements);
     command
         .add_option("--plane-height", options.elements.planeHeightM,
                     "Plane: its height above the mean of the region's ground")

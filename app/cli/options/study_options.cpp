@@ -83,7 +83,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
         .add_option(
             "--region", options.region,
             "Where to measure: west,south,east,north in degrees, a polygon file, city: the box around "
-            "all buildings, or a region of the project")
+            "all buildings, or a region of the project; may be left out with --facades-of NAME: city")
         ->required()
         ->type_name("W,S,E,N|FILE|city|NAME");
     addReceiverOptions(command, settings);

@@ -158,11 +158,11 @@ void addAdd(CLI::App& group, Run& run) {
         ->type_name("NAME");
 }
 
-void addRoad(CLI::App& group, Run& run) {
+void addSetRoads(CLI::App& group, Run& run) {
     const auto options = std::make_shared<RoadOptions>();
     CLI::App* command = addChangeCommand(
-        group, "road", "State the roads, water and railways along a lot, for rules about parcels", options,
-        setRoads, run);
+        group, "set-roads", "State the roads, water and railways along a lot, for rules about parcels",
+        options, setRoads, run);
     command->add_option("name", options->name, "Name of the lot")->required()->type_name("NAME");
     command
         ->add_option(
@@ -198,7 +198,7 @@ void addProjectLot(CLI::App& project, Run& run) {
     CLI::App* group = project.add_subcommand("lot", "Ground to build on");
     group->require_subcommand(1);
     addAdd(*group, run);
-    addRoad(*group, run);
+    addSetRoads(*group, run);
     addImport(*group, run);
     addListCommand(*group, "List the lots", list, run);
     addRemoveCommand(*group, "Remove lots", remove, run);

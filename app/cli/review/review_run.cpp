@@ -54,12 +54,10 @@ struct ReviewAnswer {
 
 Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule& rule,
                                      const Project& project) {
-    std::vector<std::string> names = options.places;
-    if (names == std::vector<std::string>{"all"}) {
-        names.clear();
-        for (const Place& place : placesUnder(rule, project)) names.push_back(place.name);
-    }
-    if (!names.empty()) return findPlacesUnder(rule, project, names);
+    if (options.places != std::vector<std::string>{"all"})
+        return findPlacesUnder(rule, project, options.places);
+    std::vector<Place> places = placesUnder(rule, project);
+    if (!places.empty()) return places;
     if (rule.receivers.hasLines())
         return failure("The project has no lots", options.file,
                        "Add the parcels: noonmark-cli project lot add");
@@ -87,8 +85,11 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!library) return tl::make_unexpected(library.error());
     const auto rule = findRule(*library, options.rule, options.rules);
     if (!rule) return tl::make_unexpected(rule.error());
-    auto places = placesFor(options, *rule, project);
-    if (!places) return tl::make_unexpected(places.error());
+    const auto drawn = placesFor(options, *rule, project);
+    if (!drawn) return tl::make_unexpected(drawn.error());
+    auto taken = moveLines(*rule, project, *drawn);
+    if (!taken) return tl::make_unexpected(taken.error());
+    Result<std::vector<Place>> places = std::move(taken->places);
     const auto zone = zoneOf(options, project);
     if (!zone) return tl::make_unexpected(zone.error());
     const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
@@ -109,6 +110,7 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
                            interrupt.token());
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
+    putBefore(study->warnings, taken->moved);
     putBefore(study->warnings, project.reading->warnings);
     ReviewLabels labels{options.from, options.to,
                         provenanceOf(project, &disk, {options.to, options.from, {}, {}}), options.places,

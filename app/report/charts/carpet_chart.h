@@ -33,7 +33,7 @@ CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity qu
 /// A chart without days or rows states that there is nothing.
 void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart);
 
-/// The colour of a share; NaN: the paper's.
+/// The colour of a share, 0 to 1.
 QColor carpetColour(double share, CarpetQuantity quantity);
 
 /// A day and a row of the carpet.

@@ -79,7 +79,7 @@ void fillBand(const Canvas& canvas, const TimelineAxes& axes, const TimelineChar
     const auto floors = linesOf(axes, chart, low);
     auto bands = linesOf(axes, chart, high);
     canvas.painter.setPen(Qt::NoPen);
-    canvas.painter.setBrush(colour);
+    canvas.painter.setBrush(readableOn(canvas.inks.paper, colour));
     for (std::size_t i = 0; i < bands.size(); ++i) {
         for (qsizetype k = floors[i].size(); k-- > 0;) bands[i] << floors[i][k];
         canvas.painter.drawPolygon(bands[i]);

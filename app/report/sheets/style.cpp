@@ -18,7 +18,7 @@ QColor readableOn(const QColor& paper, const QColor& colour) {
     constexpr int leastDifference = 60;  // of lightness, of 255
     const int lightness = colour.lightness();
     if (std::abs(lightness - paper.lightness()) >= leastDifference) return colour;
-    return QColor::fromHsl(colour.hslHue(), colour.hslSaturation(), 255 - lightness);
+    return QColor::fromHsl(colour.hslHue(), colour.hslSaturation(), 255 - lightness, colour.alpha());
 }
 
 QFont textFont(const Canvas& canvas, double points, QFont::Weight weight) {

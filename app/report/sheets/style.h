@@ -33,8 +33,8 @@ struct Canvas {
     Inks inks{};
 };
 
-/// `colour`, or where it is about as light as the paper, the colour of the same hue that is as much lighter
-/// or darker than medium as this one is darker or lighter.
+/// `colour`; where it is about as light as the paper, the same hue with its lightness mirrored about the
+/// middle.
 QColor readableOn(const QColor& paper, const QColor& colour);
 
 /// Roboto, or a fallback, `points` high on `canvas`. Unhinted, so that lines break in the same places at

@@ -106,7 +106,7 @@ NoteColours warningColours(Theme theme) {
 
 Inks inksOf(Theme theme) {
     if (theme == Theme::light) return {};
-    return {darkColours.text, {0xb0, 0xb5, 0xbd}, {0x4a, 0x4f, 0x57}, darkColours.base};
+    return {darkColours.text, darkColours.quiet, {0x4a, 0x4f, 0x57}, darkColours.base};
 }
 
 void followTheme(QWidget& widget, std::function<void()> look) {

@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <algorithm>
+#include <cmath>
 
 #include "app/window/widgets/number_fields.h"
 
@@ -42,8 +43,7 @@ std::pair<int, int> cellOf(ParcelSide side) {
 }
 
 QDoubleSpinBox* widthField(ParcelSide side, const std::vector<RoadFront>& roads) {
-    // 0 stands for none; the step leads from it to a width that is allowed.
-    QDoubleSpinBox* field = numberField(0, mostRoadM, 1, leastRoadM, LotRoadsDialog::tr(" m"));
+    QDoubleSpinBox* field = numberField(0, mostRoadM, 2, 0.5, LotRoadsDialog::tr(" m"));
     field->setObjectName(QString::fromUtf8(nameOf(side).data(), qsizetype(nameOf(side).size())));
     field->setSpecialValueText(LotRoadsDialog::tr("no road"));
     const auto road = std::ranges::find(roads, side, &RoadFront::side);
@@ -54,13 +54,14 @@ QDoubleSpinBox* widthField(ParcelSide side, const std::vector<RoadFront>& roads)
 }  // namespace
 
 LotRoadsDialog::LotRoadsDialog(const QString& lot, const std::vector<RoadFront>& roads, QWidget* parent)
-    : QDialog(parent) {
+    : QDialog(parent), before_(roads) {
     setWindowTitle(tr("Roads along %1").arg(lot));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* grid = new QGridLayout(this);
-    auto* words = new QLabel(tr(
-        "How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move "
-        "the parcel's line out along them. A side counts for the edges that face within 45 degrees of it."));
+    auto* words = new QLabel(
+        tr("How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move "
+           "the parcel's line out along them. A side counts for the outermost edges that face within 45 "
+           "degrees of it."));
     words->setWordWrap(true);
     grid->addWidget(words, 0, 0, 1, 3);
     for (const ParcelSide side : parcelSides) {
@@ -80,8 +81,13 @@ LotRoadsDialog::LotRoadsDialog(const QString& lot, const std::vector<RoadFront>&
 
 std::vector<RoadFront> LotRoadsDialog::roads() const {
     std::vector<RoadFront> roads;
-    for (const auto& [side, field] : widths_)
-        if (field->value() >= leastRoadM) roads.push_back({side, field->value()});
+    for (const auto& [side, field] : widths_) {
+        if (field->value() <= 0) continue;
+        const auto before = std::ranges::find(before_, side, &RoadFront::side);
+        // A field rounds to centimetres: a width that was not touched stays as it is.
+        const bool same = before != before_.end() && std::abs(before->widthM - field->value()) < 0.0051;
+        roads.push_back({side, same ? before->widthM : field->value()});
+    }
     return roads;
 }
 

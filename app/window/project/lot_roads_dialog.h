@@ -20,7 +20,8 @@ public:
     [[nodiscard]] std::vector<RoadFront> roads() const;  ///< clockwise from north
 
 private:
-    std::map<ParcelSide, QDoubleSpinBox*> widths_;  ///< below leastRoadM: no road
+    std::map<ParcelSide, QDoubleSpinBox*> widths_;  ///< 0: no road
+    std::vector<RoadFront> before_;
 };
 
 }  // namespace noonmark

@@ -162,9 +162,10 @@ void ProjectDock::askForRoads(const std::string& lot) {
     const auto found = findLot(session_.project(), lot);
     if (!found) return;
     auto* dialog = new LotRoadsDialog(QString::fromStdString(lot), found->roads, this);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, lot] {
-        session_.change(withRoads(session_.project(), lot, dialog->roads()),
-                        tr("roads along %1").arg(QString::fromStdString(lot)));
+    connect(dialog, &QDialog::accepted, this, [this, dialog, lot, before = found->roads] {
+        if (!std::ranges::is_permutation(dialog->roads(), before))
+            session_.change(withRoads(session_.project(), lot, dialog->roads()),
+                            tr("roads along %1").arg(QString::fromStdString(lot)));
     });
     dialog->open();
 }

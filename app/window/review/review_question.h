@@ -16,6 +16,7 @@ struct ReviewQuestion {
     std::shared_ptr<const City> before, after;
     std::vector<Place> places;  ///< or parcels, of a rule with lines
     ReviewSettings settings;
+    Warnings moved;  ///< parcels whose line was moved out along roads
 };
 
 /// Whether both have the same answer.

@@ -6,7 +6,6 @@
 
 #include "app/window/frame/workbench.h"
 #include "core/receivers/place_names.h"
-#include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
 
@@ -72,22 +71,22 @@ std::vector<Place> ReviewSession::candidates() const {
     return rule ? placesUnder(*rule, project) : project.places;
 }
 
-Result<std::vector<Place>> ReviewSession::chosenPlaces(const Rule& rule) const {
-    const std::vector<Place> places = candidates();
+Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
+    std::vector<Place> places = candidates();
     if (places.empty() && rule.receivers.hasLines())
         return failure("The project has no lots, and this rule is about parcels", {},
                        "Draw the lot of the proposal: Edit > Draw lot");
     if (places.empty())
         return failure("The project has no places yet", {},
                        "Read them from a map or draw one: Study > Read places, Study > Draw place");
-    std::vector<std::string> names;
-    for (const Place& place : places)
-        if (choice_.allPlaces || std::ranges::find(choice_.places, place.name) != choice_.places.end())
-            names.push_back(place.name);
-    if (names.empty())
+    if (!choice_.allPlaces)
+        std::erase_if(places, [this](const Place& place) {
+            return std::ranges::find(choice_.places, place.name) == choice_.places.end();
+        });
+    if (places.empty())
         return failure("No place is chosen", {},
                        "Tick the places to review, or Screen to find those in reach");
-    return findPlacesUnder(rule, workbench_.session().project(), names);
+    return moveLines(rule, workbench_.session().project(), std::move(places));
 }
 
 Result<ReviewQuestion> ReviewSession::question() {
@@ -110,8 +109,9 @@ Result<ReviewQuestion> ReviewSession::question() {
                           to,
                           *before,
                           *after,
-                          *std::move(places),
-                          {1, study.period.zone, int(study.period.start.year())}};
+                          std::move(places->places),
+                          {1, study.period.zone, int(study.period.start.year())},
+                          std::move(places->moved)};
 }
 
 void ReviewSession::run() {
@@ -208,15 +208,20 @@ void ReviewSession::follow() {
     if (!shaping || (!choice_.to.empty() && choice_.to != workbench_.session().scenario())) return;
     const auto rule = this->rule();
     if (!rule || !hasFewDays(*rule)) return Q_EMIT answered();
-    const auto places = chosenPlaces(*rule);
+    auto places = chosenPlaces(*rule);
     const auto before = workbench_.session().cityOf(choice_.from);
     if (!places || !before) return;
     newerShape_ = followed_.busy();
     if (newerShape_) return;
     const StudySettings& study = workbench_.document().settings();
-    ReviewQuestion question{
-        *rule,     choice_.from, tr("the building being designed").toStdString(),       *before,
-        proposed_, *places,      {1, study.period.zone, int(study.period.start.year())}};
+    ReviewQuestion question{*rule,
+                            choice_.from,
+                            tr("the building being designed").toStdString(),
+                            *before,
+                            proposed_,
+                            std::move(places->places),
+                            {1, study.period.zone, int(study.period.start.year())},
+                            std::move(places->moved)};
     followed_.start<ReviewAnswer>(
         tr("Live review"),
         [question = std::move(question)](Progress& progress, std::stop_token stop) {

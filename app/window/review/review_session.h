@@ -10,6 +10,7 @@
 
 #include "app/window/review/review_question.h"
 #include "app/window/study/job_slot.h"
+#include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
 
@@ -77,7 +78,7 @@ private:
     void cityChanged();
     void tell(const Error& error);
     [[nodiscard]] std::string scenarioName() const;
-    Result<std::vector<Place>> chosenPlaces(const Rule& rule) const;
+    Result<PlacesToReview> chosenPlaces(const Rule& rule) const;
 
     Workbench& workbench_;
     RuleLibrary library_;

@@ -19,6 +19,7 @@ Result<std::shared_ptr<const ReviewStudy>> computeWithTimelines(const ReviewExpo
                            progress, stop);
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), review.ofRules.begin(), review.ofRules.end());
+    putBefore(study->warnings, asked.moved);
     putBefore(study->warnings, review.project.reading->warnings);
     return std::make_shared<const ReviewStudy>(*std::move(study));
 }

@@ -1,8 +1,10 @@
 #include "core/receivers/parcels/parcel_roads.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -19,7 +21,9 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-std::optional<ParcelSide> sideNamed(std::string_view name) {
+std::optional<ParcelSide> sideNamed(std::string_view text) {
+    std::string name(text);
+    for (char& letter : name) letter = char(std::tolower(static_cast<unsigned char>(letter)));
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) return std::nullopt;
     return ParcelSide(found - names.begin());
@@ -60,15 +64,17 @@ std::string formatText(const std::vector<RoadFront>& roads) {
 
 Result<std::vector<RoadFront>> parseRoads(std::string_view text) {
     std::vector<RoadFront> roads;
-    for (text = trimmed(text); !text.empty();) {
+    if (trimmed(text).empty()) return roads;
+    for (bool more = true; more;) {
         const auto comma = text.find(',');
+        more = comma != std::string_view::npos;
         const auto road = parseFront(trimmed(text.substr(0, comma)));
         if (!road) return tl::make_unexpected(road.error());
         if (std::ranges::find(roads, road->side, &RoadFront::side) != roads.end())
             return failure(fmt::format("Two roads run along the {} side", nameOf(road->side)), "road",
                            "Give each side one width");
         roads.push_back(*road);
-        text = comma == std::string_view::npos ? std::string_view() : trimmed(text.substr(comma + 1));
+        if (more) text.remove_prefix(comma + 1);
     }
     return roads;
 }

@@ -29,11 +29,12 @@ struct RoadFront {
     double widthM = 0;  ///< leastRoadM to mostRoadM
     bool operator==(const RoadFront&) const = default;
 };
-inline constexpr double leastRoadM = 0.5, mostRoadM = 200;
+inline constexpr double leastRoadM = 0.01, mostRoadM = 200;
 
 /// "south=8, east=12.5"; no road: empty.
 std::string formatText(const std::vector<RoadFront>& roads);
-/// Reads what formatText() writes. Error: no such side, a side named twice, a width out of range.
+/// Reads what formatText() writes, in any case of letters. Error: no such side, a side named twice, a width
+/// out of range.
 Result<std::vector<RoadFront>> parseRoads(std::string_view text);
 
 /// How a rule moves the line of a parcel out along a road.
@@ -46,9 +47,11 @@ struct RoadShift {
 double shiftOf(const RoadShift& rule, double widthM);
 
 /// The parcel and the ground between its line and the line moved out along its roads. An edge belongs to the
-/// front whose side is nearest to where it faces, if that is within 45 degrees. At a corner of two fronts
-/// both lines run on until they meet; at the end of a front the ground ends square to the edge. Error: the
-/// polygons cannot be joined. Backend: parcel_roads_geos.cpp.
+/// front whose side is nearest to where it faces, if that is within 45 degrees; of fronts that are equally
+/// near, as for a corner cut off at 45 degrees, to the one that moves it least. Edges more than 1 m behind
+/// the parcel's convex hull are on no road. At a corner of two fronts both lines run on until they meet; at
+/// the end of a front the ground ends square to the edge. Error: the polygons cannot be joined. Backend:
+/// parcel_roads_geos.cpp.
 Result<std::vector<Footprint>> moveLineOut(const Footprint& parcel, const std::vector<RoadFront>& roads,
                                            const RoadShift& rule);
 

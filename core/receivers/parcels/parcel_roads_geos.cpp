@@ -1,6 +1,9 @@
+#include <geos_c.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "core/city/footprints/geos_shapes.h"
@@ -24,21 +27,52 @@ double awayFrom(ParcelSide side, glm::dvec2 outward) {
     return std::abs(std::remainder(azimuth - 45.0 * int(side), 360.0));
 }
 
+/// The shift of the nearest front; of fronts that are equally near the smallest.
 double shiftAlong(glm::dvec2 outward, const std::vector<RoadFront>& roads, const RoadShift& rule) {
-    const auto away = [&](const RoadFront& road) { return awayFrom(road.side, outward); };
-    const auto nearest = std::ranges::min_element(roads, {}, away);
-    if (nearest == roads.end() || away(*nearest) > 45) return 0;
-    return std::max(0.0, shiftOf(rule, nearest->widthM));
+    constexpr double widestDeg = 45, equalDeg = 0.1;
+    double nearest = widestDeg;
+    for (const RoadFront& road : roads) nearest = std::min(nearest, awayFrom(road.side, outward));
+    double least = std::numeric_limits<double>::infinity();
+    for (const RoadFront& road : roads)
+        if (awayFrom(road.side, outward) <= nearest + equalDeg)
+            least = std::min(least, shiftOf(rule, road.widthM));
+    return std::isinf(least) ? 0 : least;
 }
 
-std::vector<Edge> edgesOf(const Ring& ring, const std::vector<RoadFront>& roads, const RoadShift& rule) {
+/// Whether an edge lies on the parcel's convex hull, or hardly behind it.
+class Outermost {
+public:
+    explicit Outermost(const Footprint& parcel)
+        : parcel_(collection(geos_, {parcel})), hull_(geos_.owned(GEOSConvexHull_r(geos_, parcel_.get()))) {}
+
+    [[nodiscard]] bool operator()(glm::dvec2 from, glm::dvec2 to) const {
+        return isOnHull(from) && isOnHull(to);
+    }
+
+private:
+    [[nodiscard]] bool isOnHull(glm::dvec2 point) const {
+        constexpr double nearM = 1;
+        const auto at = geos_.owned(GEOSGeom_createPointFromXY_r(geos_, point.x, point.y));
+        const auto border = geos_.owned(GEOSBoundary_r(geos_, hull_.get()));
+        double distanceM = 0;
+        return GEOSDistance_r(geos_, at.get(), border.get(), &distanceM) == 1 && distanceM <= nearM;
+    }
+
+    Geos geos_;
+    Geos::Geometry parcel_, hull_;
+};
+
+std::vector<Edge> edgesOf(const Footprint& parcel, const std::vector<RoadFront>& roads,
+                          const RoadShift& rule) {
+    const Outermost isOutermost(parcel);
+    const Ring& ring = parcel.outer;
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec2 from(ring[i]), to(ring[(i + 1) % ring.size()]);
         if (from == to) continue;
         const glm::dvec2 along = glm::normalize(to - from);
         const glm::dvec2 outward(along.y, -along.x);  // the ring runs counter-clockwise
-        edges.push_back({from, to, outward, shiftAlong(outward, roads, rule)});
+        edges.push_back({from, to, outward, isOutermost(from, to) ? shiftAlong(outward, roads, rule) : 0});
     }
     return edges;
 }
@@ -49,11 +83,17 @@ Footprint polygonOf(std::initializer_list<glm::dvec2> points) {
     return polygon;
 }
 
-/// The ground between two strips at a corner that points outwards; very sharp corners are cut.
+/// The ground between two strips at a corner that points outwards. Very sharp corners are cut. Where the line
+/// of the narrower strip meets the square end of the wider one, it ends there.
 Footprint cornerOf(const Edge& before, const Edge& after) {
     constexpr double longestMiter = 4;  // in shifts
     const glm::dvec2 corner = after.from;
     const glm::dvec2 a = corner + before.outward * before.shiftM, b = corner + after.outward * after.shiftM;
+    const double cosine = glm::dot(before.outward, after.outward);
+    if (after.shiftM < before.shiftM * cosine)
+        return polygonOf({corner, corner + before.outward * (after.shiftM / cosine), b});
+    if (before.shiftM < after.shiftM * cosine)
+        return polygonOf({corner, a, corner + after.outward * (before.shiftM / cosine)});
     const double cross = before.outward.x * after.outward.y - before.outward.y * after.outward.x;
     const glm::dvec2 meets = glm::dvec2(before.shiftM * after.outward.y - after.shiftM * before.outward.y,
                                         after.shiftM * before.outward.x - before.shiftM * after.outward.x) /
@@ -72,7 +112,7 @@ bool pointsOutwards(const Edge& before, const Edge& after) {
 
 Result<std::vector<Footprint>> moveLineOut(const Footprint& parcel, const std::vector<RoadFront>& roads,
                                            const RoadShift& rule) {
-    const std::vector<Edge> edges = edgesOf(parcel.outer, roads, rule);
+    const std::vector<Edge> edges = edgesOf(parcel, roads, rule);
     std::vector<Footprint> pieces{parcel};
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge &edge = edges[i], &before = edges[(i + edges.size() - 1) % edges.size()];

@@ -183,7 +183,11 @@ void toVersion4(Database& database) {
     addContextTable(database);
 }
 
-void toVersion5(Database& database) { database.execute("ALTER TABLE lots ADD COLUMN roads TEXT"); }
+void toVersion5(Database& database) {
+    if (database.value("SELECT 1 FROM pragma_table_info('lots') WHERE name = 'roads' COLLATE NOCASE"))
+        throwDamaged("its lots have a column 'roads' that is not the program's; rename it in a GIS program");
+    database.execute("ALTER TABLE lots ADD COLUMN roads TEXT");
+}
 
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {

@@ -70,13 +70,33 @@ TEST(ParcelRoads, EdgesBelongToTheSideTheyFace) {
     EXPECT_NEAR(strip, ring / 4, ring / edges);
 }
 
-TEST(ParcelRoads, StripsOfAnInnerCornerOverlap) {
-    // An L: roads of 8 m in front of the edges that face south and east meet inside it.
+TEST(ParcelRoads, EdgesBehindTheOthersAreOnNoRoad) {
+    // An L: of the edges that face north only the end of the stem is on the road, of those that face east
+    // only the end of the foot; the others have a neighbour before them.
     const Footprint angle{{{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 30}, {0, 30}}, {}};
-    const Footprint north = moved(angle, {{ParcelSide::north, 8}, {ParcelSide::east, 8}});
-    // The lot of 500 m2; north of the foot 20 x 4, east of the stem 20 x 4 less 4 x 4 twice counted, the ends
-    // 10 x 4 each with corners of 4 x 4.
-    EXPECT_NEAR(area(north), 500 + 20 * 4 + 20 * 4 - 4 * 4 + 2 * (10 * 4 + 4 * 4), 1e-2);
+    const Footprint out = moved(angle, {{ParcelSide::north, 8}, {ParcelSide::east, 8}});
+    EXPECT_NEAR(area(out), 500 + 10 * 4 + 10 * 4, 1e-3);
+    // Half a metre of setback is drawing, not a neighbour.
+    const Footprint notched{{{0, 0}, {20, 0}, {20, 30}, {10, 30}, {10, 29.5F}, {0, 29.5F}}, {}};
+    EXPECT_NEAR(area(moved(notched, {{ParcelSide::north, 8}})), 20 * 30 - 5 + 20 * 4, 1e-3);
+}
+
+// A square of 20 m whose south-eastern corner is cut off at 45 degrees, 5 m from it.
+const Footprint cut{{{0, 0}, {15, 0}, {20, 5}, {20, 20}, {0, 20}}, {}};
+
+TEST(ParcelRoads, ACutCornerMovesByTheNarrowerOfItsRoads) {
+    // 8 m: 4 m out; 16 m: 11 m out. The cut is as near to either: it moves by 4 m.
+    const RoadFront south{ParcelSide::south, 8}, east{ParcelSide::east, 16};
+    const Footprint one = moved(cut, {south, east}), other = moved(cut, {east, south});
+    EXPECT_EQ(one, other) << "whatever comes first";
+    EXPECT_TRUE(contains(one, {18, 2}) && contains(one, {19.9F, -0.2F}));
+    EXPECT_FALSE(contains(one, {21.5F, -2}));
+    EXPECT_TRUE(contains(one, {30.9F, 10}));
+    // 387.5 m2 of lot; strips of 15 x 4 and 15 x 11; along the cut, which is 7.07 m long, 4 m; at its
+    // southern end a kite of two right triangles with legs of 4 m and 4 tan(22.5 deg); at its eastern end the
+    // 4 m line meets the square end of the 11 m strip 4 / cos(45 deg) from the corner: a triangle of 4 x 4.
+    const double half = std::tan(std::numbers::pi / 8);
+    EXPECT_NEAR(area(one), 387.5 + 15 * 4 + 15 * 11 + 5 * std::numbers::sqrt2 * 4 + 16 * half + 8, 0.01);
 }
 
 TEST(ParcelRoads, WithoutRoadsTheLineStays) {
@@ -88,12 +108,12 @@ TEST(ParcelRoads, AreWrittenAsTheyAreRead) {
     const std::vector<RoadFront> roads{{ParcelSide::south, 8}, {ParcelSide::northeast, 12.5}};
     EXPECT_EQ(formatText(roads), "south=8, northeast=12.5");
     EXPECT_EQ(parseRoads(formatText(roads)).value(), roads);
-    EXPECT_EQ(parseRoads(" south = 8 ,northeast=12.5 ").value(), roads);
+    EXPECT_EQ(parseRoads(" South = 8 ,NORTHEAST=12.5 ").value(), roads);
     EXPECT_TRUE(parseRoads("").value().empty());
 }
 
 TEST(ParcelRoads, WhatMakesNoSenseIsRefused) {
-    for (const char* text : {"up=8", "=8", "south 8", ","})
+    for (const char* text : {"up=8", "=8", "south 8", ",", "south=8,"})
         EXPECT_THAT(parseRoads(text).error().text(), HasSubstr("no side")) << text;
     for (const char* text : {"south", "south=", "south=8m", "south=0", "south=nan", "south=1e9", "south=-8"})
         EXPECT_THAT(parseRoads(text).error().text(), HasSubstr("no width")) << text;

@@ -95,6 +95,13 @@ TEST(ReadRule, StatesFileAndFieldOfWhatIsWrong) {
              {"\"step_min\": 1", "\"step_min\": \"1\"", "sampling.step_min"},
              {"\"step_min\": 1", "\"step_mn\": 1", "sampling.step_min"},
              {"\"ground\"", "\"plane\"", "receivers.plane_m"},
+             {"\"ground\"",
+              "\"ground\", \"road_shift\": {\"narrow_m\": 10, \"share\": 0.5, \"far_side_m\": 5}",
+              "receivers.road_shift"},
+             {"\"ground\"",
+              "\"ground\", \"lines_m\": {\"inner\": 5, \"outer\": 10}, \"road_shift\": {\"narrow_m\": 4, "
+              "\"share\": 0.5, \"far_side_m\": 5}",
+              "receivers.road_shift.far_side_m"},
              {"\"terrain\": true", "\"terrain\": 1", "occluders.terrain"},
              {"\"spot total\"", "\"share\"", "criteria.new-shadow.spot"},
              {"\"value\": 60", "\"value\": -1", "criteria.new-shadow.limit.value"},

@@ -148,10 +148,10 @@ TEST(ReviewStudy, JapansBeltsFollowTheHeightOfTheBuilding) {
 }
 
 TEST(ReviewStudy, JapansLinesMoveOutAlongWideRoads) {
-    // 24 m high, 20 m above the plane. Without roads a point 16 m west and 10 m north of the building's
-    // middle of the west wall has its sun hidden from 8 h to 10 h and more. Roads of 40 m move the lines 35 m
-    // out, to 55 m and 60 m from the middle, on all sides where shadow falls in winter: there the building
-    // spans less than 25 degrees, and the sun passes them in less than two hours.
+    // 24 m high, 20 m above the plane. Without roads a point 26 m west and 20 m north of the building's
+    // middle is in shadow from 8 h until after 10 h. Roads of 40 m move the lines 35 m out, to 55 m and 60 m
+    // from the middle, on all sides where shadow falls in winter: there the building spans less than 25
+    // degrees, and its shadow passes in less than two hours.
     const City none = cityAt({139.7, 35.7}, {}),
                city = cityAt({139.7, 35.7}, {{{-10, -10, 0}, {10, 10, 24}}});
     const Rule rule = shippedRule("japan");

@@ -2,10 +2,10 @@
 
 // Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
 // below a horizon. overhang_shapes.h converts them to prisms and triangles; overhang_layers.h cuts these into
-// strips in the axes of one azimuth; overhang_visibility.h finds the cells of a block that see a strip, and
-// overhang_intervals.h the altitudes it hides from them. OverhangSweep applies this to the blocks of a tile
-// (overhang_tile.h) at one azimuth, BatchOverhangs to a batch during a sweep. gaps.h holds the hidden
-// intervals that do not begin at the horizon.
+// strips in the axes of one azimuth; overhang_visibility.h finds the cells of a block that see a strip and
+// the altitudes it hides from each, and overhang_intervals.h joins these with the horizon. OverhangSweep
+// applies this to the blocks of a tile (overhang_tile.h) at one azimuth, BatchOverhangs to a batch during a
+// sweep. gaps.h holds the hidden intervals that do not begin at the horizon.
 
 #include <array>
 #include <cstdint>
