@@ -2,6 +2,7 @@
 #include <cpl_http.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+#include <cpl_vsi_virtual.h>
 #include <gdal_frmts.h>
 #include <gdal_priv.h>
 #include <ogr_srs_api.h>
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "core/base/gdal_setup.h"
 
@@ -67,14 +69,19 @@ void* refuseFile(void*, const char* name, const char*) {
 }
 int refuseStat(void*, const char*, VSIStatBufL*, int) { return -1; }
 
+// Every virtual folder but /vsimem/. GDAL keeps pointers to the prefixes that it is given, and forgets the
+// handlers that are replaced without deleting them: both stay to the end of the process.
 void closeVirtualFolders() {
+    static char** const prefixes = VSIGetFileSystemsPrefixes();
+    static auto& replaced = *new std::vector<const VSIFilesystemHandler*>;
     VSIFilesystemPluginCallbacksStruct* closed = VSIAllocFilesystemPluginCallbacksStruct();
     closed->open = refuseFile;
     closed->stat = refuseStat;
-    char** prefixes = VSIGetFileSystemsPrefixes();
-    for (char** prefix = prefixes; prefix != nullptr && *prefix != nullptr; ++prefix)
-        if (std::string_view(*prefix) != "/vsimem/") VSIInstallPluginHandler(*prefix, closed);
-    CSLDestroy(prefixes);
+    for (char** prefix = prefixes; prefix != nullptr && *prefix != nullptr; ++prefix) {
+        if (std::string_view(*prefix) == "/vsimem/") continue;
+        replaced.push_back(VSIFileManager::GetHandler(*prefix));
+        VSIInstallPluginHandler(*prefix, closed);
+    }
     VSIFreeFilesystemPluginCallbacksStruct(closed);
 }
 
