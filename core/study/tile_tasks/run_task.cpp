@@ -50,13 +50,6 @@ bool isDone(const PlannedTile& tile, const TileJournal& journal) {
     return file && file->sha256 == found->second.fileSha256;
 }
 
-std::vector<PlannedTile> findMissing(const std::vector<PlannedTile>& tiles, const TileJournal& journal) {
-    std::vector<PlannedTile> missing;
-    std::ranges::copy_if(tiles, std::back_inserter(missing),
-                         [&](const PlannedTile& tile) { return !isDone(tile, journal); });
-    return missing;
-}
-
 Result<City> readFor(const std::vector<PlannedTile>& tiles, const TaskPlan& plan, const District& district,
                      const TaskQuestion& question, Progress& progress, const std::stop_token& stop) {
     if (question.subject != nullptr) return *question.subject->cities.back();
@@ -73,9 +66,27 @@ Result<City> readFor(const std::vector<PlannedTile>& tiles, const TaskPlan& plan
     return std::move(read->city);
 }
 
-TilesLeft leftOf(const std::vector<PlannedTile>& tiles, const std::vector<PlannedTile>& missing) {
-    TilesLeft left{.missing = {}, .doneTiles = tiles.size() - missing.size()};
-    for (const PlannedTile& tile : missing) left.missing.push_back({tile.number, tile.contentHash});
+/// The tiles of a task that are not done, by window.
+std::vector<std::vector<PlannedTile>> findMissing(const std::vector<PlannedTile>& tiles,
+                                                  const TileJournal& journal) {
+    std::vector<std::vector<PlannedTile>> windows;
+    for (const PlannedTile& tile : tiles) {
+        if (isDone(tile, journal)) continue;
+        if (windows.empty() || windows.back().back().window != tile.window) windows.emplace_back();
+        windows.back().push_back(tile);
+    }
+    return windows;
+}
+
+TileCount countTiles(const std::vector<PlannedTile>& tiles, const TilePlan& plan) {
+    TileCount count;
+    for (const PlannedTile& tile : tiles) count.add(plan.tile(tile.number));
+    return count;
+}
+
+TilesLeft makeTilesLeft(const std::vector<PlannedTile>& window, TileCount done, TileCount later) {
+    TilesLeft left{.missing = {}, .done = done, .later = later};
+    for (const PlannedTile& tile : window) left.missing.push_back({tile.number, tile.contentHash});
     return left;
 }
 
@@ -99,10 +110,65 @@ Result<void> compute(const TilesLeft& left, const City& city, const TaskQuestion
     return runTiles(runner, district.tiles, left, progress, stop);
 }
 
+/// One run of a task.
+class TaskRun {
+public:
+    TaskRun(const TaskPlan& plan, const District& district, const TaskQuestion& question,
+            TileJournal& journal, const EngineList& engines)
+        : plan_(plan), district_(district), question_(question), journal_(journal), engines_(engines) {}
+
+    Result<TaskReport> run(const std::vector<PlannedTile>& tiles, Progress& progress,
+                           const std::stop_token& stop) {
+        const Stopwatch watch;
+        const auto windows = findMissing(tiles, journal_);
+        report_ = {.tiles = tiles.size()};
+        for (const auto& window : windows) later_.add(countTiles(window, district_.tiles));
+        done_ = countTiles(tiles, district_.tiles);
+        done_.subtract(later_);
+        if (!windows.empty())
+            if (auto same = checkInputs(plan_, question_.subject != nullptr); !same)
+                return tl::make_unexpected(same.error());
+        for (const auto& window : windows)
+            if (auto done = runWindow(window, progress, stop); !done)
+                return tl::make_unexpected(done.error());
+        report_.seconds = watch.seconds();
+        return report_;
+    }
+
+private:
+    Result<void> runWindow(const std::vector<PlannedTile>& window, Progress& progress,
+                           const std::stop_token& stop) {
+        const Stopwatch watch;
+        const auto city = readFor(window, plan_, district_, question_, progress, stop);
+        if (!city) return tl::make_unexpected(city.error());
+        if (city->frame != district_.frame)
+            return failure("An input has changed since the plan was made", plan_.files.front(), "Plan again");
+        report_.buildings += city->buildings.size();
+        report_.readSeconds += watch.seconds();
+        if (auto fits = checkTileMemory(*city, district_.tiles, question_.settings, engines_); !fits)
+            return fits;
+        const TileCount count = countTiles(window, district_.tiles);
+        later_.subtract(count);
+        return compute(makeTilesLeft(window, done_, later_), *city, question_, district_, journal_, progress,
+                       stop, engines_)
+            .map([&] {
+                done_.add(count);
+                report_.computed += window.size();
+            });
+    }
+
+    const TaskPlan& plan_;
+    const District& district_;
+    const TaskQuestion& question_;
+    TileJournal& journal_;
+    const EngineList& engines_;
+    TaskReport report_;
+    TileCount done_, later_;
+};
+
 Result<TaskReport> run(const std::filesystem::path& folder, const TaskPlan& plan, std::size_t task,
                        TaskQuestion question, Progress& progress, const std::stop_token& stop,
                        const EngineList& engines) {
-    const Stopwatch watch;
     if (auto sound = checkTask(plan, task, question); !sound) return tl::make_unexpected(sound.error());
     const std::vector<PlannedTile> tiles = plan.tilesOf(task);
     const std::size_t number = tiles.front().district;
@@ -110,26 +176,7 @@ Result<TaskReport> run(const std::filesystem::path& folder, const TaskPlan& plan
     question.settings.region = district.region;
     auto journal = TileJournal::open(taskFolder(folder, task), plan.studyHash(number), district.tiles);
     if (!journal) return tl::make_unexpected(journal.error());
-    const std::vector<PlannedTile> missing = findMissing(tiles, *journal);
-    TaskReport report{.tiles = tiles.size(), .computed = missing.size()};
-    if (missing.empty()) return report;
-    if (auto same = checkInputs(plan, question.subject != nullptr); !same)
-        return tl::make_unexpected(same.error());
-    const auto city = readFor(missing, plan, district, question, progress, stop);
-    if (!city) return tl::make_unexpected(city.error());
-    if (city->frame != district.frame)
-        return failure("An input has changed since the plan was made", plan.files.front(), "Plan again");
-    report.buildings = city->buildings.size();
-    report.readSeconds = watch.seconds();
-    return checkTileMemory(*city, district.tiles, question.settings, engines)
-        .and_then([&] {
-            return compute(leftOf(tiles, missing), *city, question, district, *journal, progress, stop,
-                           engines);
-        })
-        .map([&] {
-            report.seconds = watch.seconds();
-            return report;
-        });
+    return TaskRun(plan, district, question, *journal, engines).run(tiles, progress, stop);
 }
 
 }  // namespace

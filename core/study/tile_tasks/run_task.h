@@ -18,9 +18,9 @@ struct TaskReport {
 
 /// Computes the tiles of a task that are not done, into the task's folder: a journal, and a raster file for
 /// each tile, written under a temporary name and renamed. A tile is done if the journal has it with the
-/// content hash of the plan and its file has the size and hash that the journal states. Reads the box that
-/// these tiles need together, or whole files if the plan says so; never more than `settings.memoryLimit` is
-/// planned for.
+/// content hash of the plan and its file has the size and hash that the journal states. Reads window by
+/// window the box that the tiles of a window need together, or whole files if the plan says so; never more
+/// than `settings.memoryLimit` is planned for.
 ///
 /// `question`: as the plan was made with. A project among the inputs must have the hash of the plan, other
 /// inputs their size. Errors that may pass (isRetryable):

@@ -12,11 +12,11 @@ namespace noonmark {
 Result<void> runTiles(TileRunner& runner, const TilePlan& plan, const TilesLeft& left, Progress& progress,
                       const std::stop_token& stop) {
     const auto cellsOf = [&](const MissingTile& tile) { return double(plan.tile(tile.number).size()); };
-    double cells = left.doneCells;
+    double cells = left.done.cells + left.later.cells;
     for (const MissingTile& tile : left.missing) cells += cellsOf(tile);
-    PiecewiseProgress pieces(progress, cells, left.doneCells);
-    const std::size_t count = left.doneTiles + left.missing.size();
-    std::size_t number = left.doneTiles;
+    PiecewiseProgress pieces(progress, cells, left.done.cells);
+    const std::size_t count = left.done.tiles + left.missing.size() + left.later.tiles;
+    std::size_t number = left.done.tiles;
     for (const MissingTile& tile : left.missing) {
         if (stop.stop_requested()) return cancelled();
         pieces.begin(fmt::format("tile {} of {}", ++number, count), cellsOf(tile));

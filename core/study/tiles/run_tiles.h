@@ -10,11 +10,26 @@ struct MissingTile {
     std::string contentHash{};
 };
 
+struct TileCount {
+    std::size_t tiles = 0;
+    double cells = 0;
+
+    void add(const Grid& tile) { add(TileCount{1, double(tile.size())}); }
+    void add(const TileCount& other) {
+        tiles += other.tiles;
+        cells += other.cells;
+    }
+    void subtract(const TileCount& other) {
+        tiles -= other.tiles;
+        cells -= other.cells;
+    }
+};
+
 /// What is left of the tiles of a study, or of a task.
 struct TilesLeft {
     std::vector<MissingTile> missing;
-    std::size_t doneTiles = 0;  ///< by earlier runs
-    double doneCells = 0;       ///< in them
+    TileCount done;   ///< before
+    TileCount later;  ///< that another call computes: they count in the remaining time
 };
 
 /// Computes the missing tiles one after the other. Reports progress as "tile 12 of 96" with the remaining

@@ -38,10 +38,10 @@ Result<SunSteps> computeSunOver(const Study& study, const std::stop_token& stop)
 }
 
 TilesLeft findLeft(const TilePlan& plan, const TileJournal& journal) {
-    TilesLeft left{.missing = {}, .doneTiles = journal.finished().size()};
+    TilesLeft left;
     for (std::size_t tile = 0; tile < plan.count(); ++tile) {
         if (journal.finished().contains(tile))
-            left.doneCells += double(plan.tile(tile).size());
+            left.done.add(plan.tile(tile));
         else
             left.missing.push_back({tile});
     }

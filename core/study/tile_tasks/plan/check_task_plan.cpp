@@ -58,7 +58,8 @@ bool isSoundTile(const PlannedTile& tile, const TaskPlan& plan) {
 }
 
 bool followsInTasks(const PlannedTile& tile, const PlannedTile& next) {
-    return tile.task < next.task || (tile.task == next.task && tile.district == next.district);
+    return tile.task < next.task ||
+           (tile.task == next.task && tile.district == next.district && tile.window <= next.window);
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ public:
                          .reads = halo.reads,
                          .buildings = halo.buildings,
                          .seconds = cost.seconds * fields,
-                         .memoryBytes = cost.memoryBytes};
+                         .memoryBytes = cost.memoryBytes,
+                         .readBytes = cost.readBytes};
         tile.contentHash =
             hashContent(study_, plan_.districts[district_].terrainHash, tile, surveyed_.survey);
         return tile;

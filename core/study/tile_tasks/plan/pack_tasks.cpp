@@ -20,44 +20,67 @@ std::uint64_t curvePosition(const PlannedTile& tile, const TilePlan& plan) {
 
 double areaOf(const Box2& box) { return double(box.high.x - box.low.x) * double(box.high.y - box.low.y); }
 
-/// The tiles of a task so far. Its memory is that of its largest tile, more what the other halos add.
-struct Load {
-    double seconds = 0;
-    double memoryBytes = 0;
+/// The tiles of a window so far. What lies between their halos is taken to be as dense as the densest of
+/// them.
+struct WindowLoad {
+    double ownBytes = 0;  ///< the most that a tile needs beside what it reads
+    double readBytesPerM2 = 0;
     Box2 reads;
-    std::size_t district = 0;
-    bool empty = true;
 
-    [[nodiscard]] Load with(const PlannedTile& tile) const {
-        Load more = *this;
+    [[nodiscard]] WindowLoad with(const PlannedTile& tile) const {
+        WindowLoad more = *this;
         more.reads.add(tile.reads);
-        more.district = tile.district;
-        more.seconds += tile.seconds;
-        const double own = areaOf(tile.reads);
-        const double growth = own > 0 ? areaOf(more.reads) / own : 1;
-        more.memoryBytes = std::max(memoryBytes, tile.memoryBytes * std::max(1.0, growth));
-        more.empty = false;
+        more.ownBytes = std::max(ownBytes, tile.memoryBytes - tile.readBytes);
+        if (const double area = areaOf(tile.reads); area > 0)
+            more.readBytesPerM2 = std::max(readBytesPerM2, tile.readBytes / area);
         return more;
     }
+    [[nodiscard]] double memoryBytes() const { return ownBytes + readBytesPerM2 * areaOf(reads); }
 };
+
+void sortAlongCurve(TaskPlan& plan) {
+    std::ranges::sort(plan.tiles, {}, [&](const PlannedTile& tile) {
+        return std::tuple(tile.district, curvePosition(tile, plan.districts.at(tile.district).tiles));
+    });
+}
+
+/// Sets the task of each tile, in the order of `tiles`. Returns the number of tasks.
+std::size_t fillTasks(std::vector<PlannedTile>& tiles, double secondsOfTask) {
+    std::size_t task = 0, district = 0;
+    double seconds = 0;
+    for (PlannedTile& tile : tiles) {
+        const bool first = &tile == &tiles.front();
+        if (!first && (tile.district != district || seconds + tile.seconds > secondsOfTask)) {
+            ++task;
+            seconds = 0;
+        }
+        seconds += tile.seconds;
+        district = tile.district;
+        tile.task = task;
+    }
+    return tiles.empty() ? 0 : task + 1;
+}
+
+void fillWindows(std::vector<PlannedTile>& tiles, double bytesOfWindow) {
+    WindowLoad load;
+    std::size_t task = 0, window = 0;
+    for (PlannedTile& tile : tiles) {
+        const bool begins = &tile == &tiles.front() || tile.task != task;
+        const WindowLoad more = load.with(tile);
+        const bool fits = !begins && more.memoryBytes() <= bytesOfWindow;
+        window = begins ? 0 : fits ? window : window + 1;
+        load = fits ? more : WindowLoad().with(tile);
+        task = tile.task;
+        tile.window = window;
+    }
+}
 
 }  // namespace
 
 std::size_t packTasks(TaskPlan& plan, const TaskSize& size) {
-    std::ranges::sort(plan.tiles, {}, [&](const PlannedTile& tile) {
-        return std::tuple(tile.district, curvePosition(tile, plan.districts.at(tile.district).tiles));
-    });
-    Load load;
-    std::size_t task = 0;
-    for (PlannedTile& tile : plan.tiles) {
-        const Load more = load.with(tile);
-        const bool fits = load.empty || (tile.district == load.district && more.seconds <= size.seconds &&
-                                         more.memoryBytes <= size.memoryBytes);
-        if (!fits) ++task;
-        load = fits ? more : Load().with(tile);
-        tile.task = task;
-    }
-    plan.taskCount = plan.tiles.empty() ? 0 : task + 1;
+    sortAlongCurve(plan);
+    plan.taskCount = fillTasks(plan.tiles, size.seconds);
+    if (plan.byWindow) fillWindows(plan.tiles, size.memoryBytes);
     return plan.taskCount;
 }
 

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int planVersion = 1;
+constexpr int planVersion = 2;
 
 Json ringJson(const Ring& ring) {
     Json points = Json::array();
@@ -87,8 +87,9 @@ Json boxJson(const Box2& box) { return {box.low.x, box.low.y, box.high.x, box.hi
 Box2 boxFrom(const Json& json) { return {pointFrom(json, 0), pointFrom(json, 2)}; }
 
 Json tileJson(const PlannedTile& tile) {
-    return {tile.task,        tile.district,  tile.number,  boxJson(tile.halo), boxJson(tile.reads),
-            tile.contentHash, tile.buildings, tile.seconds, tile.memoryBytes};
+    return {tile.task,           tile.district,    tile.number,    boxJson(tile.halo),
+            boxJson(tile.reads), tile.contentHash, tile.buildings, tile.seconds,
+            tile.memoryBytes,    tile.window,      tile.readBytes};
 }
 
 PlannedTile tileFrom(const Json& json) {
@@ -100,7 +101,9 @@ PlannedTile tileFrom(const Json& json) {
             .buildings = wholeNumberFrom<std::size_t>(json.at(6)),
             .seconds = json.at(7),
             .memoryBytes = json.at(8),
-            .task = wholeNumberFrom<std::size_t>(json.at(0))};
+            .readBytes = json.at(10),
+            .task = wholeNumberFrom<std::size_t>(json.at(0)),
+            .window = wholeNumberFrom<std::size_t>(json.at(9))};
 }
 
 Json inputJson(const InputFile& input) {
@@ -119,8 +122,8 @@ std::string planText(const TaskPlan& plan) {
               {"districts", Json::array()}};
     for (const InputFile& input : plan.inputs) json["inputs"].push_back(inputJson(input));
     for (const District& district : plan.districts) json["districts"].push_back(districtJson(district));
-    json["tile_columns"] = {"task",         "district",  "number",  "halo",        "reads",
-                            "content_hash", "buildings", "seconds", "memory_bytes"};
+    json["tile_columns"] = {"task",      "district", "number",       "halo",   "reads",     "content_hash",
+                            "buildings", "seconds",  "memory_bytes", "window", "read_bytes"};
     std::string text = json.dump(1);
     text.resize(text.size() - 2);  // the closing brace and its line
     text += ",\n \"tiles\": [";

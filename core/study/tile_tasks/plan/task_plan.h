@@ -40,8 +40,10 @@ struct PlannedTile {
     std::string contentHash;
     std::size_t buildings = 0;  ///< within `reads`
     double seconds = 0;         ///< estimated, on two cores
-    double memoryBytes = 0;     ///< estimated peak of a task that runs this tile
+    double memoryBytes = 0;     ///< estimated peak of a process that runs only this tile
+    double readBytes = 0;       ///< of it, for what lies within `reads`
     std::size_t task = 0;
+    std::size_t window = 0;  ///< of its task, from 0: the tiles of a window are read together
 };
 
 /// Everything that a task needs to know: it is stored in plan.json.
@@ -52,7 +54,7 @@ struct TaskPlan {
     std::string settingsHash;            ///< hashSettings() without a region
     bool byWindow = false;               ///< tasks read only the window that they need
     std::vector<District> districts;
-    std::vector<PlannedTile> tiles;  ///< in the order of their tasks
+    std::vector<PlannedTile> tiles;  ///< in the order of their tasks, and in them of their windows
     std::size_t taskCount = 0;
 
     /// Identifies the journal of a district's tiles.

@@ -40,11 +40,13 @@ TileCost estimateTile(const TileHalo& halo, const Grid& tile, const StudySetting
                           .level = level};
     const EngineEntry* engine = findEngine(engines, settings.engine);
     const double engineBytes = engine == nullptr ? 0 : engine->info.bytesPerCell;
+    const double readBytes = double(halo.buildings) * bytesOfABuilding + double(halo.points) * bytesOfAPoint;
+    const double ownBytes = programBytes + double(tile.size()) * (bytesOfACell + engineBytes) +
+                            double(terrainPosts) * bytesOfAPost +
+                            2 * double(sun.steps.size()) * double(sizeof(SunStep));
     return {secondsOf(settings.engine, estimateSeconds(load), level) +
                 double(halo.buildings) * secondsToReadABuilding + double(tile.size()) * secondsToWriteACell,
-            programBytes + double(halo.buildings) * bytesOfABuilding + double(halo.points) * bytesOfAPoint +
-                double(tile.size()) * (bytesOfACell + engineBytes) + double(terrainPosts) * bytesOfAPost +
-                2 * double(sun.steps.size()) * double(sizeof(SunStep))};
+            ownBytes + readBytes, readBytes};
 }
 
 }  // namespace noonmark

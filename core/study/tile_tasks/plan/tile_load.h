@@ -10,6 +10,7 @@ namespace noonmark {
 struct TileCost {
     double seconds = 0;      ///< on two cores like those of docs/scale.md, reading and writing included
     double memoryBytes = 0;  ///< peak of a process that runs only this tile
+    double readBytes = 0;    ///< of it, for the buildings within the halo
 };
 
 /// `terrainPosts`: 0 without terrain. Within a factor of two as a rule: scheduling needs no more.

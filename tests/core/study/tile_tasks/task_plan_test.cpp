@@ -24,8 +24,11 @@ TaskPlan planOf(std::size_t side, double seconds, double bytes) {
     TaskPlan plan;
     plan.districts.push_back({.name = "d", .tiles = {{0, 0, 1, int(side) * 64, int(side) * 64}, 64}});
     for (std::size_t i = 0; i < side * side; ++i)
-        plan.tiles.push_back(
-            {.number = i, .reads = {{0, 0}, {1, 1}}, .seconds = seconds, .memoryBytes = bytes});
+        plan.tiles.push_back({.number = i,
+                              .reads = {{0, 0}, {1, 1}},
+                              .seconds = seconds,
+                              .memoryBytes = bytes,
+                              .readBytes = bytes / 2});
     return plan;
 }
 
@@ -53,10 +56,34 @@ TEST(PackTasks, NeverMixesDistricts) {
     EXPECT_EQ(plan.tilesOf(0).size(), 2U);
 }
 
-TEST(PackTasks, AUnionOfHalosThatNeedsTooMuchMemoryIsSplit) {
+TEST(PackTasks, AUnionOfHalosThatNeedsTooMuchMemoryIsReadInWindows) {
+    TaskPlan plan = planOf(2, 1, 1e9);
+    plan.byWindow = true;
+    plan.tiles[2].reads = {{2, 2}, {3, 3}};  // with the others 9 m2: 0.5 GB + 9 x 0.5 GB
+    plan.tiles[3].reads = {{2, 2}, {3, 3}};
+    EXPECT_EQ(packTasks(plan, {1000, 2e9}), 1U);
+    std::vector<std::size_t> windows;
+    for (const PlannedTile& tile : plan.tiles) windows.push_back(tile.window);
+    EXPECT_EQ(windows, (std::vector<std::size_t>{0, 0, 1, 1}));
+}
+
+TEST(PackTasks, EveryTaskBeginsItsWindowsAnew) {
+    TaskPlan plan = planOf(2, 10, 1e9);
+    plan.byWindow = true;
+    for (std::size_t i = 0; i < 4; ++i)  // two of them: 0.5 GB + 3 x 0.5 GB
+        plan.tiles[i].reads = {{2 * i, 0}, {2 * i + 1, 1}};
+    EXPECT_EQ(packTasks(plan, {20, 1.9e9}), 2U);
+    for (std::size_t task = 0; task < 2; ++task) {
+        EXPECT_EQ(plan.tilesOf(task).front().window, 0U);
+        EXPECT_EQ(plan.tilesOf(task).back().window, 1U);
+    }
+}
+
+TEST(PackTasks, FilesReadWholeAreReadOnce) {
     TaskPlan plan = planOf(2, 1, 1e9);
     plan.tiles[3].reads = {{2, 2}, {3, 3}};
-    EXPECT_GT(packTasks(plan, {1000, 2e9}), 1U);
+    EXPECT_EQ(packTasks(plan, {1000, 1}), 1U);
+    for (const PlannedTile& tile : plan.tiles) EXPECT_EQ(tile.window, 0U);
 }
 
 TEST(FormatRanges, AsSchedulersTakeThem) {
@@ -156,7 +183,8 @@ TEST_F(TaskPlanTest, ComesBackFromItsFileToTheLastBit) {
 TEST_F(TaskPlanTest, DamagedPlansAreRefused) {
     std::filesystem::create_directories(folder.path("plan"));
     EXPECT_THAT(readTaskPlan(folder.path("plan")).error().text(), HasSubstr("no plan"));
-    for (const char* text : {"", "{", "[]", R"({"noonmark_task_plan":1})", R"({"noonmark_task_plan":2})"}) {
+    for (const char* text : {"", "{", "[]", R"({"noonmark_task_plan":1})", R"({"noonmark_task_plan":2})",
+                             R"({"noonmark_task_plan":3})"}) {
         std::ofstream(folder.path("plan") / planFileName) << text;
         EXPECT_FALSE(readTaskPlan(folder.path("plan"))) << text;
     }
@@ -190,6 +218,7 @@ TEST_F(TaskPlanTest, PlansOfStrangersAreChecked) {
         {"/tiles/0/1", 7},
         {"/tiles/0/2", 1000000},
         {"/tiles/0/0", 1000000},
+        {"/tiles/0/9", -1},
         {"/task_count", 1000000000000}};
     for (const auto& [pointer, value] : changes) EXPECT_FALSE(isReadWith(there, pointer, value)) << pointer;
 }
@@ -204,6 +233,16 @@ TEST_F(TaskPlanTest, TasksTogetherEqualOneStudyToTheLastBit) {
     EXPECT_EQ(made.districts[0].frame, whole.study.city.frame);
     expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
     EXPECT_EQ(merged->statistics.receivers, whole.study.statistics.receivers);
+}
+
+TEST_F(TaskPlanTest, ATaskOfSeveralWindowsEqualsOneStudyToTheLastBit) {
+    request.task = {1e6, 1};
+    const TaskPlan made = plan();
+    ASSERT_EQ(made.taskCount, 1U);
+    ASSERT_EQ(made.tiles.back().window + 1, made.tiles.size());
+    ASSERT_TRUE(runAndMerge(made));
+    EXPECT_EQ(onOneMachine().plan.count(), made.tiles.size());
+    expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
 }
 
 TEST_F(TaskPlanTest, MonthsEqualThoseOfOneMachineToTheLastBit) {
