@@ -63,7 +63,7 @@ TEST_F(StudyCommand, LeavesEverythingInTheFolder) {
 TEST_F(StudyCommand, MonthsAndContributionsComeFromTheHorizonSweep) {
     const Spoken spoken = study({"--days", "40", "--engine", "horizon", "--by", "month", "--contributions"});
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    for (const char* name : {"by_month.tif", "contributions.gpkg"})
+    for (const char* name : {"by_month.tif", "contributions.gpkg", "contributions.pdf"})
         EXPECT_GT(std::filesystem::file_size(out / name), 1000U) << name;
     EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,"));
     EXPECT_THAT(contentOf(out / "contributions.csv"), HasSubstr(",A,"));

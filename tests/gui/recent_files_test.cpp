@@ -7,7 +7,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/widgets/recent_menu.h"
+#include "app/window/files/recent_menu.h"
 #include "core/io/heights/read_settings_text.h"
 
 namespace noonmark {

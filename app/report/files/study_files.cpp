@@ -1,8 +1,9 @@
 #include "app/report/files/study_files.h"
 
 #include <QGuiApplication>
-#include <numeric>
 
+#include "app/report/book/contribution_book.h"
+#include "app/report/book/print_book.h"
 #include "app/report/files/cells_csv.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
@@ -34,16 +35,19 @@ Result<void> writeMonths(const Study& study, const std::filesystem::path& file) 
     return writeGeoTiff(file, study.city.frame, months.grid, bands, makeProvenanceTags(study.provenance));
 }
 
-double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
 Result<void> writeContributions(const Study& study, const std::filesystem::path& file) {
     BuildingColumn attributed{"attributed_min_m2", std::vector<double>(study.city.buildings.size())},
         sole{"sole_min_m2", attributed.values};
     for (const BuildingShadow& shadow : study.breakdown->buildings) {
-        attributed.values[shadow.building] = total(shadow.attributedMinM2);
-        sole.values[shadow.building] = total(shadow.soleMinM2);
+        attributed.values[shadow.building] = sumOf(shadow.attributedMinM2);
+        sole.values[shadow.building] = sumOf(shadow.soleMinM2);
     }
     return writeCityGeoPackage(file, study.city, {attributed, sole}).map([](const Warnings&) {});
+}
+
+bool writeContributionBook(const Study& study, QIODevice& device) {
+    const auto pdf = printBook(makeContributionBook(study, {}));
+    return pdf && device.write(*pdf) == pdf->size();
 }
 
 }  // namespace
@@ -51,7 +55,8 @@ Result<void> writeContributions(const Study& study, const std::filesystem::path&
 std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options) {
     std::vector<std::string> names{"shadow.tif", "shadow.png", "report.pdf", "study.json"};
     if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.csv"});
-    if (settings.contributions) names.insert(names.end(), {"contributions.csv", "contributions.gpkg"});
+    if (settings.contributions)
+        names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
     if (options.cellsCsv) names.emplace_back("cells.csv");
     return names;
 }
@@ -82,6 +87,8 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         files.add("contributions.csv", textContent(contributionsCsv(study)));
         files.add("contributions.gpkg",
                   [&](const std::filesystem::path& file) { return writeContributions(study, file); });
+        files.add("contributions.pdf",
+                  [&](QIODevice& device) { return writeContributionBook(study, device); });
     }
     if (options.cellsCsv)
         files.add("cells.csv",

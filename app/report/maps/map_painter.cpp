@@ -77,6 +77,22 @@ void paintOutline(const Canvas& canvas, const QPainterPath& region) {
     canvas.painter.drawPath(region);
 }
 
+void paintMark(const Canvas& canvas, const QPointF& centre, const QString& text) {
+    constexpr double radiusPt = 5;
+    const double radius = radiusPt * canvas.point;
+    const QRectF disc(centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    canvas.painter.setBrush(ink::paper);
+    canvas.painter.setPen(linePen(canvas, ink::text, 0.6));
+    canvas.painter.drawEllipse(disc);
+    canvas.painter.setFont(textFont(canvas, 5.6, QFont::Bold));
+    canvas.painter.drawText(disc, Qt::AlignCenter, text);
+}
+
+void paintMarks(const Canvas& canvas, const MapView& view, const std::vector<MapMark>& marks) {
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
+        paintMark(canvas, view.at(mark->at), mark->text);
+}
+
 }  // namespace
 
 MapScene makeMapScene(const Study& study, ShadowMeasure measure) {
@@ -116,6 +132,7 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) 
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     paintCity(canvas, view, scene.city, region);
     paintOutline(canvas, region);
+    paintMarks(canvas, view, scene.marks);
     canvas.painter.restore();
     canvas.painter.setBrush(Qt::NoBrush);
     canvas.painter.setPen(linePen(canvas, ink::line, 0.6));

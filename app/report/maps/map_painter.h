@@ -15,6 +15,12 @@
 
 namespace noonmark {
 
+/// A number or a letter at a place, in local metres.
+struct MapMark {
+    glm::dvec2 at;
+    QString text;
+};
+
 /// The contents of a map of any measure: the colours of a grid with a city's buildings over them. Owns
 /// nothing: city, region and the data used by `image` must outlive it.
 struct MapScene {
@@ -22,6 +28,7 @@ struct MapScene {
     const Region& region;
     Grid grid;
     std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage()
+    std::vector<MapMark> marks{};                       ///< the first lies on top
 };
 MapScene makeMapScene(const Study& study, ShadowMeasure measure);
 /// Gross shadow alone, where `top` minutes have the last colour: for maps that share a scale.
@@ -33,7 +40,8 @@ MapView makeMapView(const MapScene& scene, const QRectF& frame);
 MapView makeMapView(const Study& study, const QRectF& frame);
 
 /// Paints only the map, inside the view's target: the field as a picture, the buildings as outlines over it
-/// (pale outside the region), the outline of the region, a thin frame. Nothing is painted outside the target.
+/// (pale outside the region), the outline of the region, the marks, a thin frame. Nothing is painted outside
+/// the target.
 void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene);
 void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure);
 

@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QObject>
 
-#include "app/window/widgets/recent_menu.h"
+#include "app/window/files/recent_menu.h"
 
 class QSettings;
 

@@ -10,10 +10,11 @@
 #include "app/window/actions/make_action.h"
 #include "app/window/actions/opening_actions.h"
 #include "app/window/editing/edit_tools.h"
+#include "app/window/files/file_dialogs.h"
+#include "app/window/files/file_endings.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/view/view_panel.h"
-#include "app/window/widgets/file_dialogs.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/massing/lot_edits.h"
 
@@ -25,11 +26,8 @@ constexpr float leastShownM = 150;  // side of the ground shown with a small pla
 
 // By the files' endings: they are read only after the user's choice.
 bool mayHoldPlaces(const QStringList& files) {
-    static const QStringList endings{
-        QStringLiteral("osm"),  QStringLiteral("pbf"), QStringLiteral("geojson"), QStringLiteral("json"),
-        QStringLiteral("gpkg"), QStringLiteral("shp"), QStringLiteral("fgb"),     QStringLiteral("kml")};
     for (const QString& file : files)
-        if (!endings.contains(QFileInfo(file).suffix().toLower()) ||
+        if (!vectorEndings().contains(QFileInfo(file).suffix().toLower()) ||
             file.endsWith(QString::fromLatin1(projectEnding)))
             return false;
     return !files.isEmpty();

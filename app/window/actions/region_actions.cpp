@@ -3,11 +3,11 @@
 #include <QUndoStack>
 
 #include "app/window/actions/make_action.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
-#include "app/window/widgets/file_dialogs.h"
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"
 

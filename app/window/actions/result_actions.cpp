@@ -6,6 +6,7 @@
 #include "app/report/sheets/period_words.h"
 #include "app/window/actions/make_action.h"
 #include "app/window/export/export_dialog.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/result_display.h"
@@ -13,7 +14,6 @@
 #include "app/window/time/time_strip.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
-#include "app/window/widgets/file_dialogs.h"
 
 namespace noonmark {
 

@@ -3,8 +3,8 @@
 #include <QMessageBox>
 
 #include "app/window/actions/make_action.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/frame/workbench.h"
-#include "app/window/widgets/file_dialogs.h"
 #include "app/window/widgets/message_bar.h"
 
 namespace noonmark {

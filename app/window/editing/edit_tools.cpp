@@ -6,10 +6,10 @@
 
 #include "app/window/editing/placing_panel.h"
 #include "app/window/editing/selection_panel.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/looks/icons.h"
 #include "app/window/massing/massing_panel.h"
 #include "app/window/view/ground_lines.h"
-#include "app/window/widgets/file_dialogs.h"
 
 namespace noonmark {
 

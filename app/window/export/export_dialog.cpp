@@ -11,7 +11,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "app/window/widgets/file_dialogs.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/widgets/push_button.h"
 
 namespace noonmark {

@@ -2,10 +2,10 @@
 
 #include "app/window/actions/make_action.h"
 #include "app/window/export/movie_dialog.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/time/time_strip.h"
 #include "app/window/view/view_panel.h"
-#include "app/window/widgets/file_dialogs.h"
 
 namespace noonmark {
 

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include "app/window/files/file_dialogs.h"
 #include "app/window/frame/window_menus.h"
 #include "app/window/frame/window_toolbar.h"
 #include "app/window/looks/theme_menu.h"
@@ -25,7 +26,6 @@
 #include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/weights/weights_dock.h"
-#include "app/window/widgets/file_dialogs.h"
 #include "app/window/widgets/progress_strip.h"
 #include "render/view/software_drawing.h"
 

@@ -13,7 +13,7 @@
 #include <QSignalBlocker>
 #include <array>
 
-#include "app/window/widgets/file_dialogs.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/widgets/push_button.h"
 
 namespace noonmark {

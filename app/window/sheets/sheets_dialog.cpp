@@ -6,10 +6,10 @@
 #include <QScrollArea>
 
 #include "app/report/files/review_files.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/project/project_session.h"
 #include "app/window/sheets/book_view.h"
 #include "app/window/sheets/sheet_form.h"
-#include "app/window/widgets/file_dialogs.h"
 #include "app/window/widgets/progress_strip.h"
 #include "app/window/widgets/push_button.h"
 

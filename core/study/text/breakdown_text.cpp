@@ -13,11 +13,9 @@ namespace noonmark {
 
 namespace {
 
-double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
 void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& caster,
              const std::string& source) {
-    csv += fmt::format("{},{:.1f},{:.1f}", caster, total(shadow.attributedMinM2), total(shadow.soleMinM2));
+    csv += fmt::format("{},{:.1f},{:.1f}", caster, sumOf(shadow.attributedMinM2), sumOf(shadow.soleMinM2));
     for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
         csv += fmt::format(",{:.1f},{:.1f}", shadow.attributedMinM2[set], shadow.soleMinM2[set]);
     csv += source + "\n";
@@ -30,6 +28,15 @@ double sumOf(const std::vector<float>& minutes) {
     for (const float value : minutes)
         if (!std::isnan(value)) sum += double(value);
     return sum;
+}
+
+double sumOf(const std::vector<double>& minM2) { return std::accumulate(minM2.begin(), minM2.end(), 0.0); }
+
+std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown) {
+    std::vector<BuildingShadow> shadows = breakdown.buildings;
+    std::ranges::stable_sort(shadows, std::ranges::greater{},
+                             [](const BuildingShadow& shadow) { return sumOf(shadow.attributedMinM2); });
+    return shadows;
 }
 
 std::vector<MonthShadow> monthsFromSums(const StepSets& sets, const std::vector<double>& sunlitMinutes,
@@ -73,10 +80,7 @@ std::string contributionsCsv(const Study& study) {
     for (std::size_t set = 0; breakdown.sets.names.size() > 1 && set < breakdown.sets.names.size(); ++set)
         csv += fmt::format(",attributed {0},sole {0}", breakdown.sets.names[set]);
     csv += sourceColumns + std::string("\n");
-    std::vector<BuildingShadow> shadows = breakdown.buildings;
-    std::ranges::stable_sort(shadows, std::ranges::greater{},
-                             [](const BuildingShadow& shadow) { return total(shadow.attributedMinM2); });
-    for (const BuildingShadow& shadow : shadows) {
+    for (const BuildingShadow& shadow : sortContributions(breakdown)) {
         const Building& building = *study.city.buildings[shadow.building];
         addLine(
             csv, shadow,

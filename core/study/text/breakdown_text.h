@@ -24,6 +24,11 @@ std::vector<MonthShadow> monthsFromSums(const StepSets& sets, const std::vector<
 /// The sum of all values but NaN.
 double sumOf(const std::vector<float>& minutes);
 
+/// What a building does in all sets of steps together.
+double sumOf(const std::vector<double>& minM2);
+/// The breakdown's buildings, those with the most attributed shadow first.
+std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown);
+
 /// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (source_columns.h); one
 /// row per set of the study's breakdown, which must exist.
 std::string monthsCsv(const Study& study);

@@ -1,9 +1,10 @@
-#include "app/window/widgets/file_dialogs.h"
+#include "app/window/files/file_dialogs.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "app/window/files/file_endings.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {
@@ -12,14 +13,14 @@ namespace {
 
 QString tr(const char* text) { return QObject::tr(text); }
 
+QString orAllFiles(const QString& name, const QStringList& endings) {
+    return makeFileFilter(name, endings) + QStringLiteral(";;") + tr("All files (*)");
+}
+
 }  // namespace
 
 QStringList askForCity(QWidget* parent) {
-    return QFileDialog::getOpenFileNames(
-        parent, tr("Open a project or a city"), {},
-        tr("Projects, cities and terrain (*.noonmark.gpkg *.geojson *.json *.gpkg *.shp *.osm *.pbf "
-           "*.jsonl *.obj *.ply *.gltf *.glb *.tif "
-           "*.tiff *.asc);;Projects (*.noonmark.gpkg);;All files (*)"));
+    return QFileDialog::getOpenFileNames(parent, tr("Open a project or a city"), {}, makeCityFilters());
 }
 
 QString askForProject(QWidget* parent, const QString& suggested) {
@@ -36,20 +37,18 @@ QString askForProject(QWidget* parent, const QString& suggested) {
 }
 
 QString askForMesh(QWidget* parent) {
-    return QFileDialog::getOpenFileName(
-        parent, tr("Import a mesh as a building"), {},
-        tr("Meshes (*.obj *.ply *.gltf *.glb *.json *.jsonl);;All files (*)"));
+    return QFileDialog::getOpenFileName(parent, tr("Import a mesh as a building"), {},
+                                        orAllFiles(tr("Meshes"), modelEndings()));
 }
 
 QString askForRegion(QWidget* parent) {
     return QFileDialog::getOpenFileName(parent, tr("Region from file"), {},
-                                        tr("Polygons (*.geojson *.json *.gpkg *.shp *.kml);;All files (*)"));
+                                        orAllFiles(tr("Polygons"), vectorEndings()));
 }
 
 QStringList askForPlaces(QWidget* parent) {
-    return QFileDialog::getOpenFileNames(
-        parent, tr("Read places"), {},
-        tr("Maps and polygons (*.osm *.pbf *.geojson *.json *.gpkg *.shp *.fgb *.kml);;All files (*)"));
+    return QFileDialog::getOpenFileNames(parent, tr("Read places"), {},
+                                         orAllFiles(tr("Maps and polygons"), vectorEndings()));
 }
 
 QString askForSky(QWidget* parent) {

@@ -1,4 +1,4 @@
-#include "app/window/widgets/recent_menu.h"
+#include "app/window/files/recent_menu.h"
 
 #include <QAction>
 #include <QMenu>
