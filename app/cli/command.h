@@ -22,6 +22,7 @@ void addCityStudyCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
 void addProjectCommand(CLI::App& app, Run& run);
 void addImpactCommand(CLI::App& app, Run& run);
+void addScenariosCommand(CLI::App& app, Run& run);
 void addScoreCommand(CLI::App& app, Run& run);
 void addReviewCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);

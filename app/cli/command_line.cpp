@@ -98,6 +98,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addProjectCommand(app, run);
         addImpactCommand(app, run);
         addScoreCommand(app, run);
+        addScenariosCommand(app, run);
         addPlacesCommand(app, run);
         addScreenCommand(app, run);
         addTimelineCommand(app, run);

@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
 #include "app/cli/options/number_range.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/cli/progress_line.h"
@@ -67,7 +68,7 @@ Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options
     if (!sheets) return tl::make_unexpected(sheets.error());
     return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out,
                             outputRulesOf(options.measure, project),
-                            options.sheets.wanted ? &*sheets : nullptr)
+                            options.sheets.wanted ? &*sheets : nullptr, options.measure.pictureWidth)
         .map([](const auto&) {});
 }
 
@@ -121,6 +122,8 @@ void addImpactCommand(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("impact", "Measure how shadow changes from one scenario of a project to another");
     addMeasureOptions(*command, options->measure);
+    addSaveOption(*command, options->measure);
+    addPictureOption(*command, options->measure.pictureWidth);
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
@@ -56,7 +57,7 @@ Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, 
     if (!sheets) return tl::make_unexpected(sheets.error());
     const OutputRules rules = outputRulesOf(options.measure, project);
     return writeScoreFiles(answer, {city->city}, options.measure.out, rules,
-                           options.sheets.wanted ? &*sheets : nullptr)
+                           options.sheets.wanted ? &*sheets : nullptr, options.measure.pictureWidth)
         .map([](const auto&) {});
 }
 
@@ -92,6 +93,8 @@ void addScoreCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
     addMeasureOptions(*command, options->measure);
+    addSaveOption(*command, options->measure);
+    addPictureOption(*command, options->measure.pictureWidth);
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     command->add_option("--scenario", options->scenario, "The scenario to measure")

@@ -34,9 +34,10 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
 
 Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const StudyOptions& options) {
     const OffscreenQt qt;
-    return writeStudyFiles(
-        study, options.out,
-        {.cellsCsv = options.cellsCsv, .rules = outputRulesOf(options, study.provenance.inputs)});
+    return writeStudyFiles(study, options.out,
+                           {.cellsCsv = options.cellsCsv,
+                            .rules = outputRulesOf(options, study.provenance.inputs),
+                            .pictureWidth = options.pictureWidth});
 }
 
 // As it was written: its times of writing are not known before.

@@ -26,9 +26,12 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
+    command.add_flag("--json", options.json, "Print only the JSON to standard output");
+}
+
+void addSaveOption(CLI::App& command, MeasureOptions& options) {
     command.add_option("--save,--keep", options.keep, "Save the result in the project under this name")
         ->type_name("NAME");
-    command.add_flag("--json", options.json, "Print only the JSON to standard output");
 }
 
 Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project& project) {

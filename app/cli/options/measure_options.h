@@ -6,13 +6,14 @@
 
 #include "app/cli/console.h"
 #include "app/cli/options/period_options.h"
+#include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
 #include "core/study/study.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
 
-/// Options shared by `impact` and `score`: project, region, period, cells, engine and outputs.
+/// Options shared by `impact`, `score` and `scenarios`: project, region, period, cells, engine and outputs.
 struct MeasureOptions {
     std::string file;
     std::string region;
@@ -21,11 +22,15 @@ struct MeasureOptions {
     StudySettings settings;
     std::string out;
     bool overwrite = false;
+    int pictureWidth = noonmark::pictureWidth;  // of the PNG, pixels
     std::string keep;
     bool json = false;
 };
 
 void addMeasureOptions(CLI::App& command, MeasureOptions& options);
+
+/// Adds --save.
+void addSaveOption(CLI::App& command, MeasureOptions& options);
 
 /// The settings with region and period parsed. Error: the region is neither in the project nor a box nor a
 /// file; errors of periodFrom().

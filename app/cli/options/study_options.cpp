@@ -6,6 +6,7 @@
 #include "app/cli/options/engine_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/project/project_question.h"
 #include "core/receivers/roof_receivers.h"
 
@@ -112,6 +113,7 @@ void addPieceOptions(CLI::App& command, StudyOptions& options) {
     command.add_flag(
         "--contributions", settings.contributions,
         "Attributed shadow and sole contribution of each building, as a table and a map (engine horizon)");
+    addPictureOption(command, options.pictureWidth);
     command.add_flag("--cells-csv", options.cellsCsv, "Also write cells.csv: one line per receiver");
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/cli/options/period_options.h"
 #include "app/cli/options/read_options.h"
+#include "app/report/sheets/sheet.h"
 #include "core/study/elements/element_study.h"
 
 namespace noonmark::cli {
@@ -27,8 +28,9 @@ struct StudyOptions {
     StudySettings settings;  ///< the values that need neither the city nor further parsing
     bool json = false;
     bool cellsCsv = false;
-    std::optional<ElementPlaces> points;  ///< measure points instead of cells
-    ElementSettings elements;             ///< where they are
+    int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
+    std::optional<ElementPlaces> points;        ///< measure points instead of cells
+    ElementSettings elements;                   ///< where they are
 };
 
 /// Where a command can measure.
@@ -46,7 +48,8 @@ Result<void> checkElementOptions(const StudyOptions& options);
 /// Adds --by month.
 void addMonthOption(CLI::App& command, StudySettings& settings);
 
-/// Adds the options of `study` that tiles may lack: months, contributions, cells as a table.
+/// Adds the options of `study` that tiles may lack: months, contributions, width of the picture, cells as a
+/// table.
 void addPieceOptions(CLI::App& command, StudyOptions& options);
 
 /// Adds --error-sample and --no-error-sample.

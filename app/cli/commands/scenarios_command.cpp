@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
+#include "app/cli/options/measure_options.h"
+#include "app/cli/options/sheet_options.h"
+#include "app/cli/options/study_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/table.h"
+#include "app/input/all_engines.h"
+#include "app/report/scenarios/scenario_files.h"
+#include "app/report/scenarios/scenario_text.h"
+#include "core/base/progress_share.h"
+#include "core/measures/has_runs.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ScenariosOptions {
+    MeasureOptions measure;
+    SheetOptions sheets;
+    std::vector<std::string> names;  // empty: all
+};
+
+std::vector<std::string> chooseScenarios(const ScenariosOptions& options, const Project& project) {
+    if (!options.names.empty()) return options.names;
+    std::vector<std::string> names{existingCity};
+    for (const Scenario& scenario : project.scenarios) names.push_back(scenario.name);
+    return names;
+}
+
+Result<Study> measureScenario(const std::string& name, const StudySettings& settings, const ProjectFile& disk,
+                              Progress& progress, const std::stop_token& stop) {
+    const Project& project = disk.project();
+    const auto city = cityOf(project, name);
+    if (!city) return tl::make_unexpected(city.error());
+    auto study = runStudy(city->city, settings, progress, stop, enginesWith(settings.engine));
+    if (!study) return study;
+    putBefore(study->warnings, project.reading->warnings);
+    study->provenance = provenanceOf(project, &disk, {name, {}, settings.region, {}});
+    return study;
+}
+
+Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const StudySettings& settings,
+                                   const ProjectFile& disk, const Console& console) {
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    ScenarioStudies studies;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        ProgressShare share(progress, i, names.size());
+        auto study = measureScenario(names[i], settings, disk, share, interrupt.token());
+        if (!study) return tl::make_unexpected(study.error());
+        studies.push_back({names[i], std::make_shared<const Study>(*std::move(study))});
+    }
+    return studies;
+}
+
+// Everything that can be wrong with the request is found before the first scenario is measured.
+Result<StudySettings> checkRequest(const ScenariosOptions& options, const std::vector<std::string>& names,
+                                   const Project& project) {
+    for (const std::string& name : names)
+        if (const auto city = cityOf(project, name); !city) return tl::make_unexpected(city.error());
+    if (const auto sheets = bookSettingsOf(options.sheets, project.sheets); !sheets)
+        return tl::make_unexpected(sheets.error());
+    if (auto may =
+            checkOutputs(options.measure.out, scenarioFileNames(), outputRulesOf(options.measure, project));
+        !may)
+        return tl::make_unexpected(may.error());
+    return settingsFrom(options.measure, project);
+}
+
+Result<void> writeFiles(const ScenarioStudies& studies, const ScenariosOptions& options,
+                        const Project& project) {
+    const OffscreenQt qt;
+    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    if (!sheets) return tl::make_unexpected(sheets.error());
+    return writeScenarioFiles(studies, *sheets, options.measure.out, outputRulesOf(options.measure, project))
+        .map([](const auto&) {});
+}
+
+void print(const ScenarioStudies& studies, std::ostream& out) {
+    Table table;
+    for (const ScenarioStudy& scenario : studies) {
+        const ShadowStatistics& figures = scenario.study->statistics;
+        table.add(scenario.name,
+                  fmt::format("shadow area {:.0f} m2 ({:+.0f}), mean {:.2f} min a day", figures.shadowAreaM2,
+                              computeShadowAreaChange(studies, scenario), figures.meanGrossMin));
+    }
+    table.print(out);
+    printWarnings(out, studies.front().study->warnings);
+}
+
+int runScenariosCommand(const ScenariosOptions& options, const Console& console) {
+    const auto disk = ProjectFile::open(options.measure.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    const std::vector<std::string> names = chooseScenarios(options, disk->project());
+    const auto settings = checkRequest(options, names, disk->project());
+    if (!settings) return fail(console, settings.error(), exitUsage);
+    const auto studies = measureAll(names, *settings, *disk, console);
+    if (!studies) return fail(console, studies.error(), exitFailed);
+    if (const auto written = writeFiles(*studies, options, disk->project()); !written)
+        return fail(console, written.error(), exitFailed);
+    if (options.measure.json)
+        console.out << scenariosJson(*studies) << '\n';
+    else
+        print(*studies, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addScenariosCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<ScenariosOptions>();
+    CLI::App* command =
+        app.add_subcommand("scenarios", "Measure the same study of all scenarios of a project, side by side");
+    addMeasureOptions(*command, options->measure);
+    addSheetOptions(*command, options->sheets);
+    addErrorOptions(*command, options->measure.settings.errorSample);
+    command
+        ->add_option("--scenario", options->names,
+                     "A scenario to measure; may be repeated; the first is what the others are compared with "
+                     "(default: the existing city and all scenarios)")
+        ->type_name("NAME");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runScenariosCommand(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

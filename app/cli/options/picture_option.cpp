@@ -1,0 +1,17 @@
+#include "app/cli/options/picture_option.h"
+
+#include "app/cli/options/number_range.h"
+#include "app/report/sheets/sheet.h"
+
+namespace noonmark::cli {
+
+void addPictureOption(CLI::App& command, int& widthPx) {
+    command
+        .add_option("--picture-width", widthPx,
+                    "Width of the PNG in pixels; its text grows with it, its height follows the region")
+        ->capture_default_str()
+        ->check(within(leastPictureWidth, mostPictureWidth))
+        ->type_name("PX");
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,76 @@
+#include <QImageReader>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/scenario.h"
+#include "tests/cli/project_command.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ScenariosCommand : public ProjectCommand {
+protected:
+    void SetUp() override {
+        ProjectCommand::SetUp();
+        done("add-scenario", {"Lower"});
+        done("height", {"One57", "432 Park Avenue", "--scenario", "Lower", "--height", "30"});
+    }
+    std::vector<std::string> namesIn(const nlohmann::json& json) {
+        std::vector<std::string> names;
+        for (const auto& scenario : json.at("scenarios")) names.push_back(scenario.at("name"));
+        return names;
+    }
+};
+
+TEST_F(ScenariosCommand, MeasuresAllScenariosOfAProject) {
+    const Spoken all = atNoon("scenarios", {"--json"});
+    ASSERT_EQ(all.code, 0) << all.err;
+    const auto json = all.json();
+    const auto names = namesIn(json);
+    EXPECT_EQ(names.front(), existingCity);
+    EXPECT_THAT(names, testing::Contains("Lower"));
+    for (const char* file : {"scenarios.csv", "scenarios.json", "scenarios.pdf", "scenarios.tif"})
+        EXPECT_GT(std::filesystem::file_size(folder_.path("out") / file), 100U) << file;
+}
+
+TEST_F(ScenariosCommand, AgreesWithTheStudyOfEachScenario) {
+    const Spoken two = atNoon("scenarios", {"--scenario", "Lower", "--scenario", "Existing", "--json"});
+    ASSERT_EQ(two.code, 0) << two.err;
+    const auto json = two.json();
+    EXPECT_THAT(namesIn(json), ElementsAre("Lower", "Existing"));
+    const Spoken study = noonmarkCli({"study",      file_,
+                                      "--scenario", "Lower",
+                                      "--region",   "Park",
+                                      "--cell",     "10",
+                                      "--start",    "2026-12-21",
+                                      "--from",     "12:00",
+                                      "--hours",    "1",
+                                      "--step",     "10",
+                                      "--zone",     "America/New_York",
+                                      "--out",      folder_.path("alone").string(),
+                                      "--json"});
+    ASSERT_EQ(study.code, 0) << study.err;
+    EXPECT_EQ(json.at("scenarios")[0]["figures"]["shadow_area_m2"], study.json()["shadow_area_m2"]);
+    EXPECT_LT(json.at("scenarios")[0]["figures"]["shadow_area_m2"],
+              json.at("scenarios")[1]["figures"]["shadow_area_m2"]);
+}
+
+TEST_F(ScenariosCommand, RefusesAnUnknownScenarioBeforeTheWork) {
+    const Spoken unknown = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Nowhere"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("Nowhere"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("out")));
+}
+
+TEST_F(ScenariosCommand, TheWidthOfAPictureIsChosen) {
+    const Spoken impact = atNoon("impact", {"--to", "Lower", "--picture-width", "700"});
+    ASSERT_EQ(impact.code, 0) << impact.err;
+    EXPECT_EQ(QImageReader(QString::fromStdString(folder_.path("out/impact.png").string())).size().width(),
+              700);
+    EXPECT_EQ(atNoon("impact", {"--to", "Lower", "--picture-width", "20000"}).code, 2);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
