@@ -55,6 +55,7 @@ Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings,
         case FileKind::mesh:
             return readMesh(file.path, settings, progress, stop);
         case FileKind::terrain:
+            if (window != nullptr && window->terrain) return FilePiece{};
             return readTerrain(file.path, settings, progress, stop);
     }
     return failure("Its format is not supported", file.path.string());

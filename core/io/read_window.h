@@ -12,7 +12,8 @@ struct ReadWindow {
     /// Only the features that touch this box are read, from footprints with a spatial index; other files are
     /// read whole. Finding none is no error.
     LonLatBox box;
-    /// A terrain that was read before in the same frame; null: it is read from the files, whole.
+    /// A terrain that was read before in the same frame: files of terrain are not read. Null: they are,
+    /// whole.
     std::shared_ptr<const Terrain> terrain;
 };
 

@@ -16,8 +16,14 @@ Result<Place> placeNamed(const Rule& rule, const Project& project, const std::st
     return findPlace(project, name);
 }
 
-Warning warningOf(const NamedLot& lot) {
+Warning describeMove(const NamedLot& lot) {
     return {WarningKind::assumed, "the parcel's line is moved out along the roads that its lot states",
+            fmt::format("{}: {}", lot.name, formatText(lot.roads))};
+}
+
+Warning describeUnmoved(const NamedLot& lot) {
+    return {WarningKind::assumed,
+            "none of the parcel's edges lies along the roads that its lot states: its line is not moved",
             fmt::format("{}: {}", lot.name, formatText(lot.roads))};
 }
 
@@ -52,8 +58,12 @@ Result<PlacesToReview> moveLines(const Rule& rule, const Project& project, std::
         const NamedLot& lot = *found->second;
         auto polygons = moveLineOut(lot.outline, lot.roads, *rule.receivers.roads);
         if (!polygons) return failure(polygons.error().what, "lot " + lot.name, polygons.error().advice);
+        if (*polygons == place.polygons) {
+            review.moved.push_back(describeUnmoved(lot));
+            continue;
+        }
         place.polygons = *std::move(polygons);
-        review.moved.push_back(warningOf(lot));
+        review.moved.push_back(describeMove(lot));
     }
     return review;
 }

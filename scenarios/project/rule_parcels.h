@@ -19,7 +19,7 @@ Result<std::vector<Place>> findPlacesUnder(const Rule& rule, const Project& proj
 /// Places as a rule takes them.
 struct PlacesToReview {
     std::vector<Place> places;
-    Warnings moved;  ///< one assumption for each lot whose line was moved out, with its roads
+    Warnings moved;  ///< one for each lot with roads: its line was moved out, or why not
 };
 /// Moves the line of lots out along their roads, where the rule says so. Error: that of moveLineOut(), naming
 /// the lot.

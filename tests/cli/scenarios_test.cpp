@@ -31,6 +31,7 @@ TEST_F(ScenariosCommand, MeasuresAllScenariosOfAProject) {
     const auto names = namesIn(json);
     EXPECT_EQ(names.front(), existingCity);
     EXPECT_THAT(names, testing::Contains("Lower"));
+    EXPECT_TRUE(json.at("scenarios")[0].at("warnings").is_array());
     for (const char* file : {"scenarios.csv", "scenarios.json", "scenarios.pdf", "scenarios.tif"})
         EXPECT_GT(std::filesystem::file_size(folder_.path("out") / file), 100U) << file;
 }
@@ -61,6 +62,9 @@ TEST_F(ScenariosCommand, RefusesAnUnknownScenarioBeforeTheWork) {
     const Spoken unknown = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Nowhere"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("Nowhere"));
+    const Spoken twice = atNoon("scenarios", {"--scenario", "Lower", "--scenario", "Lower"});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_THAT(twice.err, HasSubstr("named twice"));
     EXPECT_FALSE(std::filesystem::exists(folder_.path("out")));
 }
 

@@ -49,5 +49,16 @@ TEST(RuleParcels, TheirLineMovesOutAlongTheirRoads) {
     EXPECT_TRUE(park.moved.empty());
 }
 
+TEST(RuleParcels, ALineThatNoRoadMovesIsSaidToStay) {
+    Project project = twoLots();
+    // A triangle that points south: its edges face 117, 0 and 243 degrees.
+    project.lots[0].outline.outer = {{0, 0}, {10, 20}, {-10, 20}};
+    const Rule japan = ruleNamed("japan");
+    const auto taken = moveLines(japan, project, placesUnder(japan, project)).value();
+    EXPECT_EQ(taken.places[0].polygons.front(), project.lots[0].outline);
+    ASSERT_EQ(taken.moved.size(), 1U);
+    EXPECT_NE(taken.moved[0].what.find("is not moved"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace noonmark::tests

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
+#include <set>
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
@@ -15,7 +17,6 @@
 #include "app/report/scenarios/scenario_files.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "core/base/progress_share.h"
-#include "core/measures/has_runs.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
@@ -64,8 +65,11 @@ Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const 
 // Everything that can be wrong with the request is found before the first scenario is measured.
 Result<StudySettings> checkRequest(const ScenariosOptions& options, const std::vector<std::string>& names,
                                    const Project& project) {
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
+        if (std::ranges::count(names, name) > 1)
+            return failure("The scenario is named twice", "--scenario " + name, "Name each scenario once");
         if (const auto city = cityOf(project, name); !city) return tl::make_unexpected(city.error());
+    }
     if (const auto sheets = bookSettingsOf(options.sheets, project.sheets); !sheets)
         return tl::make_unexpected(sheets.error());
     if (auto may =
@@ -84,6 +88,16 @@ Result<void> writeFiles(const ScenarioStudies& studies, const ScenariosOptions& 
         .map([](const auto&) {});
 }
 
+// Each warning once: scenarios share most of their buildings.
+Warnings collectWarnings(const ScenarioStudies& studies) {
+    Warnings all;
+    std::set<std::pair<std::string, std::string>> known;
+    for (const ScenarioStudy& scenario : studies)
+        for (const Warning& warning : scenario.study->warnings)
+            if (known.emplace(warning.what, warning.where).second) all.push_back(warning);
+    return all;
+}
+
 void print(const ScenarioStudies& studies, std::ostream& out) {
     Table table;
     for (const ScenarioStudy& scenario : studies) {
@@ -93,7 +107,7 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
                               computeShadowAreaChange(studies, scenario), figures.meanGrossMin));
     }
     table.print(out);
-    printWarnings(out, studies.front().study->warnings);
+    printWarnings(out, collectWarnings(studies));
 }
 
 int runScenariosCommand(const ScenariosOptions& options, const Console& console) {

@@ -150,7 +150,9 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
         ->capture_default_str()
         ->check(within(1.0, 86400.0))
         ->type_name("S");
-    command->add_option("--task-memory", options->taskMemoryGB, "Estimated memory of a task, at most")
+    command
+        ->add_option("--task-memory", options->taskMemoryGB,
+                     "Read the tiles of a task in windows of at most this estimated memory")
         ->capture_default_str()
         ->check(within(0.1, 1000.0))
         ->type_name("GB");

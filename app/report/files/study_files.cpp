@@ -45,11 +45,6 @@ Result<void> writeContributions(const Study& study, const std::filesystem::path&
     return writeCityGeoPackage(file, study.city, {attributed, sole}).map([](const Warnings&) {});
 }
 
-bool writeContributionBook(const Study& study, QIODevice& device) {
-    const auto pdf = printBook(makeContributionBook(study, {}));
-    return pdf && device.write(*pdf) == pdf->size();
-}
-
 }  // namespace
 
 std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options) {
@@ -87,8 +82,9 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         files.add("contributions.csv", textContent(contributionsCsv(study)));
         files.add("contributions.gpkg",
                   [&](const std::filesystem::path& file) { return writeContributions(study, file); });
-        files.add("contributions.pdf",
-                  [&](QIODevice& device) { return writeContributionBook(study, device); });
+        const auto pdf = printBook(makeContributionBook(study, {}));
+        if (!pdf) return tl::make_unexpected(pdf.error());
+        files.add("contributions.pdf", textContent(pdf->toStdString()));
     }
     if (options.cellsCsv)
         files.add("cells.csv",

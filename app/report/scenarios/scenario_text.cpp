@@ -60,6 +60,7 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
                  {"engine", scenario.study->field.engine},
                  {"figures", figuresJson(scenarios, scenario)}};
         addProvenance(one, scenario.study->provenance);
+        one["warnings"] = warningsJson(scenario.study->warnings);
         json["scenarios"].push_back(std::move(one));
     }
     json["definitions"] = {

@@ -1,4 +1,5 @@
 #include "core/study/text/timeline_text.h"
+#include "core/base/csv_field.h"
 
 #include <fmt/format.h>
 
@@ -112,12 +113,6 @@ private:
     const Zone& zone_;
 };
 
-std::string csvText(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 }  // namespace
 
 Json timelineJson(const PlaceStudy& study, const PlaceTimeline& place, const TimelineLabels& labels) {
@@ -155,7 +150,7 @@ std::string timelineCsv(const PlaceStudy& study, const TimelineLabels& labels) {
     for (const PlaceTimeline& place : study.places)
         for (const DayTimeline& day : place.days)
             for (const PlaceStep& step : day.steps)
-                text += fmt::format("{},{},{},{:.2f},{:.2f},{:.2f},{:.2f}\n", csvText(place.place.name),
+                text += fmt::format("{},{},{},{:.2f},{:.2f},{:.2f},{:.2f}\n", csvField(place.place.name),
                                     formatText(day.day), writer.time(step.at), step.baselineM2,
                                     step.scenarioM2, step.incrementalM2, step.gainedM2);
     return text;

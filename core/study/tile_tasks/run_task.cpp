@@ -51,13 +51,14 @@ bool isDone(const PlannedTile& tile, const TileJournal& journal) {
 }
 
 Result<City> readFor(const std::vector<PlannedTile>& tiles, const TaskPlan& plan, const District& district,
-                     const TaskQuestion& question, Progress& progress, const std::stop_token& stop) {
+                     const TaskQuestion& question, std::shared_ptr<const Terrain> terrain, Progress& progress,
+                     const std::stop_token& stop) {
     if (question.subject != nullptr) return *question.subject->cities.back();
     const ReadSettings& reading = question.reading;
     Box2 box;
     for (const PlannedTile& tile : tiles) box.add(tile.reads);
     const ReadWindow window{makeLonLatBox(district.frame, glm::dvec2(box.low), glm::dvec2(box.high)),
-                            nullptr};
+                            std::move(terrain)};
     const auto files = pathsOf(plan.files);
     auto read = plan.byWindow
                     ? readCityWindow(files, readSettingsIn(district, reading), window, progress, stop)
@@ -139,10 +140,11 @@ private:
     Result<void> runWindow(const std::vector<PlannedTile>& window, Progress& progress,
                            const std::stop_token& stop) {
         const Stopwatch watch;
-        const auto city = readFor(window, plan_, district_, question_, progress, stop);
+        const auto city = readFor(window, plan_, district_, question_, terrain_, progress, stop);
         if (!city) return tl::make_unexpected(city.error());
         if (city->frame != district_.frame)
             return failure("An input has changed since the plan was made", plan_.files.front(), "Plan again");
+        terrain_ = city->terrain;
         report_.buildings += city->buildings.size();
         report_.readSeconds += watch.seconds();
         if (auto fits = checkTileMemory(*city, district_.tiles, question_.settings, engines_); !fits)
@@ -164,6 +166,7 @@ private:
     const EngineList& engines_;
     TaskReport report_;
     TileCount done_, later_;
+    std::shared_ptr<const Terrain> terrain_;  ///< of the district, once the first window was read
 };
 
 Result<TaskReport> run(const std::filesystem::path& folder, const TaskPlan& plan, std::size_t task,

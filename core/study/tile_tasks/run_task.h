@@ -11,7 +11,7 @@ namespace noonmark {
 struct TaskReport {
     std::size_t tiles = 0;
     std::size_t computed = 0;   ///< by this run; the others were done and whole
-    std::size_t buildings = 0;  ///< read by this run
+    std::size_t buildings = 0;  ///< read by this run; those in several windows count in each
     double readSeconds = 0;
     double seconds = 0;
 };

@@ -18,7 +18,10 @@ TEST(CsvField, FormulasOfStrangersAreTexts) {
     EXPECT_EQ(csvField("@SUM(A1)"), "'@SUM(A1)");
     EXPECT_EQ(csvField("+A1(2)"), "'+A1(2)");
     EXPECT_EQ(csvField("-2+3+cmd|' /C calc'!A0"), "'-2+3+cmd|' /C calc'!A0");
-    for (const char* text : {"-5", "+0.5", "-5 m2", "- the park", "a=b"}) EXPECT_EQ(csvField(text), text);
+    for (const char* text :
+         {"+A1", "-A1+B2", "-1-2", "+'file:///x'#$Sheet.A1", "- the park", "-", "-1 -2", "\tx"})
+        EXPECT_EQ(disarmFormula(text), std::string("'") + text);
+    for (const char* text : {"-5", "+0.5", "-5 m2", "-5 m²", "a=b"}) EXPECT_EQ(csvField(text), text);
     EXPECT_EQ(quoteField("=1+1"), "=1+1") << "of tables that are read back";
 }
 

@@ -57,17 +57,26 @@ bool isSoundTile(const PlannedTile& tile, const TaskPlan& plan) {
            isFinite(tile.reads) && tile.task < plan.taskCount;
 }
 
-bool followsInTasks(const PlannedTile& tile, const PlannedTile& next) {
-    return tile.task < next.task ||
-           (tile.task == next.task && tile.district == next.district && tile.window <= next.window);
+// A task begins with its window 0, and no task or window is left out.
+bool follows(const PlannedTile& tile, const PlannedTile& next, bool byWindow) {
+    if (next.task == tile.task + 1) return next.window == 0;
+    const bool sameWindow = next.window == tile.window;
+    return next.task == tile.task && next.district == tile.district &&
+           (sameWindow || (byWindow && next.window == tile.window + 1));
+}
+
+bool areTasksSound(const TaskPlan& plan) {
+    if (plan.tiles.empty()) return plan.taskCount == 0;
+    if (plan.tiles.front().task != 0 || plan.tiles.front().window != 0) return false;
+    for (std::size_t i = 1; i < plan.tiles.size(); ++i)
+        if (!follows(plan.tiles[i - 1], plan.tiles[i], plan.byWindow)) return false;
+    return plan.tiles.back().task + 1 == plan.taskCount;
 }
 
 }  // namespace
 
 bool isSound(const TaskPlan& plan) {
-    for (std::size_t i = 1; i < plan.tiles.size(); ++i)
-        if (!followsInTasks(plan.tiles[i - 1], plan.tiles[i])) return false;
-    return plan.taskCount <= plan.tiles.size() && std::ranges::all_of(plan.districts, isSoundDistrict) &&
+    return areTasksSound(plan) && std::ranges::all_of(plan.districts, isSoundDistrict) &&
            std::ranges::all_of(plan.tiles, [&](const PlannedTile& tile) { return isSoundTile(tile, plan); });
 }
 

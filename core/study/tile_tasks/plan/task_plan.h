@@ -71,7 +71,7 @@ std::filesystem::path taskFolder(const std::filesystem::path& plan, std::size_t 
 
 /// Writes plan.json. The same plan is read back, to the last bit.
 Result<void> writeTaskPlan(const std::filesystem::path& folder, const TaskPlan& plan);
-/// Error: there is none, it is damaged, or of a later version.
+/// Error: there is none, it is damaged, or of another version.
 Result<TaskPlan> readTaskPlan(const std::filesystem::path& folder);
 
 /// Writes the index as a GeoPackage for maps: layers `tiles` and `halos`, in longitude and latitude. Backend:
