@@ -7,7 +7,7 @@ namespace {
 
 TEST(TimelineCsv, NamesAreTextsInASpreadsheet) {
     DayTimeline day;
-    day.day = {2026, 3, 21};
+    day.day = std::chrono::year(2026) / 3 / 21;
     day.steps.push_back({.baselineM2 = 1, .scenarioM2 = 2.5, .incrementalM2 = 1.5});
     const auto timeline = [&](const char* name) {
         return PlaceTimeline{.place = {name, PlaceKind::park, {}, ""}, .days = {day}};
