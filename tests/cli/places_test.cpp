@@ -91,7 +91,7 @@ TEST_F(PlacesCommand, TimelinesAreStatedInWordsAndAsCsv) {
     csv.emplace_back("--csv");
     const std::string rows = noonmarkCli(csv).out;
     EXPECT_EQ(std::ranges::count(rows, '\n'), 1 + 2 * 3);
-    EXPECT_THAT(rows, HasSubstr("\"Pond Lawn\",2026-12-21,2026-12-21T11:20:00-05:00,"));
+    EXPECT_THAT(rows, HasSubstr("Pond Lawn,2026-12-21,2026-12-21T11:20:00-05:00,"));
     EXPECT_THAT(noonmarkCli({"timeline", file_, "--place", "Pond Lane", "--day", "2026-12-21"}).err,
                 HasSubstr("Did you mean Pond Lawn?"));
     EXPECT_EQ(noonmarkCli({"timeline", file_, "--place", "all"}).code, 2);
