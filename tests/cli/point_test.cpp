@@ -21,6 +21,16 @@ std::vector<std::string> pointOf(const std::string& file, const std::string& at,
     return arguments;
 }
 
+TEST(Point, TheDrawingIsNotWrittenOverTheTable) {
+    const noonmark::tests::TemporaryFolder folder;
+    const std::string file = folder.path("sky").string(), again = folder.path("./sky").string();
+    const Spoken spoken = noonmarkCli(
+        pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--svg", file, "--csv", again}));
+    EXPECT_NE(spoken.code, exitOk);
+    EXPECT_THAT(spoken.err, HasSubstr("Name two files"));
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST(Point, HasTheKeysThatScriptsRelyOn) {
     const Spoken spoken =
         noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--facing", "180"}));

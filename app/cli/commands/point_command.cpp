@@ -102,9 +102,13 @@ void print(const PointStudy& study, const City& city, const Zone& zone, std::ost
     out << describe(study, city) << '\n';
 }
 
+bool isSameFile(const std::string& a, const std::string& b) {
+    return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
+}
+
 Result<void> checkFiles(const PointOptions& options) {
     const OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
-    if (!options.svg.empty() && options.svg == options.csv)
+    if (!options.svg.empty() && !options.csv.empty() && isSameFile(options.svg, options.csv))
         return failure("The drawing and the table cannot be one file", options.svg, "Name two files");
     if (!options.svg.empty())
         if (const auto may = checkOutput(options.svg, OutputKind::svg, rules); !may) return may;

@@ -110,9 +110,9 @@ void addMonthOption(CLI::App& command, StudySettings& settings) {
 void addPieceOptions(CLI::App& command, StudyOptions& options) {
     StudySettings& settings = options.settings;
     addMonthOption(command, settings);
-    command.add_flag(
-        "--contributions", settings.contributions,
-        "Attributed shadow and sole contribution of each building, as a table and a map (engine horizon)");
+    command.add_flag("--contributions", settings.contributions,
+                     "Attributed shadow and sole contribution of each building, as a table, a map and sheets "
+                     "(engine horizon)");
     addPictureOption(command, options.pictureWidth);
     command.add_flag("--cells-csv", options.cellsCsv, "Also write cells.csv: one line per receiver");
 }

@@ -89,7 +89,6 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     if (!drawn) return tl::make_unexpected(drawn.error());
     auto taken = moveLines(*rule, project, *drawn);
     if (!taken) return tl::make_unexpected(taken.error());
-    Result<std::vector<Place>> places = std::move(taken->places);
     const auto zone = zoneOf(options, project);
     if (!zone) return tl::make_unexpected(zone.error());
     const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
@@ -102,6 +101,7 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true, true};
     const Interrupt interrupt;
     ProgressLine progress(console);
+    Result<std::vector<Place>> places = std::move(taken->places);
     if (options.inReach)
         places = choosePlacesInReach(*rule, before->city, after->city, *places, settings, progress,
                                      interrupt.token());

@@ -16,7 +16,7 @@ struct ReviewQuestion {
     std::shared_ptr<const City> before, after;
     std::vector<Place> places;  ///< or parcels, of a rule with lines
     ReviewSettings settings;
-    Warnings moved;  ///< parcels whose line was moved out along roads
+    Warnings moved;  ///< parcels with roads: their line was moved out, or why not
 };
 
 /// Whether both have the same answer.
