@@ -20,6 +20,7 @@ pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
 # libosmium, which reads OpenStreetMap, consists of headers; these are the libraries that they need.
 find_path(OSMIUM_INCLUDE_DIR osmium/version.hpp REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
 find_package(EXPAT REQUIRED)
 # Reads filed reports again.
 pkg_check_modules(POPPLER REQUIRED IMPORTED_TARGET poppler-qt6)
@@ -31,3 +32,7 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCL REQUIRED)
 # Cities with their time zones; without it the window guesses a zone from the tz database's cities alone.
 pkg_check_modules(GEONAMES IMPORTED_TARGET geonames)
+# Allocates memory for the command line, where many threads free what others allocated. Sanitizers have allocators of their own.
+if(NOT NOONMARK_SANITIZE)
+  pkg_check_modules(JEMALLOC REQUIRED IMPORTED_TARGET jemalloc)
+endif()

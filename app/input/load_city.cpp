@@ -1,5 +1,7 @@
 #include "app/input/load_city.h"
 
+#include <tbb/task_group.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 
@@ -59,10 +61,13 @@ Result<City> sampleCity(const std::string& name) {
 
 Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSettings& settings,
                             Progress& progress, std::stop_token stop) {
-    auto inputs = inputsOf(files);
-    if (!inputs) return tl::make_unexpected(inputs.error());
+    Result<std::vector<InputFile>> inputs;
+    tbb::task_group describing;  // beside the reading; both mostly wait for the disk
+    describing.run([&] { inputs = inputsOf(files); });
     const Stopwatch watch;
     auto read = readOrMake(files, settings, progress, std::move(stop));
+    describing.wait();
+    if (!inputs) return tl::make_unexpected(inputs.error());
     if (!read) return tl::make_unexpected(read.error());
     const double seconds = watch.seconds();
     return LoadedCity{files, settings, *std::move(read), *std::move(inputs), seconds};

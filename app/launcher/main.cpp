@@ -63,9 +63,6 @@ void start(std::string_view folder, const char* below, char** argv) {
 }
 
 int startProgram(char** argv) {
-    // Large blocks of memory in huge pages, a tenth faster for studies of cities. glibc reads this at the
-    // start.
-    ::setenv("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1", 0);
     std::array<char, PATH_MAX> self{};
     const ssize_t length = ::readlink("/proc/self/exe", self.data(), self.size() - 1);
     std::string_view folder(self.data(), length > 0 ? std::size_t(length) : 0);

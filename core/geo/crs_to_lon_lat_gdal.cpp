@@ -91,6 +91,8 @@ Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
 std::vector<LonLat> CrsToLonLat::lonLat(std::span<const glm::dvec2> points) const {
     const GdalCalls gdal;
     std::vector<double> x, y;
+    x.reserve(points.size());
+    y.reserve(points.size());
     for (const glm::dvec2 point : points) {
         x.push_back(point.x);
         y.push_back(point.y);
@@ -98,6 +100,7 @@ std::vector<LonLat> CrsToLonLat::lonLat(std::span<const glm::dvec2> points) cons
     std::vector<int> worked(points.size(), 0);
     parts_->toLonLat->Transform(int(points.size()), x.data(), y.data(), nullptr, nullptr, worked.data());
     std::vector<LonLat> places;
+    places.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool usable = worked[i] != 0 && std::abs(x[i]) <= 360 && std::abs(y[i]) <= 90;
         places.push_back(usable ? LonLat{std::remainder(x[i], 360.0), y[i]} : LonLat{nan, nan});

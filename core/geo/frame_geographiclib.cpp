@@ -10,8 +10,15 @@
 namespace noonmark {
 
 namespace {
-GeographicLib::LocalCartesian cartesianAt(LonLat origin) {
-    return GeographicLib::LocalCartesian(origin.latDeg, origin.lonDeg, 0);
+// Kept for the thread's next point: making one takes twice as long as a transformation.
+const GeographicLib::LocalCartesian& cartesianAt(LonLat origin) {
+    thread_local LonLat lastOrigin{};
+    thread_local GeographicLib::LocalCartesian last(0, 0, 0);
+    if (origin != lastOrigin) {
+        last.Reset(origin.latDeg, origin.lonDeg, 0);
+        lastOrigin = origin;
+    }
+    return last;
 }
 }  // namespace
 
@@ -27,7 +34,7 @@ glm::dvec2 Frame::localFromLonLat(LonLat place) const {
 LonLat Frame::lonLatFromLocal(glm::dvec2 local) const {
     // The point of the ellipsoid under (x, y) lies below the tangent plane; iterate to find how far.
     constexpr double radiusM = 6371000;
-    const auto cartesian = cartesianAt(origin_);
+    const auto& cartesian = cartesianAt(origin_);
     double up = -(local.x * local.x + local.y * local.y) / (2 * radiusM);
     LonLat place{};
     for (int i = 0; i < 8; ++i) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <optional>
@@ -147,13 +148,15 @@ void sayFlattened(CityRead& all, const InputFile& file) {
 void joinBuildings(CityRead& all, const InputFile& file) {
     const FilePiece& piece = file.piece;
     sayFlattened(all, file);
-    for (std::size_t i = 0; i < piece.buildings.size(); ++i) {
-        if (piece.groundM.empty())
-            all.city.buildings.push_back(piece.buildings[i]);
-        else
-            all.city.buildings.push_back(std::make_shared<const Building>(
-                standOnTerrain(*piece.buildings[i], piece.groundM[i], all.city.terrain.get())));
-    }
+    auto& buildings = all.city.buildings;
+    const std::size_t first = buildings.size();
+    buildings.insert(buildings.end(), piece.buildings.begin(), piece.buildings.end());
+    const Terrain* const terrain = all.city.terrain.get();
+    tbb::parallel_for(std::size_t{0}, piece.groundM.size(), [&](std::size_t i) {
+        if (terrain == nullptr && piece.groundM[i].value_or(0) == 0) return;  // it stands where it was read
+        buildings[first + i] =
+            std::make_shared<const Building>(standOnTerrain(*piece.buildings[i], piece.groundM[i], terrain));
+    });
 }
 
 // If there are several files, adds the file's name to its warnings.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/report/maps/palette.h"
+#include "core/measures/palette.h"
 
 namespace noonmark {
 
@@ -32,11 +32,19 @@ private:
     void paintLine(QImage& image, int y, int factor) const {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
         const int row = grid_.rows - (y + 1) * factor;  // may be negative where the last block is cut
-        for (int x = 0; x < image.width(); ++x) {
-            double value = meanOf(x * factor, row, factor);
-            if (std::isnan(value) && factor == 1 && isBuilding(x, row)) value = meanOf(x - 1, row - 1, 3);
-            line[x] = std::isnan(value) ? qRgb(255, 255, 255) : shadowColour(value / top_).rgb();
-        }
+        for (int x = 0; x < image.width(); ++x) line[x] = colourOf(valueAt(x, row, factor));
+    }
+
+    [[nodiscard]] double valueAt(int x, int row, int factor) const {
+        if (factor > 1) return meanOf(x * factor, row, factor);
+        const float value = values_[grid_.index(x, row)];
+        return std::isnan(value) && isBuilding(x, row) ? meanOf(x - 1, row - 1, 3) : double(value);
+    }
+
+    [[nodiscard]] QRgb colourOf(double value) const {
+        if (std::isnan(value)) return qRgb(255, 255, 255);
+        const Rgb colour = shadowRgb(value / top_);
+        return qRgb(colour.red, colour.green, colour.blue);
     }
 
     /// Mean over the receivers in the square of `side` cells with this south-western cell.

@@ -40,10 +40,12 @@ QRectF placeOf(const FieldImage& field, const QRectF& grid, double unitsPerCell)
     return {grid.topLeft(), QSizeF(field.image.width() * pixel, field.image.height() * pixel)};
 }
 
-/// PDF viewers blur coarse pictures. Scaling by whole pixels per cell keeps edges sharp.
+/// PDF viewers blur coarse pictures, those of less than 144 dpi. Scaling by whole pixels per cell keeps edges
+/// sharp.
 QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
     const int longer = std::max(image.width(), image.height());
-    if (painter.paintEngine()->type() != QPaintEngine::Pdf || longer == 0 || longer >= wanted) return image;
+    if (painter.paintEngine()->type() != QPaintEngine::Pdf || longer == 0 || 2 * longer >= wanted)
+        return image;
     const int times = (wanted + longer - 1) / longer;
     return image.scaled(image.width() * times, image.height() * times);
 }
@@ -96,8 +98,8 @@ void paintMarks(const Canvas& canvas, const MapView& view, const std::vector<Map
 }  // namespace
 
 MapScene makeMapScene(const Study& study, ShadowMeasure measure) {
-    return {study.city, study.settings.region, study.field.grid, [&study, measure](int wantedPixels) {
-                const double top = makeLegend(study.field, measure).scale.top;
+    const double top = makeLegend(study.field, measure).scale.top;
+    return {study.city, study.settings.region, study.field.grid, [&study, measure, top](int wantedPixels) {
                 return makeFieldImage(study.field, study.receivers, measure, top, wantedPixels);
             }};
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <map>
 #include <numeric>
-#include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
@@ -102,7 +102,7 @@ private:
     }
 
     void sortByKind() {
-        std::map<std::string, std::size_t> groupOfId;
+        std::unordered_map<std::string_view, std::size_t> groupOfId;
         for (std::size_t i = 0; i < features_.size(); ++i) {
             const FeatureFacts& facts = features_[i].facts;
             if (!facts.buildingId.empty()) {
@@ -147,7 +147,7 @@ private:
 
     const Features& features_;
     Indices outlines_, parts_;
-    std::map<std::size_t, std::size_t> groupOfOutline_;
+    std::unordered_map<std::size_t, std::size_t> groupOfOutline_;
     std::vector<BuildingGroup> groups_;
 };
 

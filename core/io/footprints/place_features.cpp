@@ -34,11 +34,18 @@ LonLat centreOf(const UnplacedFeature& feature, double nearLonDeg) {
     return {(low.lonDeg + high.lonDeg) / 2, (low.latDeg + high.latDeg) / 2};
 }
 
+// Along a meridian and then along a parallel is never shorter than the great circle, and quickly computed.
+bool isWithin(LonLat place, LonLat middle, double farAwayM) {
+    constexpr double metresPerDegree = 111200;  // no less than on computeGreatCircleM()'s sphere
+    const double detourDeg = std::abs(place.latDeg - middle.latDeg) + std::abs(place.lonDeg - middle.lonDeg);
+    return metresPerDegree * detourDeg <= farAwayM || computeGreatCircleM(place, middle) <= farAwayM;
+}
+
 bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
     for (const LonLatPolygon& polygon : feature.polygons)
         for (const auto& ring : polygon)
             for (const LonLat place : ring)
-                if (!(computeGreatCircleM(place, middle) <= farAwayM)) return false;
+                if (!isWithin(place, middle, farAwayM)) return false;
     return true;
 }
 
@@ -83,6 +90,7 @@ std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame
 PlacedFeature place(UnplacedFeature& feature, const Frame& frame, double farAwayM, Warnings& warnings) {
     if (isNear(feature, frame.origin(), farAwayM)) {
         auto pieces = repair(feature, frame, warnings);
+        feature.polygons = {};  // here, on all threads: freeing them together takes as long as reading them
         return {std::move(feature.facts), std::move(pieces)};
     }
     warnings.push_back({WarningKind::leftOut,
@@ -114,19 +122,13 @@ Frame frameOf(const std::vector<UnplacedFeature>& features) {
 
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
                                          double farAwayM, Warnings& warnings, const std::stop_token& stop) {
-    struct Made {
-        PlacedFeature feature;
-        Warnings warnings;
-    };
-    std::vector<Made> all(features.size());
+    std::vector<PlacedFeature> placed(features.size());
+    std::vector<Warnings> remarks(features.size());
     tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
-        if (!stop.stop_requested()) all[i].feature = place(features[i], frame, farAwayM, all[i].warnings);
+        if (!stop.stop_requested()) placed[i] = place(features[i], frame, farAwayM, remarks[i]);
     });
-    std::vector<PlacedFeature> placed;
-    for (Made& made : all) {
-        std::ranges::move(made.warnings, std::back_inserter(warnings));
-        if (!made.feature.pieces.empty()) placed.push_back(std::move(made.feature));
-    }
+    for (Warnings& some : remarks) std::ranges::move(some, std::back_inserter(warnings));
+    std::erase_if(placed, [](const PlacedFeature& feature) { return feature.pieces.empty(); });
     return placed;
 }
 

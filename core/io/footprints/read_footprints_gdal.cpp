@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <span>
@@ -89,7 +90,10 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
     return layers;
 }
 
-// Reads all layers, one feature at a time.
+using OgrFeatures = std::vector<OGRFeatureUniquePtr>;
+
+// Reads all layers. While one thread reads the next chunk of features from the file, another one interprets
+// the chunk before.
 class FileReader {
 public:
     FileReader(const OpenFile& open, const Path& file, const ReadSettings& settings, Progress& progress,
@@ -125,13 +129,14 @@ public:
     HeightFacts heights;
 
 private:
-    Result<void> scanBatch(FootprintLayer& reader) {
-        constexpr std::size_t batch = 65536;
-        if (scan_ == nullptr || features % batch != 0) return {};
-        warnings.clear();
-        return reader.finish(found_, warnings).map([&] { takeScanned(); });
+    void interpret(const OgrFeatures& chunk, FootprintLayer& reader) {
+        for (const OGRFeatureUniquePtr& feature : chunk) reader.read(*feature, warnings);
+        features += chunk.size();
+        reader.moveStored(found_, warnings);
+        if (scan_ != nullptr) takeScanned();
     }
     void takeScanned() {
+        warnings.clear();
         for (const UnplacedFeature& feature : found_) {
             centres_->add(feature);
             scan_->add(feature);
@@ -145,31 +150,53 @@ private:
         if (!reader) return tl::make_unexpected(reader.error());
         if (window_ != nullptr && isIndexed(layer)) return readWindow(layer, *reader, calls);
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
-        polygons_ += reader->polygonFeatures();
-        reader->addHeightFacts(heights, warnings);
         if (scan_ != nullptr) scan_->indexed = scan_->indexed && isIndexed(layer);
-        return reader->finish(found_, warnings).map([&] {
-            if (scan_ != nullptr) takeScanned();
-        });
+        return finishLayer(*reader);
+    }
+
+    Result<void> finishLayer(FootprintLayer& reader) {
+        polygons_ += reader.polygonFeatures();
+        reader.addHeightFacts(heights, warnings);
+        return reader.checkPlace(warnings);
     }
 
     Result<void> readFeatures(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
         layer.ResetReading();
         readHere_ = 0;
         countHere_ = double(std::max<GIntBig>(1, layer.GetFeatureCount()));
-        for (std::size_t failures = calls.failures();; failures = calls.failures()) {
-            const OGRFeatureUniquePtr feature = next(layer);
-            if (!feature && stop_.stop_requested()) return cancelled();
-            if (!feature && calls.failures() > failures)
-                return failure("It is incomplete or damaged (" + calls.complaints().back() + ")",
-                               file_.string(), "Download or export it again");
-            if (!feature) return {};
-            reader.read(*feature, warnings);
-            if (++features % 256 != 0) continue;
-            if (stop_.stop_requested()) return cancelled();
-            if (auto scanned = scanBatch(reader); !scanned) return scanned;
-            progress_.report(shareOfReading * share_, "reading " + file_.filename().string());
+        OgrFeatures chunk;
+        tbb::task_group interpreting;  // destroyed first: it waits
+        for (;;) {
+            auto next = readChunk(layer, calls);
+            interpreting.wait();
+            if (!next) return tl::make_unexpected(next.error());
+            if (next->empty()) return {};
+            chunk = *std::move(next);
+            interpreting.run([&] { interpret(chunk, reader); });
         }
+    }
+
+    // Empty at the layer's end.
+    Result<OgrFeatures> readChunk(OGRLayer& layer, const GdalCalls& calls) {
+        constexpr std::size_t chunkSize = 2048;
+        OgrFeatures chunk;
+        for (std::size_t failures = calls.failures(); chunk.size() < chunkSize; failures = calls.failures()) {
+            OGRFeatureUniquePtr feature(layer.GetNextFeature());
+            if (!feature && calls.failures() > failures && !stop_.stop_requested()) return damaged(calls);
+            if (!feature) break;
+            chunk.push_back(std::move(feature));
+            if (++readHere_ % 256 != 0) continue;
+            if (stop_.stop_requested()) break;
+            const double share = std::min(1.0, double(readHere_) / countHere_);
+            progress_.report(shareOfReading * share, "reading " + file_.filename().string());
+        }
+        if (stop_.stop_requested()) return cancelled();
+        return chunk;
+    }
+
+    [[nodiscard]] tl::unexpected<Error> damaged(const GdalCalls& calls) const {
+        return failure("It is incomplete or damaged (" + calls.complaints().back() + ")", file_.string(),
+                       "Download or export it again");
     }
 
     // An index delivers features in its own order; the file's order makes the city independent of the window.
@@ -179,25 +206,15 @@ private:
                            "Convert it to EPSG:4326");
         layer.ResetReading();
         const std::size_t failures = calls.failures();
-        std::vector<OGRFeatureUniquePtr> inside;
+        OgrFeatures inside;
         while (OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
             inside.push_back(std::move(feature));
             if (inside.size() % 256 == 0 && stop_.stop_requested()) return cancelled();
         }
-        if (calls.failures() > failures)
-            return failure("It is incomplete or damaged (" + calls.complaints().back() + ")", file_.string(),
-                           "Download or export it again");
+        if (calls.failures() > failures) return damaged(calls);
         std::ranges::sort(inside, {}, [](const OGRFeatureUniquePtr& feature) { return feature->GetFID(); });
-        for (const OGRFeatureUniquePtr& feature : inside) reader.read(*feature, warnings);
-        features += inside.size();
-        polygons_ += reader.polygonFeatures();
-        reader.addHeightFacts(heights, warnings);
-        return reader.finish(found_, warnings);
-    }
-
-    OGRFeatureUniquePtr next(OGRLayer& layer) {
-        share_ = std::min(1.0, double(++readHere_) / countHere_);
-        return OGRFeatureUniquePtr(layer.GetNextFeature());
+        interpret(inside, reader);
+        return finishLayer(reader);
     }
 
     const LonLatBox* window_ = nullptr;
@@ -210,7 +227,6 @@ private:
     std::stop_token stop_;
     std::vector<UnplacedFeature> found_;
     std::size_t polygons_ = 0;
-    double share_ = 0;      // share of the current layer
     double countHere_ = 1;  // number of features of the current layer
     std::size_t readHere_ = 0;
 };
