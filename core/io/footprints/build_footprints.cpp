@@ -1,5 +1,7 @@
 #include "core/io/footprints/build_footprints.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "core/io/osm/osm_semantics.h"
@@ -9,16 +11,19 @@ namespace noonmark {
 namespace {
 
 void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, const Frame& frame) {
-    for (AssembledBuilding& made : buildings) {
-        std::optional<float> ground;
+    const std::size_t first = piece.buildings.size();
+    piece.groundM.resize(first + buildings.size());
+    piece.buildings.resize(first + buildings.size());
+    tbb::parallel_for(std::size_t{0}, buildings.size(), [&](std::size_t i) {
+        AssembledBuilding& made = buildings[i];
+        std::optional<float>& ground = piece.groundM[first + i];
         if (made.elevationM) ground = float(*made.elevationM - frame.originElevationM());
         for (Part& part : made.building.parts) {
             part.bottomM += ground.value_or(0);
             part.topM += ground.value_or(0);
         }
-        piece.groundM.push_back(ground);
-        piece.buildings.push_back(std::make_shared<const Building>(std::move(made.building)));
-    }
+        piece.buildings[first + i] = std::make_shared<const Building>(std::move(made.building));
+    });
 }
 
 }  // namespace

@@ -100,21 +100,14 @@ AssembledBuilding assemble(const BuildingGroup& group, const Features& features,
 
 std::vector<AssembledBuilding> assembleBuildings(const Features& features, double metresPerLevel,
                                                  Warnings& warnings, const std::stop_token& stop) {
-    struct Made {
-        AssembledBuilding building;
-        Warnings warnings;
-    };
     const std::vector<BuildingGroup> groups = groupIntoBuildings(features);
-    std::vector<Made> all(groups.size());
+    std::vector<AssembledBuilding> buildings(groups.size());
+    std::vector<Warnings> remarks(groups.size());
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
-        if (!stop.stop_requested())
-            all[i].building = assemble(groups[i], features, metresPerLevel, all[i].warnings);
+        if (!stop.stop_requested()) buildings[i] = assemble(groups[i], features, metresPerLevel, remarks[i]);
     });
-    std::vector<AssembledBuilding> buildings;
-    for (Made& made : all) {
-        std::ranges::move(made.warnings, std::back_inserter(warnings));
-        if (!made.building.building.parts.empty()) buildings.push_back(std::move(made.building));
-    }
+    for (Warnings& some : remarks) std::ranges::move(some, std::back_inserter(warnings));
+    std::erase_if(buildings, [](const AssembledBuilding& made) { return made.building.parts.empty(); });
     return buildings;
 }
 
