@@ -27,13 +27,19 @@ struct InputFile {
     FilePiece piece;
 };
 
-Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths) {
+bool isOutside(std::size_t file, const ReadWindow* window) {
+    return window != nullptr && file < window->fileBoxes.size() &&
+           !window->fileBoxes[file].touches(window->box);
+}
+
+Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, const ReadWindow* window) {
     if (paths.empty()) return failure("No file is named", {}, "Name at least one file with buildings");
     std::vector<InputFile> files;
-    for (const Path& path : paths) {
-        const auto kind = detectFileKind(path);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (isOutside(i, window)) continue;
+        const auto kind = detectFileKind(paths[i]);
         if (!kind) return tl::make_unexpected(kind.error());
-        files.push_back({path, *kind, {}});
+        files.push_back({paths[i], *kind, {}});
     }
     return files;
 }
@@ -185,7 +191,7 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
 
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
                          const ReadWindow* window, Progress& progress, const std::stop_token& stop) {
-    auto files = recogniseFiles(paths);
+    auto files = recogniseFiles(paths, window);
     if (!files) return tl::make_unexpected(files.error());
     const auto frame = readPieces(*files, settings, progress, stop, window);
     if (!frame) return tl::make_unexpected(frame.error());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/geo/lon_lat_box.h"
 #include "core/io/read_city.h"
@@ -15,6 +16,9 @@ struct ReadWindow {
     /// A terrain that was read before in the same frame: files of terrain are not read. Null: they are,
     /// whole.
     std::shared_ptr<const Terrain> terrain;
+    /// The box around each of the files, in their order: files that do not touch `box` are not opened. Empty:
+    /// unknown.
+    std::vector<LonLatBox> fileBoxes{};
 };
 
 /// readCity() of a part, in the frame of `settings`, which must be set. Buildings are complete if the box

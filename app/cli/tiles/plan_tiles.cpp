@@ -17,6 +17,7 @@
 #include "app/input/output_rules.h"
 #include "app/report/files/output_folder.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
+#include "core/study/tile_tasks/plan/pack_tasks.h"
 
 namespace noonmark::cli {
 
@@ -33,13 +34,36 @@ struct PlanOptions {
     bool builtUpOnly = false;
 };
 
+std::string absolutePath(const fs::path& file) { return fs::absolute(file).lexically_normal().string(); }
+
+bool isCityJson(const fs::path& file) { return file.extension() == ".json" || file.extension() == ".jsonl"; }
+
+// The CityJSON files of a folder, in the order of their names, so that a plan made twice is the same. A
+// folder without them may be a dataset of its own: of shapefiles, or a geodatabase.
+Result<std::vector<std::string>> findFilesIn(const fs::path& folder) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+        if (isCityJson(entry.path()) && entry.is_regular_file(error)) files.push_back(absolutePath(entry));
+    if (error)
+        return failure("The folder cannot be read: " + error.message(), folder.string(),
+                       "Check its permissions");
+    std::ranges::sort(files);
+    if (files.empty()) files.push_back(absolutePath(folder));
+    return files;
+}
+
 Result<std::vector<std::string>> findFiles(const ReadOptions& read) {
     std::vector<std::string> files;
     for (const std::string& file : read.files) {
         if (isSample(file))
             return failure("Tasks read files, not samples", file,
                            "Write it to a file: noonmark-cli sample, or project new");
-        files.push_back(fs::absolute(file).lexically_normal().string());
+        std::error_code error;
+        auto some = fs::is_directory(file, error) ? findFilesIn(file)
+                                                  : Result<std::vector<std::string>>({absolutePath(file)});
+        if (!some) return tl::make_unexpected(some.error());
+        files.insert(files.end(), some->begin(), some->end());
     }
     return files;
 }
@@ -104,10 +128,10 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
 }
 
 void print(const TaskPlan& plan, bool json, std::ostream& out) {
-    double seconds = 0, memory = 0, haloM2 = 0, tileM2 = 0;
+    double seconds = 0, haloM2 = 0, tileM2 = 0;
+    const double memory = largestWindowBytes(plan);
     for (const PlannedTile& tile : plan.tiles) {
         seconds += tile.seconds;
-        memory = std::max(memory, tile.memoryBytes);
         const glm::dvec2 reads = glm::dvec2(tile.reads.high) - glm::dvec2(tile.reads.low);
         const Grid grid = plan.districts[tile.district].tiles.tile(tile.number);
         haloM2 += reads.x * reads.y;
@@ -119,7 +143,7 @@ void print(const TaskPlan& plan, bool json, std::ostream& out) {
                                       {"tasks", plan.taskCount},
                                       {"by_window", plan.byWindow},
                                       {"estimated_seconds", seconds},
-                                      {"largest_tile_bytes", memory},
+                                      {"largest_window_bytes", memory},
                                       {"tiles_m2", tileM2},
                                       {"halos_m2", haloM2}}
                    .dump(2)
@@ -128,8 +152,8 @@ void print(const TaskPlan& plan, bool json, std::ostream& out) {
     }
     out << fmt::format("{} tiles in {} tasks, {} district{}\n", plan.tiles.size(), plan.taskCount,
                        plan.districts.size(), plan.districts.size() == 1 ? "" : "s");
-    out << fmt::format("Estimated: {:.1f} h on two cores, {:.2f} GB for the largest tile\n", seconds / 3600,
-                       memory / 1e9);
+    out << fmt::format("Estimated: {:.1f} h on two cores, {:.2f} GB for the largest window of a task\n",
+                       seconds / 3600, memory / 1e9);
     out << fmt::format("A tile reads {:.1f} times its own area; {}\n", haloM2 / tileM2,
                        plan.byWindow ? "tasks read by window" : "every task reads all files whole");
     out << fmt::format("Run the tasks 0 to {}\n", plan.taskCount - 1);

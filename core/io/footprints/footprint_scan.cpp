@@ -3,12 +3,64 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/files/file_kind.h"
+#include "core/io/read_part.h"
+
 namespace noonmark {
+
+namespace {
+
+Result<FootprintScan> scanCityJson(const std::filesystem::path& file, const ReadSettings& settings,
+                                   Progress& progress, std::stop_token stop) {
+    const auto piece = readCityJson(file, settings, progress, std::move(stop));
+    if (!piece) return tl::make_unexpected(piece.error());
+    if (piece->terrain)
+        return failure("A terrain within CityJSON cannot be divided among tasks", file.string(),
+                       "Write the terrain to a GeoTIFF and the buildings to files of their own");
+    FootprintScan scan;
+    scan.frame = piece->frame.value_or(settings.frame.value_or(Frame()));
+    scan.indexed = false;
+    for (const auto& building : piece->buildings) scan.add(*building, scan.frame);
+    return scan;
+}
+
+// A building is too small for the curve of a parallel to reach out of this margin.
+LonLatBox boxOf(const Building& building, const Frame& frame) {
+    constexpr double marginDeg = 1e-5;  // a metre
+    const Box2 local = bounds(building);
+    LonLatBox box = emptyLonLatBox;
+    for (const glm::vec2 corner :
+         {local.low, local.high, glm::vec2(local.low.x, local.high.y), glm::vec2(local.high.x, local.low.y)})
+        box.add(frame.lonLatFromLocal(glm::dvec2(corner)));
+    const double eastDeg = marginDeg / std::max(std::cos(Degrees{box.northDeg}.radians().value), 0.01);
+    return {box.westDeg - eastDeg, box.southDeg - marginDeg, box.eastDeg + eastDeg, box.northDeg + marginDeg};
+}
+
+}  // namespace
+
+Result<FootprintScan> scanBuildings(const std::filesystem::path& file, const ReadSettings& settings,
+                                    Progress& progress, std::stop_token stop) {
+    const auto kind = detectFileKind(file);
+    if (!kind) return tl::make_unexpected(kind.error());
+    return *kind == FileKind::cityJson ? scanCityJson(file, settings, progress, std::move(stop))
+                                       : scanFootprints(file, settings, progress, std::move(stop));
+}
 
 void FootprintScan::add(const UnplacedFeature& feature) {
     LonLatBox own = emptyLonLatBox;
     for (const LonLatPolygon& polygon : feature.polygons)
         for (const LonLat place : polygon.front()) own.add(place);
+    add(own, feature.facts.heights.topM);
+}
+
+void FootprintScan::add(const Building& building, const Frame& frame) {
+    if (building.parts.empty()) return;
+    float lowestM = building.parts.front().bottomM;
+    for (const Part& part : building.parts) lowestM = std::min(lowestM, part.bottomM);
+    add(boxOf(building, frame), topM(building) - lowestM);
+}
+
+void FootprintScan::add(const LonLatBox& own, double heightM) {
     box.add({own.westDeg, own.southDeg});
     box.add({own.eastDeg, own.northDeg});
     ++features;
@@ -16,7 +68,7 @@ void FootprintScan::add(const UnplacedFeature& feature) {
     for (int row = cellOf(own.southDeg); row <= cellOf(own.northDeg); ++row)
         for (int column = cellOf(own.westDeg); column <= cellOf(own.eastDeg); ++column) {
             double& tallest = tallestM[{column, row}];
-            tallest = std::max(tallest, feature.facts.heights.topM);
+            tallest = std::max(tallest, heightM);
         }
 }
 

@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// What a file of footprints holds, found in one pass that stores none of them: for plans of studies that are
+/// What a file of buildings holds, found in one pass that stores no footprints: for plans of studies that are
 /// larger than memory.
 struct FootprintScan {
     /// Side of a cell of `tallestM`, degrees.
@@ -22,7 +22,16 @@ struct FootprintScan {
     std::map<Cell, double> tallestM{};  ///< highest top above the ground among the features that touch a cell
 
     void add(const UnplacedFeature& feature);
+    void add(const Building& building, const Frame& frame);
+
+private:
+    void add(const LonLatBox& own, double heightM);
 };
+
+/// The same of any file of buildings. A file without a spatial index is read whole; CityJSON with a terrain
+/// in it is refused. Errors as readCity().
+Result<FootprintScan> scanBuildings(const std::filesystem::path& file, const ReadSettings& settings,
+                                    Progress& progress, std::stop_token stop);
 
 /// Errors as readFootprints(). Some 10 us a feature; memory 24 bytes a feature. Backend:
 /// read_footprints_gdal.cpp.

@@ -58,7 +58,7 @@ Result<City> readFor(const std::vector<PlannedTile>& tiles, const TaskPlan& plan
     Box2 box;
     for (const PlannedTile& tile : tiles) box.add(tile.reads);
     const ReadWindow window{makeLonLatBox(district.frame, glm::dvec2(box.low), glm::dvec2(box.high)),
-                            std::move(terrain)};
+                            std::move(terrain), plan.fileBoxes};
     const auto files = pathsOf(plan.files);
     auto read = plan.byWindow
                     ? readCityWindow(files, readSettingsIn(district, reading), window, progress, stop)

@@ -76,7 +76,8 @@ bool areTasksSound(const TaskPlan& plan) {
 }  // namespace
 
 bool isSound(const TaskPlan& plan) {
-    return areTasksSound(plan) && std::ranges::all_of(plan.districts, isSoundDistrict) &&
+    return areTasksSound(plan) && plan.fileBoxes.size() == plan.files.size() &&
+           std::ranges::all_of(plan.districts, isSoundDistrict) &&
            std::ranges::all_of(plan.tiles, [&](const PlannedTile& tile) { return isSoundTile(tile, plan); });
 }
 

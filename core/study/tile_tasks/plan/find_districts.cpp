@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "core/base/progress_share.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/read_region.h"
 
@@ -16,19 +17,32 @@ namespace {
 
 constexpr double metresPerDegree = 111'200;  // of latitude
 
-Result<void> checkWholeSize(const std::vector<std::string>& files) {
-    std::uintmax_t bytes = 0;
-    for (const std::string& file : files) {
-        std::error_code error;
-        const auto own = std::filesystem::file_size(file, error);
-        bytes += error ? 0 : own;
-    }
+std::uintmax_t bytesOf(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    return error ? 0 : bytes;
+}
+
+Result<void> checkReadWhole(std::uintmax_t bytes, const std::string& file) {
     if (bytes <= mostBytesReadWhole) return {};
     return failure(fmt::format("Every task would have to read {:.1f} GB, because a format cannot be read by "
                                "window; {:.1f} GB is the limit",
                                double(bytes) / 1e9, double(mostBytesReadWhole) / 1e9),
-                   files.front(),
-                   "Convert the footprints to FlatGeobuf: ogr2ogr -f FlatGeobuf city.fgb FILE");
+                   file, "Convert the footprints to FlatGeobuf: ogr2ogr -f FlatGeobuf city.fgb FILE");
+}
+
+Result<void> checkWholeSize(const std::vector<std::string>& files) {
+    std::uintmax_t bytes = 0;
+    for (const std::string& file : files) bytes += bytesOf(file);
+    return checkReadWhole(bytes, files.front());
+}
+
+Result<void> checkFileSizes(const InputsScan& scan) {
+    for (std::size_t i = 0; i < scan.buildings.size(); ++i)
+        if (!scan.indexed[i])
+            if (auto sound = checkReadWhole(bytesOf(scan.buildings[i]), scan.buildings[i].string()); !sound)
+                return sound;
+    return {};
 }
 
 void join(FootprintScan& all, FootprintScan piece) {
@@ -104,21 +118,36 @@ std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& files
 Result<InputsScan> scanInputs(const TaskPlanRequest& request, Progress& progress,
                               const std::stop_token& stop) {
     InputsScan scan;
-    bool footprintsOnly = true;
+    bool divisible = true;
     for (const std::string& file : request.files) {
         const auto kind = detectFileKind(file);
         if (!kind) return tl::make_unexpected(kind.error());
         (*kind == FileKind::terrain ? scan.terrain : scan.buildings).emplace_back(file);
-        footprintsOnly = footprintsOnly && (*kind == FileKind::footprints || *kind == FileKind::terrain);
+        divisible = divisible && (*kind == FileKind::footprints || *kind == FileKind::terrain ||
+                                  (*kind == FileKind::cityJson && request.files.size() > 1));
     }
-    for (std::size_t i = 0; footprintsOnly && i < scan.buildings.size(); ++i) {
-        auto piece = scanFootprints(scan.buildings[i], request.reading, progress, stop);
+    for (std::size_t i = 0; divisible && i < scan.buildings.size(); ++i) {
+        ProgressShare share(progress, i, scan.buildings.size());
+        auto piece = scanBuildings(scan.buildings[i], request.reading, share, stop);
         if (!piece) return tl::make_unexpected(piece.error());
+        scan.boxes.push_back(piece->box);
+        scan.indexed.push_back(piece->indexed);
         join(scan.footprints, *std::move(piece));
     }
-    scan.byWindow = footprintsOnly && !scan.buildings.empty() && scan.footprints.indexed;
-    if (scan.byWindow) return scan;
+    const bool severalFiles = scan.buildings.size() > 1;
+    scan.byWindow = divisible && !scan.buildings.empty() && (scan.footprints.indexed || severalFiles);
+    if (scan.byWindow) return checkFileSizes(scan).map([&] { return std::move(scan); });
     return checkWholeSize(request.files).map([&] { return std::move(scan); });
+}
+
+std::vector<LonLatBox> InputsScan::boxesOf(const std::vector<std::string>& files) const {
+    std::vector<LonLatBox> all;
+    for (const std::filesystem::path file : files) {
+        const auto found = std::ranges::find(buildings, file);
+        const bool known = found != buildings.end() && !boxes.empty();
+        all.push_back(known ? boxes[std::size_t(found - buildings.begin())] : LonLatBox{-180, -90, 180, 90});
+    }
+    return all;
 }
 
 Result<std::vector<District>> findDistricts(const TaskPlanRequest& request, const InputsScan& scan) {

@@ -128,7 +128,8 @@ Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, co
     if (auto sound = checkRequest(request, engines); !sound) return tl::make_unexpected(sound.error());
     const auto scan = request.subject == nullptr ? scanInputs(request, progress, stop) : InputsScan{};
     if (!scan) return tl::make_unexpected(scan.error());
-    TaskPlan plan{.files = request.files, .byWindow = scan->byWindow};
+    TaskPlan plan{
+        .files = request.files, .fileBoxes = scan->boxesOf(request.files), .byWindow = scan->byWindow};
     plan.settingsHash = hashQuestion(request.settings, request.subject);
     auto districts = scan->byWindow ? findDistricts(request, *scan) : std::vector<District>(1);
     if (!districts) return tl::make_unexpected(districts.error());

@@ -30,7 +30,9 @@ inline constexpr std::uintmax_t mostBytesReadWhole = 2'000'000'000;
 
 /// Plans a study in tiles. Footprints in FlatGeobuf, or in a GeoPackage or Shapefile with a spatial index,
 /// are read in one pass and then window by window, so that memory does not grow with the country; a terrain
-/// is read for each district. Other formats are read whole, here and by every task. The study's own errors,
+/// is read for each district. Of several files, every task reads only those that its windows touch, whole if
+/// they have no index: so a country may be a folder of CityJSON. One file of another format is read whole,
+/// here and by every task. The study's own errors,
 /// and: files that are too large to be read whole; a terrain from bases, which needs the whole city.
 /// `arguments` and `inputs` of the plan are the caller's.
 Result<TaskPlan> makeTaskPlan(const TaskPlanRequest& request, Progress& progress, const std::stop_token& stop,

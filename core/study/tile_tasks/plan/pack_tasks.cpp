@@ -84,4 +84,17 @@ std::size_t packTasks(TaskPlan& plan, const TaskSize& size) {
     return plan.taskCount;
 }
 
+double largestWindowBytes(const TaskPlan& plan) {
+    WindowLoad load;
+    double largest = 0;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const PlannedTile& tile = plan.tiles[i];
+        const bool begins =
+            i == 0 || tile.task != plan.tiles[i - 1].task || tile.window != plan.tiles[i - 1].window;
+        load = begins ? WindowLoad().with(tile) : load.with(tile);
+        largest = std::max(largest, load.memoryBytes());
+    }
+    return largest;
+}
+
 }  // namespace noonmark

@@ -17,4 +17,7 @@ struct TaskSize {
 /// are numbered from 0; none mixes districts. Returns the number of tasks.
 std::size_t packTasks(TaskPlan& plan, const TaskSize& size);
 
+/// The estimated peak of the task that needs the most memory: of its largest window. 0 without tiles.
+double largestWindowBytes(const TaskPlan& plan);
+
 }  // namespace noonmark

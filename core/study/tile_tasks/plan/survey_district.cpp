@@ -85,8 +85,34 @@ bool anyBuilding(const FootprintScan& scan, const Frame& frame, const Box2& bloc
                                [&](const auto& cell) { return boxOfCell(cell.first).touches(box); });
 }
 
+// Files without a spatial index are read whole: once, and only if they touch the box.
+Result<void> surveyWholeFiles(SurveyedDistrict& made, const Box2& box, const ReadSettings& reading,
+                              const InputsScan& scan, Progress& progress, const std::stop_token& stop) {
+    constexpr float everywhereM = 1e9F;
+    const LonLatBox window = makeLonLatBox(made.ground.frame, glm::dvec2(box.low), glm::dvec2(box.high));
+    NoProgress quiet;
+    for (std::size_t i = 0; i < scan.buildings.size(); ++i) {
+        if (scan.indexed[i] || !scan.boxes[i].touches(window)) continue;
+        progress.report(double(i) / double(scan.buildings.size()), "surveying the buildings");
+        const auto read =
+            readCityWindow({scan.buildings[i]}, reading, {window, made.ground.terrain}, quiet, stop);
+        if (!read) return tl::make_unexpected(read.error());
+        made.survey.add(read->city, {glm::vec2(-everywhereM), glm::vec2(everywhereM)});
+    }
+    return {};
+}
+
+std::vector<std::filesystem::path> indexedFiles(const InputsScan& scan) {
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < scan.buildings.size(); ++i)
+        if (scan.indexed[i]) files.push_back(scan.buildings[i]);
+    return files;
+}
+
 Result<void> surveyByWindow(SurveyedDistrict& made, const Box2& box, const ReadSettings& reading,
                             const InputsScan& scan, Progress& progress, const std::stop_token& stop) {
+    const auto files = indexedFiles(scan);
+    if (files.empty()) return {};
     NoProgress quiet;
     for (float y = box.low.y; y < box.high.y; y += blockM) {
         progress.report(double((y - box.low.y) / (box.high.y - box.low.y)), "surveying the buildings");
@@ -97,7 +123,7 @@ Result<void> surveyByWindow(SurveyedDistrict& made, const Box2& box, const ReadS
             const ReadWindow window{
                 makeLonLatBox(made.ground.frame, glm::dvec2(around.low), glm::dvec2(around.high)),
                 made.ground.terrain};
-            const auto read = readCityWindow(scan.buildings, reading, window, quiet, stop);
+            const auto read = readCityWindow(files, reading, window, quiet, stop);
             if (!read) return tl::make_unexpected(read.error());
             made.survey.add(read->city, block);
         }
@@ -126,8 +152,10 @@ Result<SurveyedDistrict> surveyWindows(District& district, const TaskPlanRequest
     Box2 box = whole ? all : reachingBox(bounds(region), scan, *ground, *sun, reading.farAwayM);
     SurveyedDistrict made{OccluderSurvey(box), *ground, *std::move(sun)};
     if (ground->terrain) made.survey.addTerrain(*ground->terrain);
-    if (auto done = surveyByWindow(made, box, reading, scan, progress, stop); !done)
-        return tl::make_unexpected(done.error());
+    const auto surveyed = surveyWholeFiles(made, box, reading, scan, progress, stop).and_then([&] {
+        return surveyByWindow(made, box, reading, scan, progress, stop);
+    });
+    if (!surveyed) return tl::make_unexpected(surveyed.error());
     if (!whole) return made;
     district.region = makeRegionFromLocalBox(made.survey.buildingsBox());
     district.region.name = "the whole city";

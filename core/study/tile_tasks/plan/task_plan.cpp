@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int planVersion = 2;
+constexpr int planVersion = 3;
 
 Json ringJson(const Ring& ring) {
     Json points = Json::array();
@@ -106,6 +106,9 @@ PlannedTile tileFrom(const Json& json) {
             .window = wholeNumberFrom<std::size_t>(json.at(9))};
 }
 
+Json lonLatBoxJson(const LonLatBox& box) { return {box.westDeg, box.southDeg, box.eastDeg, box.northDeg}; }
+LonLatBox lonLatBoxFrom(const Json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3)}; }
+
 Json inputJson(const InputFile& input) {
     return {{"path", input.path.string()}, {"bytes", input.bytes}, {"sha256", input.sha256}};
 }
@@ -114,12 +117,14 @@ std::string planText(const TaskPlan& plan) {
     Json json{{"noonmark_task_plan", planVersion},
               {"program", "Noonmark " + std::string(version())},
               {"files", plan.files},
+              {"file_boxes", Json::array()},
               {"arguments", plan.arguments},
               {"inputs", Json::array()},
               {"settings_hash", plan.settingsHash},
               {"by_window", plan.byWindow},
               {"task_count", plan.taskCount},
               {"districts", Json::array()}};
+    for (const LonLatBox& box : plan.fileBoxes) json["file_boxes"].push_back(lonLatBoxJson(box));
     for (const InputFile& input : plan.inputs) json["inputs"].push_back(inputJson(input));
     for (const District& district : plan.districts) json["districts"].push_back(districtJson(district));
     json["tile_columns"] = {"task",      "district", "number",       "halo",   "reads",     "content_hash",
@@ -138,6 +143,7 @@ TaskPlan planFrom(const Json& json) {
                   .settingsHash = json.at("settings_hash"),
                   .byWindow = json.at("by_window"),
                   .taskCount = wholeNumberFrom<std::size_t>(json.at("task_count"))};
+    for (const Json& box : json.at("file_boxes")) plan.fileBoxes.push_back(lonLatBoxFrom(box));
     for (const Json& input : json.at("inputs"))
         plan.inputs.push_back({std::string(input.at("path")),
                                wholeNumberFrom<std::uintmax_t>(input.at("bytes")), input.at("sha256")});

@@ -15,6 +15,7 @@
 
 #include "core/city/footprints/footprint.h"
 #include "core/geo/frame.h"
+#include "core/geo/lon_lat_box.h"
 #include "core/receivers/region.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/provenance/provenance.h"
@@ -49,6 +50,7 @@ struct PlannedTile {
 /// Everything that a task needs to know: it is stored in plan.json.
 struct TaskPlan {
     std::vector<std::string> files;      ///< absolute paths, as the study names them
+    std::vector<LonLatBox> fileBoxes;    ///< around each of `files`; tasks open only what they need
     std::vector<std::string> arguments;  ///< options of the study, for the parser that made the plan
     std::vector<InputFile> inputs;       ///< with their hashes
     std::string settingsHash;            ///< hashSettings() without a region

@@ -11,6 +11,7 @@
 #include "core/study/tile_tasks/run_task.h"
 #include "core/study/tile_tasks/task_status.h"
 #include "tests/core/engines/scenes.h"
+#include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -86,6 +87,20 @@ TEST(PackTasks, FilesReadWholeAreReadOnce) {
     for (const PlannedTile& tile : plan.tiles) EXPECT_EQ(tile.window, 0U);
 }
 
+TEST(PackTasks, TheLargestWindowIsThatOfTheUnionOfItsHalos) {
+    TaskPlan plan = planOf(2, 1, 100);
+    EXPECT_DOUBLE_EQ(largestWindowBytes(TaskPlan()), 0);
+    packTasks(plan, {1e6, 1e9});
+    EXPECT_DOUBLE_EQ(largestWindowBytes(plan), 100) << "all halos are the same square metre";
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto west = float(i);
+        plan.tiles[i].reads = {{west, 0}, {west + 1, 1}};
+    }
+    EXPECT_DOUBLE_EQ(largestWindowBytes(plan), 50 + 4 * 50) << "50 bytes each square metre that is read";
+    for (std::size_t i = 0; i < 4; ++i) plan.tiles[i].window = i;
+    EXPECT_DOUBLE_EQ(largestWindowBytes(plan), 100);
+}
+
 TEST(FormatRanges, AsSchedulersTakeThem) {
     EXPECT_EQ(formatRanges({}), "");
     EXPECT_EQ(formatRanges({0, 1, 2, 3, 7, 9, 10}), "0-3,7,9-10");
@@ -132,7 +147,10 @@ protected:
     /// Writes whole.tif, and by_month.tif if the request asks for months.
     [[nodiscard]] TiledStudy onOneMachine() const {
         NoProgress progress;
-        const City city = readCity({request.files[0]}, request.reading, progress, {}).value().city;
+        const City city =
+            readCity({request.files.begin(), request.files.end()}, request.reading, progress, {})
+                .value()
+                .city;
         StudySettings settings = request.settings;
         settings.region = makeRegionFromLocalBox(bounds(city));
         return runTiledStudy(city, {settings, 64}, folder.path("whole.tif"), progress, {}).value();
@@ -186,7 +204,7 @@ TEST_F(TaskPlanTest, ComesBackFromItsFileToTheLastBit) {
 TEST_F(TaskPlanTest, DamagedPlansAreRefused) {
     std::filesystem::create_directories(folder.path("plan"));
     EXPECT_THAT(readTaskPlan(folder.path("plan")).error().text(), HasSubstr("no plan"));
-    for (const char* text : {"", "{", "[]", R"({"noonmark_task_plan":2})"}) {
+    for (const char* text : {"", "{", "[]", R"({"noonmark_task_plan":3})"}) {
         std::ofstream(folder.path("plan") / planFileName) << text;
         EXPECT_FALSE(readTaskPlan(folder.path("plan"))) << text;
     }
@@ -222,8 +240,10 @@ TEST_F(TaskPlanTest, PlansOfStrangersAreChecked) {
         {"/tiles/0/0", 1000000},
         {"/tiles/0/9", 1},
         {"/tiles/1/9", 1},
-        {"/noonmark_task_plan", 1},
-        {"/noonmark_task_plan", 3},
+        {"/file_boxes", nlohmann::json::array()},
+        {"/file_boxes/0", {0, 0, 1}},
+        {"/noonmark_task_plan", 2},
+        {"/noonmark_task_plan", 4},
         {"/task_count", 1000000000000}};
     for (const auto& [pointer, value] : changes) EXPECT_FALSE(isReadWith(there, pointer, value)) << pointer;
     EXPECT_FALSE(isReadWith(there, "/task_count", plan().taskCount + 1)) << "a task without tiles";
@@ -249,6 +269,42 @@ TEST_F(TaskPlanTest, ATaskOfSeveralWindowsEqualsOneStudyToTheLastBit) {
     ASSERT_TRUE(runAndMerge(made));
     EXPECT_EQ(onOneMachine().plan.count(), made.tiles.size());
     expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
+}
+
+// Three files of towers, 400 m apart from west to east.
+std::vector<std::string> writeCityJsonTiles(const TemporaryFolder& folder) {
+    std::vector<std::string> files;
+    for (int tile = 0; tile < 3; ++tile) {
+        CityJsonMaker maker;
+        for (int i = 0; i < 4; ++i) {
+            const double west = 400.0 * tile + 30 * i, south = 25.0 * i;
+            maker.addBuilding("tower " + std::to_string(i),
+                              maker.boxSolid({west, south, 0}, {west + 12, south + 15, 20.0 + 10 * i}));
+        }
+        const std::string name = "tile " + std::to_string(tile) + ".city.json";
+        files.push_back(folder.file(name, maker.document().dump()).string());
+    }
+    return files;
+}
+
+TEST_F(TaskPlanTest, TasksOpenOnlyTheCityJsonFilesThatTheirWindowsTouch) {
+    request.files = writeCityJsonTiles(folder);
+    request.reading.terrainFromBases = TerrainFromBases::never;
+    request.settings.period.zone = "Europe/Amsterdam";
+    const TaskPlan made = plan();
+    EXPECT_TRUE(made.byWindow);
+    ASSERT_EQ(made.fileBoxes.size(), 3U);
+    EXPECT_LT(made.fileBoxes[0].eastDeg, made.fileBoxes[1].westDeg);
+    ASSERT_TRUE(runAndMerge(made));
+    EXPECT_EQ(onOneMachine().plan.count(), made.tiles.size());
+    expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
+
+    std::filesystem::remove_all(folder.path("plan"));
+    std::ofstream(request.files[2]) << "no city at all";
+    TaskPlan withoutCheck = made;
+    withoutCheck.inputs.clear();
+    EXPECT_TRUE(run(withoutCheck, 0)) << "the westernmost tile does not need the easternmost file";
+    EXPECT_FALSE(run(withoutCheck, made.taskCount - 1));
 }
 
 TEST_F(TaskPlanTest, MonthsEqualThoseOfOneMachineToTheLastBit) {
