@@ -51,18 +51,18 @@ TEST(SunAtMoment, PolarDaysHaveNeitherSunriseNorSunset) {
 
 TEST(SunWalk, GoesThroughTheLightOfADayAndTheDatesOfAYear) {
     const SunAtMoment sun{.sunriseMin = 420, .sunsetMin = 1140};
-    EXPECT_EQ(advanced(noon, sun, SunLoop::day, 0.5, 1).at, 13h + 30min);
+    EXPECT_EQ(advance(noon, sun, SunLoop::day, 0.5, 1).at, 13h + 30min);
     TimeLook late = noon;
     late.at = 1139min;
-    EXPECT_EQ(advanced(late, sun, SunLoop::day, 0.5, 1).at, 420min) << "from sunset back to sunrise";
+    EXPECT_EQ(advance(late, sun, SunLoop::day, 0.5, 1).at, 420min) << "from sunset back to sunrise";
     TimeLook newYearsEve = noon;
     newYearsEve.date = {2026y, December, 31d};
-    const TimeLook next = advanced(newYearsEve, sun, SunLoop::year, 1.0 / 7, 1);
+    const TimeLook next = advance(newYearsEve, sun, SunLoop::year, 1.0 / 7, 1);
     EXPECT_EQ(next.date, CivilDate(2026y, January, 1d)) << "the same year again";
     EXPECT_EQ(next.at, noon.at);
-    EXPECT_EQ(nudged(newYearsEve, 0, 5).date, newYearsEve.date) << "dates stay in the year";
-    EXPECT_EQ(nudged(noon, -10, 1).at, 12h + 50min);
-    EXPECT_EQ(nudged(noon, -5000, 0).at, 0min);
+    EXPECT_EQ(nudge(newYearsEve, 0, 5).date, newYearsEve.date) << "dates stay in the year";
+    EXPECT_EQ(nudge(noon, -10, 1).at, 12h + 50min);
+    EXPECT_EQ(nudge(noon, -5000, 0).at, 0min);
 }
 
 TEST(TimeStrip, ATouchOfASliderShowsThatMoment) {

@@ -34,7 +34,7 @@ TimeLook laterToday(TimeLook look, const SunAtMoment& sun, int step) {
 
 }  // namespace
 
-TimeLook advanced(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed) {
+TimeLook advance(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed) {
     if (loop == SunLoop::day)
         return laterToday(look, sun, std::max(1, int(std::lround(60 * speed * seconds))));
     TimeLook later = look;
@@ -43,7 +43,7 @@ TimeLook advanced(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, do
     return later;
 }
 
-TimeLook nudged(TimeLook look, int minutesLater, int daysLater) {
+TimeLook nudge(TimeLook look, int minutesLater, int daysLater) {
     look.at = minutes(std::clamp(int(look.at.count()) + minutesLater, 0, lastMinute));
     const auto year = look.date.year();
     look.date = dayOf(year, std::clamp(indexOf(look.date) + daysLater, 0, daysIn(year) - 1));

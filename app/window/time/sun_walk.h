@@ -9,9 +9,9 @@ enum class SunLoop { day, year };
 
 /// The look a little later, when the sun is played: over the day's light, or over the dates of the year at
 /// the same time of day. Wraps around. `speed`: hours of the day or weeks of the year in a second.
-TimeLook advanced(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed);
+TimeLook advance(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed);
 
 /// The look moved by minutes and days, within its year and its day.
-TimeLook nudged(TimeLook look, int minutes, int days);
+TimeLook nudge(TimeLook look, int minutes, int days);
 
 }  // namespace noonmark

@@ -201,7 +201,7 @@ void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
     words_->setText(of.span == LookSpan::day ? QStringLiteral("%1: %2").arg(describe(of), words) : words);
 }
 
-void TimeStrip::move(int minutes, int days) { takeMoment(nudged(look_, minutes, days)); }
+void TimeStrip::move(int minutes, int days) { takeMoment(nudge(look_, minutes, days)); }
 
 void TimeStrip::setPlaying(bool playing) {
     const QSignalBlocker quiet(play_);
@@ -217,7 +217,7 @@ bool TimeStrip::playing() const { return ticks_->isActive(); }
 // By the time that has passed, so that a slow machine skips moments and does not slow down.
 void TimeStrip::step() {
     const double seconds = double(sinceStep_.restart()) / 1000;
-    takeMoment(advanced(look_, sun_, SunLoop(loop_->currentIndex()), seconds,
+    takeMoment(advance(look_, sun_, SunLoop(loop_->currentIndex()), seconds,
                         playSpeeds[std::size_t(speed_->currentIndex())]));
 }
 

@@ -42,8 +42,11 @@ double shiftAlong(glm::dvec2 outward, const std::vector<RoadFront>& roads, const
 /// Whether an edge lies on the parcel's convex hull, or hardly behind it.
 class Outermost {
 public:
-    explicit Outermost(const Footprint& parcel)
-        : parcel_(collection(geos_, {parcel})), hull_(geos_.owned(GEOSConvexHull_r(geos_, parcel_.get()))) {}
+    explicit Outermost(const Footprint& parcel) : border_(geos_.owned(nullptr)) {
+        const auto polygon = collection(geos_, {parcel});
+        const auto hull = geos_.owned(polygon ? GEOSConvexHull_r(geos_, polygon.get()) : nullptr);
+        if (hull) border_ = geos_.owned(GEOSBoundary_r(geos_, hull.get()));
+    }
 
     [[nodiscard]] bool operator()(glm::dvec2 from, glm::dvec2 to) const {
         return isOnHull(from) && isOnHull(to);
@@ -53,13 +56,13 @@ private:
     [[nodiscard]] bool isOnHull(glm::dvec2 point) const {
         constexpr double nearM = 1;
         const auto at = geos_.owned(GEOSGeom_createPointFromXY_r(geos_, point.x, point.y));
-        const auto border = geos_.owned(GEOSBoundary_r(geos_, hull_.get()));
         double distanceM = 0;
-        return GEOSDistance_r(geos_, at.get(), border.get(), &distanceM) == 1 && distanceM <= nearM;
+        return at && border_ && GEOSDistance_r(geos_, at.get(), border_.get(), &distanceM) == 1 &&
+               distanceM <= nearM;
     }
 
     Geos geos_;
-    Geos::Geometry parcel_, hull_;
+    Geos::Geometry border_;  // null if GEOS fails: then no edge lies along a road, which the result says
 };
 
 std::vector<Edge> edgesOf(const Footprint& parcel, const std::vector<RoadFront>& roads,
