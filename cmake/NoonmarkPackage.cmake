@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # Loaded at run time, so dpkg-shlibdeps does not see them: time zones, the fonts of maps and reports, and OpenGL in software where there
 # is no graphics card. Recommended: OpenCL on the processor (engine iam), Wayland.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "tzdata, fonts-dejavu-core, libgl1-mesa-dri")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-roboto-unhinted, pocl-opencl-icd, qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-roboto-unhinted, pocl-opencl-icd, qt6-translations-l10n, qt6-wayland")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "qgis")
 
 # Debian's own changelog, beside the project's.

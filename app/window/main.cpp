@@ -7,6 +7,7 @@
 #include "app/input/window_arguments.h"
 #include "app/window/frame/appearance.h"
 #include "app/window/frame/main_window.h"
+#include "app/window/help/start_settings.h"
 #include "app/window/study/heap_memory.h"
 #include "core/simd/instruction_set.h"
 
@@ -56,7 +57,7 @@ int run(int argc, char** argv) {
     noonmark::MainWindow window(settings);
     window.show();
     window.open(filesOf(arguments));
-    if (arguments.files.empty()) window.help().showStart();
+    if (arguments.files.empty() && noonmark::readShowStart(settings)) window.help().showStart();
     return QApplication::exec();
 }
 

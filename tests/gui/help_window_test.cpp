@@ -54,7 +54,7 @@ TEST_F(ProjectWindow, F1OpensTheGuideAndALinkTurnsItsPage) {
     EXPECT_TRUE(guide->text().toPlainText().contains(QStringLiteral("Changing buildings")));
     Q_EMIT guide->text().anchorClicked(QUrl(QStringLiteral("places.md")));
     EXPECT_EQ(guide->page(), QStringLiteral("places"));
-    EXPECT_EQ(&window->help().showGuide(QStringLiteral("review")), guide) << "one guide, not a second";
+    EXPECT_EQ(&window->help().showGuide({QStringLiteral("review"), {}}), guide) << "one guide, not a second";
 }
 
 TEST_F(ProjectWindow, AboutNamesTheVersionAndTheInstructionSet) {

@@ -19,4 +19,8 @@ std::filesystem::path testFile(const std::string& relative) {
     return std::filesystem::path(NOONMARK_SOURCE_DIR) / "tests" / relative;
 }
 
+std::filesystem::path sourceFile(const std::string& relative) {
+    return std::filesystem::path(NOONMARK_SOURCE_DIR) / relative;
+}
+
 }  // namespace noonmark::tests

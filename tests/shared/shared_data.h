@@ -14,4 +14,7 @@ std::optional<std::filesystem::path> sharedData(const std::string& relative);
 /// written.
 std::filesystem::path testFile(const std::string& relative);
 
+/// A file of the project's sources, to read: "resources/translations/noonmark_de.ts".
+std::filesystem::path sourceFile(const std::string& relative);
+
 }  // namespace noonmark::tests

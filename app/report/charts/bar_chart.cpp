@@ -23,7 +23,7 @@ BarAxes axesOf(const QRectF& area, double point, const BarChart& chart) {
     double least = 0, most = 0;
     for (const auto& group : chart.groups)
         for (const double value : group.values) most = std::max(most, value), least = std::min(least, value);
-    const QString title = unit.name + (chart.isAreaHours ? QObject::tr(" h") : QString());
+    const QString title = unit.name + (chart.isAreaHours ? QStringLiteral(" h") : QString());
     ChartAxis across{0, double(std::max<std::size_t>(1, chart.groups.size()))};
     for (std::size_t i = 0; i < chart.groups.size(); ++i)
         across.ticks.push_back({double(i) + 0.5, chart.groups[i].name, false});
@@ -48,9 +48,9 @@ void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart
 }  // namespace
 
 BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
-    BarChart chart{{{QObject::tr("Baseline"), shade::baseline},
-                    {QObject::tr("Scenario"), shade::proposal},
-                    {QObject::tr("Incremental"), shade::incremental}},
+    BarChart chart{{{QStringLiteral("Baseline"), shade::baseline},
+                    {QStringLiteral("Scenario"), shade::proposal},
+                    {QStringLiteral("Incremental"), shade::incremental}},
                    {},
                    true,
                    units};
@@ -71,7 +71,7 @@ BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
 void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart) {
     canvas.painter.save();
     if (chart.groups.empty()) {
-        paintNothing(canvas, area, QObject::tr("No month has a day that counts"));
+        paintNothing(canvas, area, QStringLiteral("No month has a day that counts"));
     } else {
         const BarAxes axes = axesOf(area, canvas.point, chart);
         for (std::size_t i = 0; i < chart.groups.size(); ++i) paintGroup(canvas, axes, chart, i);

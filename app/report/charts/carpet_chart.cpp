@@ -116,10 +116,10 @@ void paintShares(const Canvas& canvas, const QRectF& plot, CarpetQuantity quanti
     for (int i = 0; i < parts; ++i, at += partPt)
         canvas.painter.fillRect(keyBox(canvas, plot, at, partPt),
                                 carpetColour(i / double(parts - 1), quantity));
-    at = paintKeyText(canvas, plot, at + gapPt, QObject::tr("100 % of the place")) + 12;
+    at = paintKeyText(canvas, plot, at + gapPt, QStringLiteral("100 % of the place")) + 12;
     canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.5));
     canvas.painter.drawRect(keyBox(canvas, plot, at, 9));
-    paintKeyText(canvas, plot, at + 9 + gapPt, QObject::tr("not counted"));
+    paintKeyText(canvas, plot, at + 9 + gapPt, QStringLiteral("not counted"));
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity qu
 void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart) {
     canvas.painter.save();
     if (chart.days.empty() || chart.rows == 0) {
-        paintNothing(canvas, area, QObject::tr("The sun is not up in the hours of the rule"));
+        paintNothing(canvas, area, QStringLiteral("The sun is not up in the hours of the rule"));
     } else {
         const CarpetAxes axes = axesOf(area, canvas.point, chart);
         canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
@@ -174,14 +174,14 @@ std::optional<CarpetCell> findCellAt(const QRectF& area, double point, const Car
 QString describeCell(const CarpetChart& chart, const CarpetCell& cell) {
     const float share = chart.shares[cell.day * chart.rows + cell.row];
     const QString when =
-        QObject::tr("%1, %2").arg(QString::fromStdString(formatText(chart.days[cell.day])),
-                                  formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
-    if (std::isnan(share)) return QObject::tr("%1   not counted").arg(when);
-    const QString shadow = chart.quantity == CarpetQuantity::incremental ? QObject::tr("incremental shadow")
-                           : chart.quantity == CarpetQuantity::scenario
-                               ? QObject::tr("the scenario's shadow")
-                               : QObject::tr("the baseline's shadow");
-    return QObject::tr("%1   %2 % of the place in %3")
+        QStringLiteral("%1, %2").arg(QString::fromStdString(formatText(chart.days[cell.day])),
+                                     formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
+    if (std::isnan(share)) return QStringLiteral("%1   not counted").arg(when);
+    const QString shadow =
+        chart.quantity == CarpetQuantity::incremental ? QStringLiteral("incremental shadow")
+        : chart.quantity == CarpetQuantity::scenario  ? QStringLiteral("the scenario's shadow")
+                                                      : QStringLiteral("the baseline's shadow");
+    return QStringLiteral("%1   %2 % of the place in %3")
         .arg(when)
         .arg(100 * double(share), 0, 'f', 1)
         .arg(shadow);

@@ -101,17 +101,18 @@ bool gainsSun(const TimelineChart& chart) {
 }
 
 void paintLegend(const Canvas& canvas, const QRectF& plot, const TimelineChart& chart) {
-    std::vector<ChartKey> keys{{QObject::tr("Baseline"), shade::baseline},
-                               {QObject::tr("Scenario"), shade::proposal, true},
-                               {QObject::tr("Incremental"), shade::incremental}};
-    if (gainsSun(chart)) keys.push_back({QObject::tr("Sun gained"), shade::gained});
+    std::vector<ChartKey> keys{{QStringLiteral("Baseline"), shade::baseline},
+                               {QStringLiteral("Scenario"), shade::proposal, true},
+                               {QStringLiteral("Incremental"), shade::incremental}};
+    if (gainsSun(chart)) keys.push_back({QStringLiteral("Sun gained"), shade::gained});
     paintKeys(canvas, plot, keys);
 }
 
 QString areaText(const TimelineChart& chart, double m2) {
     QString text = QString::fromStdString(formatArea(m2, chart.units));
     if (chart.areaM2 > 0)
-        text += QObject::tr(", %1 %").arg(100 * m2 / chart.areaM2, 0, 'f', m2 < 0.1 * chart.areaM2 ? 1 : 0);
+        text +=
+            QStringLiteral(", %1 %").arg(100 * m2 / chart.areaM2, 0, 'f', m2 < 0.1 * chart.areaM2 ? 1 : 0);
     return text;
 }
 
@@ -140,8 +141,9 @@ TimelineChart makeTimelineChart(const DayTimeline& day, double stepMinutes, cons
 void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart& chart) {
     canvas.painter.save();
     if (chart.samples.empty()) {
-        paintNothing(canvas, area,
-                     QObject::tr("The sun is not up in the rule's hours, or the place has no open ground"));
+        paintNothing(
+            canvas, area,
+            QStringLiteral("The sun is not up in the rule's hours, or the place has no open ground"));
     } else {
         canvas.painter.setRenderHint(QPainter::Antialiasing);
         const TimelineAxes axes = axesOf(area, canvas.point, chart);
@@ -170,18 +172,18 @@ std::optional<std::size_t> findSampleAt(const QRectF& area, double point, const 
 
 QString describeSample(const TimelineChart& chart, std::size_t sample) {
     const Sample& at = chart.samples[sample];
-    QString text = QObject::tr("%1   incremental %2; scenario %3; baseline %4")
+    QString text = QStringLiteral("%1   incremental %2; scenario %3; baseline %4")
                        .arg(formatClock(at.minutes), areaText(chart, at.incrementalM2),
                             areaText(chart, at.scenarioM2), areaText(chart, at.baselineM2));
-    if (at.gainedM2 > 0) text += QObject::tr("; sun gained %1").arg(areaText(chart, at.gainedM2));
+    if (at.gainedM2 > 0) text += QStringLiteral("; sun gained %1").arg(areaText(chart, at.gainedM2));
     return text;
 }
 
 QString describeIncremental(const DayTimeline& day, const DayClock& clock, UnitSystem units) {
     const ShadowOnPlace& shadow = day.incremental;
-    if (!shadow.enters()) return QObject::tr("No incremental shadow in the rule's hours");
+    if (!shadow.enters()) return QStringLiteral("No incremental shadow in the rule's hours");
     const auto at = [&](Instant time) { return QString::fromStdString(clock.timeText(day.day, time)); };
-    return QObject::tr("Incremental shadow from %1 to %2; at most %3, %4 % of the place, at %5")
+    return QStringLiteral("Incremental shadow from %1 to %2; at most %3, %4 % of the place, at %5")
         .arg(at(*shadow.enters()), at(*shadow.exits()),
              QString::fromStdString(formatArea(shadow.largestM2, units)),
              QString::fromStdString(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),

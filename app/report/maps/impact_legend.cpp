@@ -26,19 +26,20 @@ const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure)
 
 Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale) {
     Legend legend{
-        QObject::tr("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
+        QStringLiteral("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
     const ChangeSpread spread = changeSpreadOf(getValues(impact, measure), noChangeMin);
     legend.scale = legendScaleOf(scale, spread);
-    legend.unit = measure == ShadowMeasure::gross ? QObject::tr("min a day") : QObject::tr("min");
+    legend.unit = measure == ShadowMeasure::gross ? QStringLiteral("min a day") : QStringLiteral("min");
     if (!legend.instant)
         legend.unit +=
             scale.lockedMin
-                ? QObject::tr(", scale locked: ±%1 min").arg(QString::fromStdString(formatText(scale)))
-                : QObject::tr(", scale fitted to this difference");
+                ? QStringLiteral(", scale locked: ±%1 min").arg(QString::fromStdString(formatText(scale)))
+                : QStringLiteral(", scale fitted to this difference");
     if (spread.most > legend.scale.top)
-        legend.unit += QObject::tr(", largest %1").arg(spread.most, 0, 'f', 0);
-    addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));
-    addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QObject::tr("now ground"));
+        legend.unit += QStringLiteral(", largest %1").arg(spread.most, 0, 'f', 0);
+    addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding,
+             QStringLiteral("built over"));
+    addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QStringLiteral("now ground"));
     return legend;
 }
 

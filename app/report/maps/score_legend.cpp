@@ -15,11 +15,13 @@ constexpr float noScore = 1e-6F;
 }  // namespace
 
 Legend makeLegend(const Score& score) {
-    Legend legend{QObject::tr("Shadow score"), QObject::tr("weight × share of time"), {}, false, true, {}};
+    Legend legend{
+        QStringLiteral("Shadow score"), QStringLiteral("weight × share of time"), {}, false, true, {}};
     legend.wanted = true;
     const ChangeSpread found = changeSpreadOf(score.score, noScore);
     legend.scale = legendScale(std::max(found.usual, 0.01));
-    if (found.most > legend.scale.top) legend.unit += QObject::tr(", largest ±%1").arg(found.most, 0, 'g', 3);
+    if (found.most > legend.scale.top)
+        legend.unit += QStringLiteral(", largest ±%1").arg(found.most, 0, 'g', 3);
     return legend;
 }
 

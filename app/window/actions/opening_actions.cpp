@@ -28,7 +28,7 @@ OpeningActions::OpeningActions(Workbench& workbench, SavingActions& saving, QSet
       saving_(saving),
       messages_(messages),
       window_(window),
-      samples_(tr("Open &sample")),
+      samples_(tr("Open samp&le")),
       recentMenu_(tr("Open &recent")),
       recent_(recentMenu_, settings),
       options_(new OpenOptions(&window)) {

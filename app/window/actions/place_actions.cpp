@@ -15,6 +15,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/number_words.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/massing/lot_edits.h"
 
@@ -45,8 +46,8 @@ PlaceActions::Dropped askByMenu() {
 }  // namespace
 
 QString describePlacesRead(std::size_t places, std::size_t replaced, const Warnings& warnings) {
-    QString text = QObject::tr("%1 places were read").arg(describeCount(places));
-    if (replaced > 0) text += QObject::tr("; %1 replace earlier ones").arg(describeCount(replaced));
+    QString text = QObject::tr("%1 places were read").arg(formatCount(places));
+    if (replaced > 0) text += QObject::tr("; %1 replace earlier ones").arg(formatCount(replaced));
     text += u'.';
     constexpr std::size_t most = 3;
     const auto groups = groupWarnings(warnings);
@@ -69,7 +70,7 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
                        "place")),
       draw_(makeAction(this, tr("Draw p&lace"), QKeySequence(tr("Ctrl+Shift+D")),
                        tr("Click corners on the ground; Enter finishes, Esc cancels"), "place")),
-      fromBuilding_(makeAction(this, tr("Place from building &outline"), {},
+      fromBuilding_(makeAction(this, tr("Place from b&uilding outline"), {},
                                tr("Creates a place from the selected building's outline"))),
       show_(makeAction(this, tr("P&laces"), Qt::Key_P, tr("Shows outlines and names of places"))),
       ask_(askByMenu) {
@@ -82,6 +83,7 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
 }
 
 void PlaceActions::makeActions() {
+    draw_->setObjectName(QStringLiteral("drawPlace"));
     show_->setCheckable(true);
     show_->setChecked(true);
     fromBuilding_->setEnabled(false);

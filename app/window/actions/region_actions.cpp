@@ -21,7 +21,7 @@ RegionActions::RegionActions(Workbench& workbench, ViewPanel& panel, StudyDock& 
       window_(window),
       draw_(makeAction(this, tr("&Draw region"), QKeySequence(tr("Ctrl+D")),
                        tr("Click corners on the ground; Enter finishes, Esc cancels"), "region")),
-      fromFile_(makeAction(this, tr("Region from &file..."), {},
+      fromFile_(makeAction(this, tr("Region from &file..."), QKeySequence(),
                            tr("Polygons from a file, in any coordinate system"))) {
     PolygonTool& tool = panel_.regionTool();
     connect(draw_, &QAction::triggered, this, [this] { draw(true); });

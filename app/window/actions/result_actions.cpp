@@ -40,6 +40,7 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
                              tr("Stores the displayed map and figures in the project"))),
       review_(review) {
     connect(savePicture_, &QAction::triggered, this, [this] { savePicture(askForPicture(&window_)); });
+    export_->setObjectName(QStringLiteral("exportResults"));
     connect(export_, &QAction::triggered, this, &ResultActions::askForExport);
     connect(saveResult_, &QAction::triggered, this, &ResultActions::saveInProject);
     connect(&tree, &ProjectDock::keepResultRequested, this, &ResultActions::saveInProject);

@@ -1,35 +1,15 @@
 #include "app/window/actions/review_actions.h"
 
-#include <QLocale>
-#include <QSettings>
-
 #include "app/window/actions/make_action.h"
 #include "app/window/actions/place_actions.h"
 #include "app/window/editing/edit_preview.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/review/review_dock.h"
+#include "app/window/sheets/page_settings.h"
 #include "app/window/sheets/sheets_dialog.h"
 #include "app/window/view/view_panel.h"
 
 namespace noonmark {
-
-namespace {
-
-const QString paperKey = QStringLiteral("sheets/paper"), landscapeKey = QStringLiteral("sheets/landscape");
-
-// The paper last chosen; at first that of the country.
-PageSetup readSetup(const QSettings& settings) {
-    const auto saved = parsePaper(settings.value(paperKey).toString().toStdString());
-    const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
-    return {saved.value_or(isMetric ? Paper::a4 : Paper::letter), settings.value(landscapeKey).toBool()};
-}
-
-void saveSetup(const PageSetup& setup, QSettings& settings) {
-    settings.setValue(paperKey, QString::fromStdString(std::string(nameOf(setup.paper))));
-    settings.setValue(landscapeKey, setup.landscape);
-}
-
-}  // namespace
 
 ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, ReviewDock& dock,
                              const EditPreview& preview, PlaceActions& places, ViewPanel& panel,
@@ -41,9 +21,10 @@ ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, Review
       window_(window),
       show_(makeAction(this, tr("Re&view by a rule..."), QKeySequence(tr("Ctrl+Shift+R")),
                        tr("Evaluate the rule of a review board on the places of the project"), "review")),
-      export_(makeAction(this, tr("&Sheets of the review..."), {},
+      export_(makeAction(this, tr("S&heets of the review..."), {},
                          tr("Shows the sheets of the review, and writes them with its tables and drawings"),
                          "sheets")) {
+    show_->setObjectName(QStringLiteral("reviewByRule"));
     connect(show_, &QAction::triggered, this, &ReviewActions::dockWanted);
     connect(export_, &QAction::triggered, this, &ReviewActions::showSheets);
     connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::showSheets);
@@ -64,13 +45,13 @@ void ReviewActions::showSheets() {
     ProjectSession& session = workbench_.session();
     sheets_ = new SheetsDialog({*std::move(answer), session.project(), session.file(),
                                 review_.library().warnings(), workbench_.exportRules()},
-                               session, readSetup(settings_), &window_);
+                               session, readPageSetup(settings_), &window_);
     connect(sheets_, &SheetsDialog::failed, &panel_.messages(), &MessageBar::showError);
     connect(sheets_, &SheetsDialog::written, &panel_.messages(), [this](const QString& folder) {
         panel_.messages().showNote(tr("The review was exported to %1").arg(folder));
     });
     connect(sheets_, &SheetsDialog::setupChosen, this,
-            [this](const PageSetup& setup) { saveSetup(setup, settings_); });
+            [this](const PageSetup& setup) { savePageSetup(setup, settings_); });
     sheets_->show();
 }
 

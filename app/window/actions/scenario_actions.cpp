@@ -17,6 +17,7 @@ ScenarioActions::ScenarioActions(Workbench& workbench, ProjectDock& tree, Scenar
       measureAll_(makeAction(this, tr("&Measure all scenarios"), {},
                              tr("Runs the same study for each scenario, for comparison side by side"),
                              "analyse")) {
+    compare_->setObjectName(QStringLiteral("compareExisting"));
     compare_->setCheckable(true);
     ProjectSession& session = workbench.session();
     connect(newScenario_, &QAction::triggered, this, [&tree] { tree.addScenario({}); });

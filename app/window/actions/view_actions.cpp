@@ -50,7 +50,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                          tr("As in the paper, instead of rays: inexact at shadow edges, but hours that "
                             "look alike are computed once"),
                          false)),
-      keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence(tr("Shift+F1")), {}, "keys")) {
+      keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence(tr("Ctrl+F1")), {}, "keys")) {
     ViewNavigator& navigator = panel_.navigator();
     connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
     connect(northUp_, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);

@@ -166,9 +166,9 @@ void BuildingEditing::previewHeight(double heightM) {
     const double ground = double(findGroundUnder(building(), city));
     const glm::dvec2 middle = findMiddle(building());
     context_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
-    context_.handle.tell(tr("%1 m, %2\n%3 m² floor area")
-                             .arg(groupDigits(facts.heightM, 1), describeStoreys(facts.storeys),
-                                  groupDigits(facts.grossFloorM2)));
+    context_.handle.tell(tr("%1, %2\n%3 floor area")
+                             .arg(describeLength(facts.heightM), describeStoreys(facts.storeys),
+                                  describeFloorArea(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {

@@ -4,6 +4,7 @@
 
 #include "app/window/study/open_city.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -93,7 +94,7 @@ void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.a
 void EditPreview::tellAge() {
     const auto answer = makeGroundAnswer(live_.answer());
     panel_.results().noteLive(
-        tr("%1. Shape of %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
+        tr("%1. Shape of %2 s ago").arg(answer.note, groupDigits(live_.ageSeconds(), 1)));
 }
 
 // Without a live shadow only the buildings are shown.

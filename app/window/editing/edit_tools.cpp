@@ -63,7 +63,7 @@ void EditTools::makeActions() {
     const auto move =
         action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
     const auto lot =
-        action(tr("Lot from &footprint"), {}, tr("Creates a lot from the selected building's outline"));
+        action(tr("Lot from foot&print"), {}, tr("Creates a lot from the selected building's outline"));
     const auto mesh =
         action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
     ofBuilding_ = {demolish, replace, move, lot};

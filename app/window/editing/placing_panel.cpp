@@ -39,6 +39,7 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     apply_->setObjectName(QStringLiteral("applyMesh"));
     apply_->setToolTip(tr("Adds it to the scenario (Enter over the view)"));
     auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setObjectName(QStringLiteral("cancelPlacing"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(apply_);
     buttons->addWidget(cancel);
@@ -68,7 +69,7 @@ void PlacingPanel::begin(const QString& file) {
 
 void PlacingPanel::showPlaced(double heightM) {
     apply_->setEnabled(true);
-    what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, groupDigits(heightM, 1)));
+    what_->setText(tr("%1, %2 high. Another click moves it.").arg(file_, describeLength(heightM)));
 }
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {

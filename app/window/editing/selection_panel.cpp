@@ -39,11 +39,11 @@ QString makeRows(const BuildingFacts& facts) {
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
-               QStringLiteral("%1 m (%2)").arg(groupDigits(facts.heightM, 1), facts.heightSource)) +
+               QStringLiteral("%1 (%2)").arg(describeLength(facts.heightM), facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), describeArea(facts.planM2)) +
-           row(QObject::tr("Floor area"), groupDigits(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
-                                              QObject::tr(" of %1 m").arg(usualStoreyM) +
+           row(QObject::tr("Floor area"), describeFloorArea(facts.grossFloorM2) + storeys +
+                                              QObject::tr(" of %1").arg(describeLength(usualStoreyM)) +
                                               describeEstimate(facts.estimatedStoreys)) +
            QStringLiteral("</table>");
 }

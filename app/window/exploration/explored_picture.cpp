@@ -1,5 +1,7 @@
 #include "app/window/exploration/explored_picture.h"
 
+#include "app/window/widgets/number_words.h"
+
 #include <QObject>
 #include <algorithm>
 #include <cmath>
@@ -47,7 +49,7 @@ SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, d
 QString describeDetail(const ExploredView& view, double distanceM) {
     const QString samples = view.spacingPx == 1 ? QObject::tr("every pixel")
                                                 : QObject::tr("a sample every %1 pixels").arg(view.spacingPx);
-    const QString detail = QObject::tr("%1, %2 m").arg(samples).arg(view.sampleM(distanceM), 0, 'g', 2);
+    const QString detail = QObject::tr("%1, %2 m").arg(samples, formatShort(view.sampleM(distanceM), 2));
     if (!view.running.empty())
         return QObject::tr("%1; %2").arg(QString::fromStdString(view.running)).arg(detail);
     if (!isSoFar(view)) return detail;

@@ -116,8 +116,7 @@ void MovieDialog::update() {
     const auto kind = MovieChoice::Kind(kind_->currentData().toInt());
     every_->setEnabled(kind == MovieChoice::Kind::day);
     at_->setEnabled(kind != MovieChoice::Kind::day);
-    date_->setDisplayFormat(kind == MovieChoice::Kind::year ? QStringLiteral("yyyy")
-                                                            : QStringLiteral("d MMM yyyy"));
+    date_->setDisplayFormat(kind == MovieChoice::Kind::year ? QStringLiteral("yyyy") : dayOfYear());
 }
 
 }  // namespace noonmark

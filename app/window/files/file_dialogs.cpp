@@ -11,71 +11,72 @@ namespace noonmark {
 
 namespace {
 
-QString tr(const char* text) { return QObject::tr(text); }
-
 QString orAllFiles(const QString& name, const QStringList& endings) {
-    return makeFileFilter(name, endings) + QStringLiteral(";;") + tr("All files (*)");
+    return makeFileFilter(name, endings) + QStringLiteral(";;") + QObject::tr("All files (*)");
 }
 
 }  // namespace
 
 QStringList askForCity(QWidget* parent) {
-    return QFileDialog::getOpenFileNames(parent, tr("Open a project or a city"), {}, makeCityFilters());
+    return QFileDialog::getOpenFileNames(parent, QObject::tr("Open a project or a city"), {},
+                                         makeCityFilters());
 }
 
 QString askForProject(QWidget* parent, const QString& suggested) {
     const QString ending = QString::fromLatin1(projectEnding);
-    QString file = QFileDialog::getSaveFileName(parent, tr("Save project as"), suggested,
-                                                tr("Projects (*%1)").arg(ending), nullptr,
+    QString file = QFileDialog::getSaveFileName(parent, QObject::tr("Save project as"), suggested,
+                                                QObject::tr("Projects (*%1)").arg(ending), nullptr,
                                                 QFileDialog::DontConfirmOverwrite);
     if (file.isEmpty()) return {};
     if (!file.endsWith(ending)) file += ending;
     if (!QFileInfo::exists(file)) return file;
-    const auto answer = QMessageBox::question(
-        parent, tr("Save project as"), tr("%1 already exists. Replace it?").arg(QFileInfo(file).fileName()));
+    const auto answer =
+        QMessageBox::question(parent, QObject::tr("Save project as"),
+                              QObject::tr("%1 already exists. Replace it?").arg(QFileInfo(file).fileName()));
     return answer == QMessageBox::Yes ? file : QString();
 }
 
 QString askForMesh(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, tr("Import a mesh as a building"), {},
-                                        orAllFiles(tr("Meshes"), modelEndings()));
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Import a mesh as a building"), {},
+                                        orAllFiles(QObject::tr("Meshes"), modelEndings()));
 }
 
 QString askForRegion(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, tr("Region from file"), {},
-                                        orAllFiles(tr("Polygons"), vectorEndings()));
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Region from file"), {},
+                                        orAllFiles(QObject::tr("Polygons"), vectorEndings()));
 }
 
 QStringList askForPlaces(QWidget* parent) {
-    return QFileDialog::getOpenFileNames(parent, tr("Read places"), {},
-                                         orAllFiles(tr("Maps and polygons"), vectorEndings()));
+    return QFileDialog::getOpenFileNames(parent, QObject::tr("Read places"), {},
+                                         orAllFiles(QObject::tr("Maps and polygons"), vectorEndings()));
 }
 
 QString askForSky(QWidget* parent) {
     const QString file = QFileDialog::getSaveFileName(
-        parent, tr("Save sun and sky"), QStringLiteral("sky.svg"),
-        tr("Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)"));
+        parent, QObject::tr("Save sun and sky"), QStringLiteral("sky.svg"),
+        QObject::tr("Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)"));
     if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
     return file + QStringLiteral(".svg");
 }
 
 QString askForPicture(QWidget* parent) {
-    const QString file = QFileDialog::getSaveFileName(parent, tr("Save picture"),
-                                                      QStringLiteral("noonmark.png"), tr("Pictures (*.png)"));
+    const QString file = QFileDialog::getSaveFileName(
+        parent, QObject::tr("Save picture"), QStringLiteral("noonmark.png"), QObject::tr("Pictures (*.png)"));
     if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
     return file + QStringLiteral(".png");
 }
 
 QString askForMovie(QWidget* parent, const QString& suggested) {
-    const QString file = QFileDialog::getSaveFileName(
-        parent, tr("Export movie"), suggested + QStringLiteral(".mp4"), tr("Movies (*.mp4 *.gif)"));
+    const QString file =
+        QFileDialog::getSaveFileName(parent, QObject::tr("Export movie"), suggested + QStringLiteral(".mp4"),
+                                     QObject::tr("Movies (*.mp4 *.gif)"));
     if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
     return file + QStringLiteral(".mp4");
 }
 
 QString askForLogo(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, tr("Logo for the title block"), {},
-                                        tr("Pictures (*.png *.jpg *.jpeg)"));
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Logo for the title block"), {},
+                                        QObject::tr("Pictures (*.png *.jpg *.jpeg)"));
 }
 
 QString askForFolder(QWidget* parent, const QString& title) {
@@ -85,8 +86,8 @@ QString askForFolder(QWidget* parent, const QString& title) {
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files) {
     if (files.isEmpty()) return true;
     const auto answer =
-        QMessageBox::question(parent, tr("Export"),
-                              tr("%1 already contains these files: %2. Replace them?")
+        QMessageBox::question(parent, QObject::tr("Export"),
+                              QObject::tr("%1 already contains these files: %2. Replace them?")
                                   .arg(QFileInfo(folder).fileName(), files.join(QStringLiteral(", "))));
     return answer == QMessageBox::Yes;
 }

@@ -6,7 +6,9 @@
 #include <QSettings>
 #include <QStyleFactory>
 
+#include "app/window/looks/language.h"
 #include "app/window/looks/theme.h"
+#include "app/window/looks/units.h"
 #include "core/base/version.h"
 
 namespace noonmark {
@@ -25,6 +27,8 @@ void applyAppearance(QApplication& application) {
     const QPalette system = QApplication::palette();  // before the style brings its own
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setProperty(systemPaletteName, system);
+    applyLanguage(readLanguage(QSettings()), application);
+    applyUnits(readUnits(QSettings()));
     applyTheme(readThemeChoice(QSettings()), system);
 }
 

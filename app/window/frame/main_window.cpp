@@ -21,6 +21,7 @@
 #include "app/window/scenarios/scenario_bar.h"
 #include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/search/search_field.h"
+#include "app/window/sheets/page_settings.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/study_form/accuracy_choice.h"
 #include "app/window/study_form/study_dock.h"
@@ -88,6 +89,8 @@ MainWindow::MainWindow(QSettings& settings)
       help_(opening_, settings_, *this),
       time_(workbench_, mode_, *panel_, horizons_),
       presets_(*panel_, time_),
+      preferences_(settings_, panel_->messages(), *this),
+      tours_(opening_, {*this, workbench_, review_, *panel_}),
       context_(workbench_, tools_, region_, places_, points_, *panel_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
@@ -98,6 +101,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectWorkbench();
     connectDocks();
     connectModes();
+    connectPreferences();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     fitScreen();
@@ -112,11 +116,11 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    const WindowActions actions{opening_,        saving_, results_,       movies_,
-                                copying_,        edits_,  scenarios_,     study_,
-                                region_,         places_, reviews_,       camera_,
-                                presets_,        search_, help_,          new ThemeMenu(settings_, this),
-                                mode_.actions(), docks,   time_.actions()};
+    const WindowActions actions{
+        opening_,        saving_, results_,       movies_, copying_, edits_,
+        scenarios_,      study_,  region_,        places_, reviews_, camera_,
+        presets_,        search_, preferences_,   help_,   tours_,   new ThemeMenu(settings_, this),
+        mode_.actions(), docks,   time_.actions()};
     QAction* quit = noonmark::fillMenus(*menuBar(), actions);
     makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());
@@ -243,6 +247,13 @@ void MainWindow::connectModes() {
     connect(&panel_->view(), &CityView::poseChanged, rest, qOverload<>(&QTimer::start));
     panel_->results().setMode(mode_.mode());
     activateExploration();
+}
+
+void MainWindow::connectPreferences() {
+    const auto usePaper = [this] { results_.usePaper(readPageSetup(settings_)); };
+    connect(&help_, &HelpActions::tourWanted, &tours_, &TourActions::start);
+    connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
+    usePaper();
 }
 
 void MainWindow::explore() {

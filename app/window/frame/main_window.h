@@ -30,7 +30,9 @@
 #include "app/window/frame/window_view.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/help/help_actions.h"
+#include "app/window/help/tour/tour_actions.h"
 #include "app/window/point/point_inspector.h"
+#include "app/window/preferences/preferences_actions.h"
 #include "app/window/results/result_display.h"
 #include "app/window/review/review_session.h"
 #include "app/window/study_form/what_form.h"
@@ -71,6 +73,8 @@ public:
     [[nodiscard]] CopyActions& copying() { return copying_; }
     [[nodiscard]] MovieActions& movies() { return movies_; }
     [[nodiscard]] HelpActions& help() { return help_; }
+    [[nodiscard]] TourActions& tours() { return tours_; }
+    [[nodiscard]] PreferencesActions& preferences() { return preferences_; }
     [[nodiscard]] ContextMenu& context() { return context_; }
     [[nodiscard]] PointInspector& points() { return points_; }
 
@@ -89,6 +93,7 @@ private:
     void connectDocks();
     void connectStudyForm();
     void connectModes();
+    void connectPreferences();
     void activateExploration();
     void explore();
     void chooseKind(StudyKind kind);
@@ -132,6 +137,8 @@ private:
     HelpActions help_;
     TimeDisplay time_;
     ViewPresets presets_;
+    PreferencesActions preferences_;
+    TourActions tours_;
     ContextMenu context_;
 };
 

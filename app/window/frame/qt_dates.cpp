@@ -1,6 +1,13 @@
 #include "app/window/frame/qt_dates.h"
 
+#include <QObject>
+
 namespace noonmark {
+
+QString shortDay() { return QObject::tr("d MMM"); }
+QString longDay() { return QObject::tr("d MMMM"); }
+QString dayOfYear() { return QObject::tr("d MMM yyyy"); }
+QString longDate() { return QObject::tr("d MMMM yyyy"); }
 
 QDate dateOf(CivilDate date) {
     return {int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))};

@@ -17,14 +17,14 @@
 #include "app/window/export/copy_actions.h"
 #include "app/window/export/movie_actions.h"
 #include "app/window/help/help_actions.h"
+#include "app/window/help/tour/tour_actions.h"
 #include "app/window/looks/icons.h"
+#include "app/window/preferences/preferences_actions.h"
 #include "app/window/view/view_presets.h"
 
 namespace noonmark {
 
 namespace {
-
-QString tr(const char* text) { return QObject::tr(text); }
 
 QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.opening.actions());
@@ -34,7 +34,7 @@ QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.results.fileActions());
     menu.addAction(actions.movies.action());
     menu.addSeparator();
-    QAction* quit = menu.addAction(makeIcon(QStringLiteral("quit")), tr("&Quit"));
+    QAction* quit = menu.addAction(makeIcon(QStringLiteral("quit")), QObject::tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);
     return quit;
 }
@@ -47,6 +47,8 @@ void fillEditMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.edits.toolActions());
     menu.addSeparator();
     menu.addAction(actions.search.action());
+    menu.addSeparator();
+    menu.addAction(actions.preferences.action());
 }
 
 void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
@@ -62,28 +64,30 @@ void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
 
 void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.view.cameraActions());
-    menu.addMenu(tr("&From a side"))->addActions(actions.presets.actions());
+    menu.addMenu(QObject::tr("&From a side"))->addActions(actions.presets.actions());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());
     menu.addAction(actions.places.showAction());
-    menu.addMenu(tr("S&un"))->addActions(actions.sun);
-    menu.addMenu(tr("&Mode"))->addActions(actions.modes);
+    menu.addMenu(QObject::tr("S&un"))->addActions(actions.sun);
+    menu.addMenu(QObject::tr("Mo&de"))->addActions(actions.modes);
     menu.addAction(actions.view.exploreByMaps());
-    menu.addMenu(tr("&Panels"))->addActions(actions.docks);
+    menu.addMenu(QObject::tr("&Panels"))->addActions(actions.docks);
     menu.addMenu(actions.themes);
 }
 
 }  // namespace
 
 QAction* fillMenus(QMenuBar& bar, const WindowActions& actions) {
-    QAction* quit = fillFileMenu(*bar.addMenu(tr("&File")), actions);
-    fillEditMenu(*bar.addMenu(tr("&Edit")), actions);
-    bar.addMenu(tr("S&cenario"))->addActions(actions.scenarios.actions());
-    fillStudyMenu(*bar.addMenu(tr("&Study")), actions);
-    fillViewMenu(*bar.addMenu(tr("&View")), actions);
-    QMenu* help = bar.addMenu(tr("&Help"));
-    help->addActions({actions.help.guide(), actions.view.help(), actions.help.start()});
+    QAction* quit = fillFileMenu(*bar.addMenu(QObject::tr("&File")), actions);
+    fillEditMenu(*bar.addMenu(QObject::tr("&Edit")), actions);
+    bar.addMenu(QObject::tr("S&cenario"))->addActions(actions.scenarios.actions());
+    fillStudyMenu(*bar.addMenu(QObject::tr("&Study")), actions);
+    fillViewMenu(*bar.addMenu(QObject::tr("&View")), actions);
+    QMenu* help = bar.addMenu(QObject::tr("&Help"));
+    help->addActions(
+        {actions.help.guide(), actions.help.whatsThis(), actions.view.help(), actions.help.start()});
+    help->addMenu(QObject::tr("Guided &tours"))->addActions(actions.tours.actions());
     help->addSeparator();
     help->addAction(actions.help.about());
     return quit;

@@ -15,12 +15,14 @@ class MovieActions;
 class OpeningActions;
 class PlaceActions;
 class RegionActions;
+class PreferencesActions;
 class ResultActions;
 class ReviewActions;
 class SavingActions;
 class ScenarioActions;
 class SearchActions;
 class StudyActions;
+class TourActions;
 class ViewActions;
 class ViewPresets;
 
@@ -40,7 +42,9 @@ struct WindowActions {
     const ViewActions& view;
     const ViewPresets& presets;
     const SearchActions& search;
+    const PreferencesActions& preferences;
     const HelpActions& help;
+    const TourActions& tours;
     QMenu* themes;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock

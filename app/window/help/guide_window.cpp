@@ -1,10 +1,14 @@
 #include "app/window/help/guide_window.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QListWidget>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QUrl>
@@ -23,6 +27,12 @@ QString titleOf(const QString& name) {
     QFile file(fileOf(name));
     if (!file.open(QIODevice::ReadOnly)) return name;
     return QString::fromUtf8(file.readLine()).remove(QLatin1Char('#')).trimmed();
+}
+
+// "A study" is "a-study" in links.
+QString fragmentOf(const QString& heading) {
+    static const QRegularExpression others(QStringLiteral("[^a-z0-9 -]"));
+    return heading.toLower().remove(others).replace(QLatin1Char(' '), QLatin1Char('-'));
 }
 
 /// Pictures no wider than the text.
@@ -77,8 +87,24 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), pages_(new QListWid
     resize(980, 720);
 }
 
-void GuideWindow::showPage(const QString& name) {
+void GuideWindow::showPage(const QString& name, const QString& section) {
     text_->setSource(QUrl(QStringLiteral("qrc") + fileOf(name)), QTextDocument::MarkdownResource);
+    showSection(section);
+}
+
+// A heading by its text or, as links name it, by that in lower case with dashes.
+void GuideWindow::showSection(const QString& section) {
+    if (section.isEmpty()) return;
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0) continue;
+        const QString heading = block.text().trimmed();
+        if (heading != section && fragmentOf(heading) != section) continue;
+        // The layout of a page that was just loaded is not complete before the end is asked for.
+        text_->document()->documentLayout()->documentSize();
+        const QRectF at = text_->document()->documentLayout()->blockBoundingRect(block);
+        text_->verticalScrollBar()->setValue(int(at.top()));
+        return;
+    }
 }
 
 QString GuideWindow::page() const { return text_->source().fileName().section(QLatin1Char('.'), 0, 0); }
@@ -88,11 +114,16 @@ void GuideWindow::follow() {
         if (pages_->item(row)->data(Qt::UserRole).toString() == page()) pages_->setCurrentRow(row);
 }
 
+void GuideWindow::showLinked(const QUrl& target) {
+    text_->setSource(target.adjusted(QUrl::RemoveFragment), QTextDocument::MarkdownResource);
+    showSection(target.fragment());
+}
+
 // Pages of the guide here; everything else in the browser of the desktop.
 void GuideWindow::open(const QUrl& link) {
     const QUrl target = text_->source().resolved(link);
     if (target.scheme() == QStringLiteral("qrc") && QFile::exists(QLatin1Char(':') + target.path()))
-        return text_->setSource(target.adjusted(QUrl::RemoveFragment), QTextDocument::MarkdownResource);
+        return showLinked(target);
     if (target.scheme().startsWith(QStringLiteral("http"))) QDesktopServices::openUrl(target);
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 // Help without a network. GuideWindow shows the user guide that is built into the program (docs/user),
-// AboutText what the program is made of, StartDialog what to open first; HelpActions are the menu entries.
+// AboutText what the program is made of, StartDialog what to open first; FieldHelp explains fields (What's
+// this), guide_place.h knows which page is about which part of the window, and the folder tour has the guided
+// tours. HelpActions are the menu entries.
 
 #include <QDialog>
 
@@ -25,13 +27,16 @@ class GuideWindow final : public QDialog {
 public:
     explicit GuideWindow(QWidget* parent = nullptr);
 
-    void showPage(const QString& name);
+    /// `section`: a heading of the page, or that as links name it; empty: from its beginning.
+    void showPage(const QString& name, const QString& section = {});
     [[nodiscard]] QString page() const;  ///< the name of the page that is shown
     [[nodiscard]] QTextBrowser& text() { return *text_; }
 
 private:
     void follow();
     void open(const QUrl& link);
+    void showLinked(const QUrl& target);
+    void showSection(const QString& section);
 
     QListWidget* pages_;
     QTextBrowser* text_;

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QWhatsThis>
 
 #include "app/window/actions/make_action.h"
 #include "app/window/actions/opening_actions.h"
@@ -16,11 +17,16 @@ HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWind
     : opening_(opening),
       settings_(settings),
       window_(window),
+      fields_([this](const GuidePlace& place) { showGuide(place); }),
       guide_(makeAction(this, tr("User &guide"), QKeySequence::HelpContents,
                         tr("The guide, at the page about the panel in use"), "help")),
+      whatsThis_(makeAction(this, tr("&What's this?"), QKeySequence::WhatsThis,
+                            tr("Explains the field that is clicked next; in a field, Shift+F1"), "help")),
       start_(makeAction(this, tr("&Start page"), {}, tr("Samples and recent projects"), "open")),
       about_(makeAction(this, tr("&About Noonmark"), {}, tr("Version, libraries and processor"), "about")) {
-    connect(guide_, &QAction::triggered, this, [this] { showGuide(pageOfFocus()); });
+    connect(guide_, &QAction::triggered, this,
+            [this] { showGuide(findGuidePlace(QApplication::focusWidget())); });
+    connect(whatsThis_, &QAction::triggered, this, [] { QWhatsThis::enterWhatsThisMode(); });
     connect(start_, &QAction::triggered, this, &HelpActions::showStart);
     connect(about_, &QAction::triggered, this, &HelpActions::showAbout);
 }
@@ -29,25 +35,23 @@ void HelpActions::showStart() {
     auto* dialog = new StartDialog(RecentFiles(settings_), &window_);
     connect(dialog, &StartDialog::chosen, &opening_, &OpeningActions::openWith);
     connect(dialog, &StartDialog::openRequested, opening_.openAction(), &QAction::trigger);
-    connect(dialog, &StartDialog::guideRequested, this, [this] { showGuide(QStringLiteral("window")); });
+    connect(dialog, &StartDialog::guideRequested, this, [this] {
+        showGuide({QStringLiteral("window"), {}});
+    });
+    connect(dialog, &StartDialog::tourRequested, this, &HelpActions::tourWanted);
     dialog->show();
 }
 
-GuideWindow& HelpActions::showGuide(const QString& page) {
-    if (!shown_) shown_ = new GuideWindow(&window_);
+// Above a modal dialog, which would keep the mouse from a guide that belongs to the window.
+GuideWindow& HelpActions::showGuide(const GuidePlace& place) {
+    QWidget* modal = QApplication::activeModalWidget();
+    QWidget* owner = modal != nullptr ? modal : &window_;
+    if (shown_ && shown_->parentWidget() != owner) delete shown_;
+    if (!shown_) shown_ = new GuideWindow(owner);
     shown_->show();
     shown_->raise();
-    shown_->showPage(page);
+    shown_->showPage(place.page, place.section);
     return *shown_;
-}
-
-QString HelpActions::pageOfFocus() const {
-    const std::pair<const char*, const char*> pages[] = {
-        {"reviewDock", "review"}, {"resultsDock", "results"}, {"warningsDock", "data"}};
-    for (const QWidget* widget = QApplication::focusWidget(); widget; widget = widget->parentWidget())
-        for (const auto& [dock, page] : pages)
-            if (widget->objectName() == QLatin1String(dock)) return QString::fromLatin1(page);
-    return QStringLiteral("window");
 }
 
 void HelpActions::showAbout() {

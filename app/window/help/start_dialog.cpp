@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/window/help/tour/tour_actions.h"
 #include "app/window/looks/icons.h"
 
 namespace noonmark {
@@ -36,6 +37,7 @@ StartDialog::StartDialog(const RecentFiles& recent, QWidget* parent) : QDialog(p
              [this] { Q_EMIT openRequested(); });
     addRecent(*column, recent);
     addSamples(*column);
+    addTours(*column);
     column->addWidget(makeHeading(tr("Help")));
     addEntry(*column, QStringLiteral("help"), tr("User guide"), tr("How to study, compare and review"),
              "startGuide", [this] { Q_EMIT guideRequested(); });
@@ -50,6 +52,15 @@ void StartDialog::addSamples(QVBoxLayout& column) {
              [this] { Q_EMIT chosen({QStringLiteral("sample:central-park-south")}, {}); });
     addEntry(column, QStringLiteral("analyse"), tr("Grid"), tr("A synthetic city of blocks and lots"),
              "startGrid", [this] { Q_EMIT chosen({QStringLiteral("sample:grid")}, {}); });
+}
+
+void StartDialog::addTours(QVBoxLayout& column) {
+    column.addWidget(makeHeading(tr("Guided tours")));
+    const char* const icons[] = {"tower", "analyse", "review"};
+    const auto tours = listTours();
+    for (std::size_t i = 0; i < tours.size(); ++i)
+        addEntry(column, QString::fromLatin1(icons[i]), titleOf(tours[i]), aboutOf(tours[i]), "startTour",
+                 [this, i] { Q_EMIT tourRequested(i); });
 }
 
 void StartDialog::addRecent(QVBoxLayout& column, const RecentFiles& recent) {

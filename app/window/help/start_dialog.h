@@ -19,9 +19,11 @@ Q_SIGNALS:
     void chosen(QStringList files, noonmark::ReadSettings reading);
     void openRequested();
     void guideRequested();
+    void tourRequested(std::size_t tour);  ///< an index of listTours()
 
 private:
     void addSamples(QVBoxLayout& column);
+    void addTours(QVBoxLayout& column);
     void addRecent(QVBoxLayout& column, const RecentFiles& recent);
     void addEntry(QVBoxLayout& column, const QString& icon, const QString& title, const QString& text,
                   const char* name, const std::function<void()>& done);

@@ -8,15 +8,16 @@
 
 namespace noonmark {
 
-ThemeMenu::ThemeMenu(QSettings& settings, QWidget* parent) : QMenu(tr("&Colours"), parent) {
+ThemeMenu::ThemeMenu(QSettings& settings, QWidget* parent) : QMenu(tr("C&olours"), parent) {
     auto* group = new QActionGroup(this);
-    const ThemeChoice now = readThemeChoice(settings);
     for (const auto& [choice, name] :
          {std::pair{ThemeChoice::system, tr("As the &system")}, std::pair{ThemeChoice::light, tr("&Light")},
           std::pair{ThemeChoice::dark, tr("&Dark")}}) {
         QAction* action = group->addAction(name);
         action->setCheckable(true);
-        action->setChecked(choice == now);
+        connect(this, &QMenu::aboutToShow, action, [action, choice = choice, &settings] {
+            action->setChecked(choice == readThemeChoice(settings));
+        });
         connect(action, &QAction::triggered, this, [choice = choice, &settings] {
             saveThemeChoice(choice, settings);
             applyTheme(choice, qApp->property(systemPaletteName).value<QPalette>());

@@ -13,15 +13,15 @@ QString describeStoreys(int storeys) {
 }
 
 QString describeFigures(const MassingFigures& figures) {
-    return QObject::tr("%1 m, %2\n%3 m² floor area, FAR %4")
-        .arg(groupDigits(figures.heightM, 1), describeStoreys(figures.storeys),
-             groupDigits(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
+    return QObject::tr("%1, %2\n%3 floor area, FAR %4")
+        .arg(describeLength(figures.heightM), describeStoreys(figures.storeys),
+             describeFloorArea(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
 }
 
 QString describeMove(glm::dvec2 byM) {
-    return QObject::tr("%1 m %2, %3 m %4")
-        .arg(groupDigits(std::abs(byM.x), 1), byM.x < 0 ? QObject::tr("west") : QObject::tr("east"),
-             groupDigits(std::abs(byM.y), 1), byM.y < 0 ? QObject::tr("south") : QObject::tr("north"));
+    return QObject::tr("%1 %2, %3 %4")
+        .arg(describeLength(std::abs(byM.x)), byM.x < 0 ? QObject::tr("west") : QObject::tr("east"),
+             describeLength(std::abs(byM.y)), byM.y < 0 ? QObject::tr("south") : QObject::tr("north"));
 }
 
 }  // namespace noonmark

@@ -25,10 +25,10 @@ QString makeRows(const MassingFigures& figures, std::size_t demolished) {
             .arg(name, value);
     };
     return QStringLiteral("<table>") +
-           row(QObject::tr("Gross floor area"), groupDigits(figures.grossFloorM2) + QStringLiteral(" m²")) +
+           row(QObject::tr("Gross floor area"), describeFloorArea(figures.grossFloorM2)) +
            row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
            row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
-           row(QObject::tr("Height"), groupDigits(figures.heightM, 1) + QStringLiteral(" m")) +
+           row(QObject::tr("Height"), describeLength(figures.heightM)) +
            row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
            row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
            row(QObject::tr("Buildings demolished"), QString::number(demolished)) + QStringLiteral("</table>");

@@ -23,6 +23,7 @@ double valueAt(const QTableWidget& table, int row, int column) {
 
 SetbackTable::SetbackTable(QWidget* parent)
     : QWidget(parent), table_(new QTableWidget(0, 2)), remove_(new QPushButton(tr("Remove"))) {
+    remove_->setObjectName(QStringLiteral("removeSetback"));
     table_->setHorizontalHeaderLabels({tr("From height"), tr("Inset")});
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->verticalHeader()->hide();

@@ -10,6 +10,7 @@
 
 #include "app/window/point/point_inspector.h"
 #include "app/window/point/sky_picture.h"
+#include "app/window/widgets/number_words.h"
 #include "core/io/files/write_text.h"
 #include "core/study/text/point_text.h"
 
@@ -25,11 +26,12 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
     QString text = PointDock::tr("In the sun on %1: %2\nIn the year: %3 h of %4 h\nSky view factor: %5")
                        .arg(QString::fromStdString(formatText(study.question.day)),
                             QString::fromStdString(sunlitText(view, zone)))
-                       .arg(lit / 60, 0, 'f', 0)
-                       .arg(study.possibleMin / 60, 0, 'f', 0)
-                       .arg(view.factors.skyView, 0, 'f', 3);
+                       .arg(groupDigits(lit / 60, 0))
+                       .arg(groupDigits(study.possibleMin / 60, 0))
+                       .arg(groupDigits(view.factors.skyView, 3));
     if (study.question.facingDeg)
-        text += PointDock::tr("\nVertical sky component: %1 %").arg(view.factors.skyComponentPct, 0, 'f', 1);
+        text +=
+            PointDock::tr("\nVertical sky component: %1 %").arg(groupDigits(view.factors.skyComponentPct, 1));
     return text;
 }
 

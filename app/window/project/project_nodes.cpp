@@ -4,6 +4,7 @@
 
 #include "app/report/sheets/study_words.h"
 #include "app/window/study/region_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -12,7 +13,6 @@ namespace {
 
 using Kind = ProjectNode::Kind;
 
-QString tr(const char* text) { return QObject::tr(text); }
 QString formatText(const std::string& text) { return QString::fromStdString(text); }
 
 ProjectNode& added(ProjectNode& parent, ProjectNode node) {
@@ -39,14 +39,15 @@ ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString&
 
 void addCity(ProjectNode& root, const Project& project) {
     const City& city = *project.city;
-    ProjectNode& group = added(root, {.kind = Kind::group,
-                                      .text = QObject::tr("City"),
-                                      .tip = tr("The existing city, from which every scenario starts")});
-    addFact(group, tr("%1 buildings").arg(describeCount(city.buildings.size())));
-    addFact(group,
-            city.terrain
-                ? tr("Terrain of %1 × %2 points").arg(city.terrain->grid.columns).arg(city.terrain->grid.rows)
-                : tr("Flat ground"));
+    ProjectNode& group =
+        added(root, {.kind = Kind::group,
+                     .text = QObject::tr("City"),
+                     .tip = QObject::tr("The existing city, from which every scenario starts")});
+    addFact(group, QObject::tr("%1 buildings").arg(formatCount(city.buildings.size())));
+    addFact(group, city.terrain ? QObject::tr("Terrain of %1 × %2 points")
+                                      .arg(city.terrain->grid.columns)
+                                      .arg(city.terrain->grid.rows)
+                                : QObject::tr("Flat ground"));
     if (!project.attribution.empty()) addFact(group, describeData(project.attribution));
     for (const InputFile& input : project.inputs)
         addFact(group, formatText(input.path.filename().string()),
@@ -55,98 +56,104 @@ void addCity(ProjectNode& root, const Project& project) {
 
 void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
     QStringList notes;
-    if (!scenario.base.empty()) notes << tr("from %1").arg(formatText(scenario.base));
-    if (baseline) notes << tr("baseline");
+    if (!scenario.base.empty()) notes << QObject::tr("from %1").arg(formatText(scenario.base));
+    if (baseline) notes << QObject::tr("baseline");
     ProjectNode& node =
         addPart(group, scenario.name,
                 notes.isEmpty() ? QString() : QStringLiteral("(%1)").arg(notes.join(QStringLiteral(", "))),
-                tr("Press Enter or double-click to show it"));
+                QObject::tr("Press Enter or double-click to show it"));
     node.emphasized = shown;
     for (std::size_t i = 0; i < scenario.edits.size(); ++i)
-        added(node,
-              {.kind = Kind::edit,
-               .part = ProjectPart::scenario,
-               .name = scenario.name,
-               .position = i,
-               .text = formatText(noonmark::formatText(scenario.edits[i])),
-               .tip =
-                   tr("Step %1 of %2; press Delete to remove it").arg(i + 1).arg(formatText(scenario.name))});
+        added(node, {.kind = Kind::edit,
+                     .part = ProjectPart::scenario,
+                     .name = scenario.name,
+                     .position = i,
+                     .text = formatText(noonmark::formatText(scenario.edits[i])),
+                     .tip = QObject::tr("Step %1 of %2; press Delete to remove it")
+                                .arg(i + 1)
+                                .arg(formatText(scenario.name))});
 }
 
 void addScenarios(ProjectNode& root, const Project& project, const std::string& shown,
                   const std::string& baseline) {
-    ProjectNode& group = addGroup(root, ProjectPart::scenario, tr("Scenarios"), project.scenarios.size(),
-                                  tr("Lists of changes to the city; the displayed one is bold"));
+    ProjectNode& group =
+        addGroup(root, ProjectPart::scenario, QObject::tr("Scenarios"), project.scenarios.size(),
+                 QObject::tr("Lists of changes to the city; the displayed one is bold"));
     addScenario(group, {existingCity, {}, {}}, shown == existingCity, baseline == existingCity);
-    group.children.back()->tip = tr("The existing city. Press Enter or double-click to show it");
+    group.children.back()->tip = QObject::tr("The existing city. Press Enter or double-click to show it");
     for (const Scenario& scenario : project.scenarios)
         addScenario(group, scenario, shown == scenario.name, baseline == scenario.name);
 }
 
 void addLots(ProjectNode& root, const Project& project) {
-    ProjectNode& group =
-        addGroup(root, ProjectPart::lot, tr("Lots"), project.lots.size(), tr("Ground to build on"));
+    ProjectNode& group = addGroup(root, ProjectPart::lot, QObject::tr("Lots"), project.lots.size(),
+                                  QObject::tr("Ground to build on"));
     for (const NamedLot& lot : project.lots)
         addPart(group, lot.name,
                 lot.roads.empty() ? describeArea(area(lot.outline))
-                                  : tr("%1, roads: %2")
+                                  : QObject::tr("%1, roads: %2")
                                         .arg(describeArea(area(lot.outline)),
                                              QString::fromStdString(noonmark::formatText(lot.roads))),
-                tr("Press Enter or double-click to zoom to it"));
+                QObject::tr("Press Enter or double-click to zoom to it"));
 }
 
 void addRegions(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::region, tr("Regions"), project.regions.size(),
-                                  tr("Where shadow is measured"));
+    ProjectNode& group = addGroup(root, ProjectPart::region, QObject::tr("Regions"), project.regions.size(),
+                                  QObject::tr("Where shadow is measured"));
     for (const Region& region : project.regions) {
         double areaM2 = 0;
         for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
         addPart(group, region.name, describeArea(areaM2),
-                tr("Press Enter or double-click to use it as the study region"));
+                QObject::tr("Press Enter or double-click to use it as the study region"));
     }
 }
 
 void addPlaces(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::place, tr("Places"), project.places.size(),
-                                  tr("Areas whose sunlight matters: parks, playgrounds, school grounds..."));
+    ProjectNode& group =
+        addGroup(root, ProjectPart::place, QObject::tr("Places"), project.places.size(),
+                 QObject::tr("Areas whose sunlight matters: parks, playgrounds, school grounds..."));
     for (const Place& place : project.places)
         addPart(group, place.name,
-                tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
-                tr("%1\nPress Enter or double-click to zoom to it").arg(formatText(place.source)).trimmed());
+                QObject::tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
+                QObject::tr("%1\nPress Enter or double-click to zoom to it")
+                    .arg(formatText(place.source))
+                    .trimmed());
 }
 
 void addPeriods(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::period, tr("Periods"), project.periods.size(),
-                                  tr("Days and hours to study"));
+    ProjectNode& group = addGroup(root, ProjectPart::period, QObject::tr("Periods"), project.periods.size(),
+                                  QObject::tr("Days and hours to study"));
     for (const NamedPeriod& period : project.periods)
         addPart(group, period.name, {},
-                tr("%1\nPress Enter or double-click to use it as the study period")
+                QObject::tr("%1\nPress Enter or double-click to use it as the study period")
                     .arg(formatText(noonmark::formatText(period.period))));
 }
 
 void addWeights(ProjectNode& root, const Project& project) {
-    ProjectNode& group =
-        addGroup(root, ProjectPart::weights, tr("Weight tables"), project.weights.size(),
-                 tr("How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year"));
+    ProjectNode& group = addGroup(
+        root, ProjectPart::weights, QObject::tr("Weight tables"), project.weights.size(),
+        QObject::tr("How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year"));
     for (const TimeWeights& table : project.weights) {
-        ProjectNode& node = addPart(group, table.name, {},
-                                    tr("Press Enter or double-click to edit it and compute scores with it"));
+        ProjectNode& node =
+            addPart(group, table.name, {},
+                    QObject::tr("Press Enter or double-click to edit it and compute scores with it"));
         for (const WeightedInterval& interval : table.intervals)
             addFact(node, QStringLiteral("%1   %2").arg(formatText(interval.name)).arg(interval.weight));
     }
 }
 
 void addResults(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::result, tr("Saved results"), project.results.size(),
-                                  tr("Maps and figures saved in the project"));
+    ProjectNode& group =
+        addGroup(root, ProjectPart::result, QObject::tr("Saved results"), project.results.size(),
+                 QObject::tr("Maps and figures saved in the project"));
     for (const auto& result : project.results) {
-        const QString of =
-            result->baseline.empty()
-                ? formatText(result->scenario)
-                : tr("%1 compared with %2").arg(formatText(result->scenario), formatText(result->baseline));
-        addPart(
-            group, result->name, {},
-            tr("%1 of %2\nPress Enter or double-click to show it again").arg(formatText(result->kind), of));
+        const QString of = result->baseline.empty()
+                               ? formatText(result->scenario)
+                               : QObject::tr("%1 compared with %2")
+                                     .arg(formatText(result->scenario), formatText(result->baseline));
+        addPart(group, result->name, {},
+                QObject::tr("%1 of %2\nPress Enter or double-click to show it again")
+                    .arg(formatText(result->kind), of));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "app/window/results/impact_picture.h"
 #include "app/window/results/score_picture.h"
 #include "app/window/view/hover_text.h"
+#include "app/window/widgets/number_words.h"
 #include "core/measures/has_runs.h"
 
 namespace noonmark {
@@ -36,8 +37,8 @@ QString nameOf(const std::string& name) { return QString::fromStdString(name); }
 QString describeError(const Study& study) {
     if (!study.error) return {};
     return QObject::tr("Measured error against rays: %1 % of the area, %2 % of the minutes of a cell")
-        .arg(QString::number(study.error->areaPct, 'f', 2),
-             QString::number(study.error->gross.percent(study.error->gross.meanMin), 'f', 2));
+        .arg(groupDigits(study.error->areaPct, 2),
+             groupDigits(study.error->gross.percent(study.error->gross.meanMin), 2));
 }
 
 QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }

@@ -6,6 +6,7 @@
 #include "app/report/maps/impact_legend.h"
 #include "app/window/results/field_picture.h"
 #include "app/window/view/hover_text.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -14,7 +15,7 @@ namespace {
 QString signedMinutes(float minutes) {
     return QStringLiteral("%1%2")
         .arg(minutes > 0 ? QStringLiteral("+") : QString())
-        .arg(double(minutes), 0, 'f', 1);
+        .arg(groupDigits(double(minutes), 1));
 }
 
 }  // namespace

@@ -4,13 +4,12 @@
 
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/measures/has_runs.h"
 
 namespace noonmark {
 
 namespace {
-
-QString tr(const char* text) { return QObject::tr(text); }
 
 double accumulateSeconds(const Study& study) {
     const auto found = study.seconds.find("accumulate");
@@ -18,45 +17,48 @@ double accumulateSeconds(const Study& study) {
 }
 
 ResultRow minutes(const QString& name, double value, const QString& meaning) {
-    return {name, describeAmount(value) + QStringLiteral(" min"), meaning};
+    return {name, formatAmount(value) + QStringLiteral(" min"), meaning};
 }
 
 std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
     const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
     std::vector<ResultRow> rows{
-        {tr("Shadow area"), describeAmount(s.shadowAreaM2, 0) + QStringLiteral(" m²"),
-         tr("Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
-        {tr("Share of ground"), describeAmount(share) + QStringLiteral(" %"),
-         tr("Shadow area over the area of all receivers")}};
+        {QObject::tr("Shadow area"), formatAmount(s.shadowAreaM2, 0) + QStringLiteral(" m²"),
+         QObject::tr("Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
+        {QObject::tr("Share of ground"), formatAmount(share) + QStringLiteral(" %"),
+         QObject::tr("Shadow area over the area of all receivers")}};
     if (instant) return rows;
-    rows.push_back(minutes(tr("Mean gross"), s.meanGrossMin,
-                           tr("Minutes in shadow per day, mean over days and receivers")));
+    rows.push_back(minutes(QObject::tr("Mean gross"), s.meanGrossMin,
+                           QObject::tr("Minutes in shadow per day, mean over days and receivers")));
     if (!hasRuns(s)) {
-        rows.push_back({tr("Continuous"), tr("not counted"), tr("The engine computed gross shadow only")});
+        rows.push_back({QObject::tr("Continuous"), QObject::tr("not counted"),
+                        QObject::tr("The engine computed gross shadow only")});
         return rows;
     }
-    rows.push_back(minutes(tr("Mean continuous"), s.meanContinuousMin,
-                           tr("Longest unbroken run in shadow on any day, mean over the receivers")));
-    rows.push_back(minutes(tr("Max continuous"), s.maxContinuousMin,
-                           tr("Longest unbroken run in shadow at any receiver on any day")));
+    rows.push_back(
+        minutes(QObject::tr("Mean continuous"), s.meanContinuousMin,
+                QObject::tr("Longest unbroken run in shadow on any day, mean over the receivers")));
+    rows.push_back(minutes(QObject::tr("Max continuous"), s.maxContinuousMin,
+                           QObject::tr("Longest unbroken run in shadow at any receiver on any day")));
     return rows;
 }
 
 void addErrorRows(std::vector<ResultRow>& rows, const std::vector<ErrorLine>& errors) {
     for (const ErrorLine& line : errors)
-        rows.push_back({QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
-                        QString::fromStdString(line.value),
-                        tr("Against the ray reference, on a sample of the receivers over the same steps")});
+        rows.push_back(
+            {QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
+             localiseNumbers(QString::fromStdString(line.value)),
+             QObject::tr("Against the ray reference, on a sample of the receivers over the same steps")});
 }
 
 void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
     const double megaRays = figures.seconds > 0 ? double(figures.rays) / figures.seconds * 1e-6 : 0;
     if (figures.rays > 0)
         rows.push_back(
-            {tr("Speed"), describeAmount(megaRays) + tr(" M rays/s"),
-             tr("%1 occlusion rays divided by the engine's time").arg(describeCount(figures.rays))});
-    rows.push_back({tr("Time"), describeAmount(figures.seconds, 2) + QStringLiteral(" s"),
-                    tr("Time taken by the engine")});
+            {QObject::tr("Speed"), formatAmount(megaRays) + QObject::tr(" M rays/s"),
+             QObject::tr("%1 occlusion rays divided by the engine's time").arg(formatCount(figures.rays))});
+    rows.push_back({QObject::tr("Time"), formatAmount(figures.seconds, 2) + QStringLiteral(" s"),
+                    QObject::tr("Time taken by the engine")});
 }
 
 StudyFigures figuresOfStudy(const Study& study) {
@@ -76,17 +78,18 @@ StudyFigures figuresOfStudy(const Study& study) {
 
 std::vector<ResultRow> makeRows(const StudyFigures& figures) {
     std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
-    rows.push_back({tr("Receivers"), describeCount(figures.statistics.receivers),
-                    tr("Cells in which shadow is measured")});
-    rows.push_back({tr("Steps of the sun"), describeCount(figures.steps),
-                    tr("Positions of the sun above the horizon; %1 below it were left out")
-                        .arg(describeCount(figures.belowHorizon))});
-    rows.push_back({tr("Sunlit time"), describeAmount(figures.sunlitMinutesPerDay) + tr(" min/day"),
-                    tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
+    rows.push_back({QObject::tr("Receivers"), formatCount(figures.statistics.receivers),
+                    QObject::tr("Cells in which shadow is measured")});
+    rows.push_back({QObject::tr("Steps of the sun"), formatCount(figures.steps),
+                    QObject::tr("Positions of the sun above the horizon; %1 below it were left out")
+                        .arg(formatCount(figures.belowHorizon))});
+    rows.push_back({QObject::tr("Sunlit time"),
+                    formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
+                    QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
     addTimeRows(rows, figures);
-    rows.push_back({tr("Period"), QString::fromStdString(figures.period), {}});
+    rows.push_back({QObject::tr("Period"), QString::fromStdString(figures.period), {}});
     addErrorRows(rows, figures.errors);
-    rows.push_back({tr("Engine"), QString::fromStdString(figures.engine), {}});
+    rows.push_back({QObject::tr("Engine"), QString::fromStdString(figures.engine), {}});
     return rows;
 }
 

@@ -6,6 +6,7 @@
 #include "app/report/maps/score_legend.h"
 #include "app/window/results/field_picture.h"
 #include "app/window/view/hover_text.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -27,7 +28,7 @@ QString formatScore(const Score& score, glm::dvec2 point) {
     if (std::isnan(value)) return QObject::tr("not measured");
     return QObject::tr("score %1%2 m² a m²")
         .arg(value > 0 ? QStringLiteral("+") : QString())
-        .arg(double(value), 0, 'f', 3);
+        .arg(groupDigits(double(value), 3));
 }
 
 }  // namespace noonmark

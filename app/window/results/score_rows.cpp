@@ -5,17 +5,18 @@
 #include <algorithm>
 
 #include "app/report/sheets/study_words.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
 namespace {
 
 QString signedArea(double areaM2) {
-    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeAmount(areaM2, 0) + QStringLiteral(" m²");
+    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + formatAmount(areaM2, 0) + QStringLiteral(" m²");
 }
 
 QString areaAndScore(double areaM2, double scoreM2) {
-    return QObject::tr("%1 m² shadow, score %2").arg(describeAmount(areaM2, 0), signedArea(scoreM2));
+    return QObject::tr("%1 m² shadow, score %2").arg(formatAmount(areaM2, 0), signedArea(scoreM2));
 }
 
 void addMonths(std::vector<ResultRow>& rows, const Score& score) {
@@ -23,7 +24,7 @@ void addMonths(std::vector<ResultRow>& rows, const Score& score) {
         rows.push_back(
             {describeMonth(month.month), areaAndScore(month.shadowAreaM2, month.scoreM2),
              QObject::tr("Shadow area over %1 sunlit minutes, and the month's contribution to the score")
-                 .arg(describeAmount(month.sunlitMinutes, 0))});
+                 .arg(formatAmount(month.sunlitMinutes, 0))});
 }
 
 // Intervals without steps of the sun have neither shadow area nor score.
@@ -40,8 +41,7 @@ void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
 }  // namespace
 
 QString describeMonth(std::chrono::year_month month) {
-    const QString name =
-        QLocale(QLocale::English).standaloneMonthName(int(unsigned(month.month())), QLocale::ShortFormat);
+    const QString name = QLocale().standaloneMonthName(int(unsigned(month.month())), QLocale::ShortFormat);
     return QStringLiteral("%1 %2").arg(name).arg(int(month.year()));
 }
 
@@ -52,7 +52,7 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
                                  QObject::tr("Sum over intervals of weight × share of the interval's sunlit "
                                              "time in shadow × cell area. Above "
                                              "0, wanted shade outweighs unwanted shadow")},
-                                {QObject::tr("per m² of ground"), QString::number(perArea, 'f', 3),
+                                {QObject::tr("per m² of ground"), groupDigits(perArea, 3),
                                  QObject::tr("Score divided by the area of all receivers")},
                                 {QObject::tr("Scored"),
                                  QObject::tr("%1\nwith the weights %2")
@@ -60,7 +60,7 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
                                  {}}};
     addMonths(rows, score);
     addIntervals(rows, score);
-    rows.push_back({QObject::tr("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²"),
+    rows.push_back({QObject::tr("Receivers"), formatAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²"),
                     QObject::tr("Open ground of the region")});
     rows.push_back({QObject::tr("Period"), QString::fromStdString(period), {}});
     rows.push_back({QObject::tr("Engine"), QString::fromStdString(score.engine), {}});

@@ -10,13 +10,12 @@ namespace noonmark {
 
 namespace {
 
-QString tr(const char* text) { return QObject::tr(text); }
 QString formatText(const std::string& text) { return QString::fromStdString(text); }
 
 // In local time, since the reader usually saved it on the same machine.
 QString keptAt(const SavedOrigin& origin) {
     const QDateTime at = QDateTime::fromString(formatText(origin.at), Qt::ISODate).toLocalTime();
-    return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : tr("at an unknown date");
+    return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : QObject::tr("at an unknown date");
 }
 
 std::vector<ResultRow> figureRows(const SavedStudy& study, const ShownResult& result) {
@@ -70,22 +69,26 @@ std::optional<ShownResult> reweigh(const ShownResult& result, const Project& pro
 }
 
 GroundAnswer makeGroundAnswer(const ShownResult& result) {
-    const QString saved = tr("Saved %1: %2").arg(keptAt(result.answer->origin), formatText(result.name));
-    const QString note = result.upToDate() ? saved : tr("%1. Outdated").arg(saved);
+    const QString saved =
+        QObject::tr("Saved %1: %2").arg(keptAt(result.answer->origin), formatText(result.name));
+    const QString note = result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
     return runsLookedFor({mapOf(result.answer), nullptr, note, !result.upToDate()});
 }
 
 std::vector<ResultRow> makeRows(const ShownResult& result) {
     const SavedOrigin& origin = result.answer->origin;
     std::vector<ResultRow> rows{
-        {tr("Saved result"), formatText(result.name), tr("As saved in the project, not recomputed")},
-        {tr("Scenario"), formatText(result.scenario), {}},
-        {tr("Region"),
-         tr("%1\ncells of %2 m")
-             .arg(origin.region.empty() ? tr("unnamed") : formatText(origin.region))
+        {QObject::tr("Saved result"), formatText(result.name),
+         QObject::tr("As saved in the project, not recomputed")},
+        {QObject::tr("Scenario"), formatText(result.scenario), {}},
+        {QObject::tr("Region"),
+         QObject::tr("%1\ncells of %2 m")
+             .arg(origin.region.empty() ? QObject::tr("unnamed") : formatText(origin.region))
              .arg(result.cellM),
          {}},
-        {tr("Computed by"), tr("%1, saved %2").arg(formatText(origin.program), keptAt(origin)), {}}};
+        {QObject::tr("Computed by"),
+         QObject::tr("%1, saved %2").arg(formatText(origin.program), keptAt(origin)),
+         {}}};
     std::visit(
         [&](const auto& answer) {
             for (ResultRow& row : figureRows(answer, result)) rows.push_back(std::move(row));
@@ -95,10 +98,10 @@ std::vector<ResultRow> makeRows(const ShownResult& result) {
 }
 
 QString describeSaved(const ShownResult& result) {
-    QStringList words{tr("A result saved %1.").arg(keptAt(result.answer->origin))};
+    QStringList words{QObject::tr("A result saved %1.").arg(keptAt(result.answer->origin))};
     for (const auto* changes : {&result.changes, &result.weightChanges})
         for (const std::string& change : *changes) words << formatText(change);
-    if (result.upToDate()) words << tr("Its inputs have not changed since.");
+    if (result.upToDate()) words << QObject::tr("Its inputs have not changed since.");
     return words.join(QLatin1Char('\n'));
 }
 

@@ -23,7 +23,7 @@ DayPanel::DayPanel(QWidget* parent)
     reading_->setObjectName(QStringLiteral("timelineReading"));
     reading_->setWordWrap(true);
     day_->setObjectName(QStringLiteral("timelineDay"));
-    day_->setDisplayFormat(QStringLiteral("d MMM yyyy"));
+    day_->setDisplayFormat(dayOfYear());
     day_->setCalendarPopup(true);
     day_->setToolTip(tr("Any day, in the hours of the rule"));
     auto* row = new QHBoxLayout;

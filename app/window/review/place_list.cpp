@@ -11,6 +11,7 @@
 #include <set>
 
 #include "app/window/study/region_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -43,6 +44,7 @@ QPushButton* makeSmallButton(const QString& text, const QString& tip, QHBoxLayou
 
 PlaceList::PlaceList(QWidget* parent)
     : QWidget(parent), filter_(new QLineEdit), list_(new QListWidget), count_(new QLabel) {
+    filter_->setObjectName(QStringLiteral("placeFilter"));
     filter_->setPlaceholderText(tr("Find a place"));
     filter_->setClearButtonEnabled(true);
     list_->setObjectName(QStringLiteral("reviewPlaces"));

@@ -21,6 +21,7 @@
 #include "app/window/review/rule_form.h"
 #include "app/window/review/verdict_table.h"
 #include "app/window/review/verdict_words.h"
+#include "app/window/widgets/number_words.h"
 #include "app/window/widgets/progress_strip.h"
 #include "core/review/rule_text.h"
 #include "core/review/verdict_text.h"
@@ -47,15 +48,17 @@ QString describeSums(const ReviewTotals& sums, UnitSystem units) {
     const auto share = [&](double m2h) {
         return sums.theoreticalM2h > 0 ? 100 * m2h / sums.theoreticalM2h : 0.0;
     };
-    const auto text = [&](double m2h) { return QString::fromStdString(formatAreaHours(m2h, units)); };
+    const auto text = [&](double m2h) {
+        return localiseNumbers(QString::fromStdString(formatAreaHours(m2h, units)));
+    };
     QString words = QObject::tr(
                         "Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the "
                         "scenario; incremental shadow takes %4 (%5 %)")
                         .arg(text(sums.theoreticalM2h))
-                        .arg(share(sums.baselineM2h), 0, 'f', 2)
-                        .arg(share(sums.scenarioM2h), 0, 'f', 2)
+                        .arg(groupDigits(share(sums.baselineM2h), 2))
+                        .arg(groupDigits(share(sums.scenarioM2h), 2))
                         .arg(text(sums.incrementalM2h))
-                        .arg(share(sums.incrementalM2h), 0, 'f', 2);
+                        .arg(groupDigits(share(sums.incrementalM2h), 2));
     if (sums.largestDay && sums.incrementalM2h > 0)
         words += QObject::tr(", most on %1").arg(QString::fromStdString(formatText(*sums.largestDay)));
     return words + u'.';
@@ -280,7 +283,7 @@ void ReviewDock::showDetails() {
     if (!answer_ || !chosenDay_) return;
     const PlaceReview& place = answer_->study.places[chosen_];
     QString text = tr("%1: %2.").arg(QString::fromStdString(place.name),
-                                     QString::fromStdString(describeReason(place, units_)));
+                                     localiseNumbers(QString::fromStdString(describeReason(place, units_))));
     if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
 }

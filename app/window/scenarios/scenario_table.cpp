@@ -4,6 +4,7 @@
 
 #include "app/report/sheets/study_words.h"
 #include "app/window/project/project_session.h"
+#include "app/window/widgets/number_words.h"
 #include "core/measures/has_runs.h"
 
 namespace noonmark {
@@ -16,18 +17,26 @@ struct Column {
 };
 
 constexpr Column columns[] = {
-    {"Scenario", "Double-click to show it"},
-    {"Changes", "Steps from the existing city, including those of its bases"},
-    {"Shadow area, m²", "Sum over the receivers of (share of the sunlit time in shadow × cell area)"},
-    {"Mean gross, min", "Minutes in shadow per day, mean over days and receivers"},
-    {"Mean continuous, min", "Longest unbroken run in shadow on any day, mean over the receivers"},
+    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Scenario"),
+     QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Double-click to show it")},
+    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Changes"),
+     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                       "Steps from the existing city, including those of its bases")},
+    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Shadow area, m²"),
+     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                       "Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
+    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Mean gross, min"),
+     QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Minutes in shadow per day, mean over days and receivers")},
+    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Mean continuous, min"),
+     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                       "Longest unbroken run in shadow on any day, mean over the receivers")},
 };
 
 QString figureAt(const Study& study, int column) {
     const ShadowStatistics& figures = study.statistics;
-    if (column == 2) return describeAmount(figures.shadowAreaM2, 0);
+    if (column == 2) return formatAmount(figures.shadowAreaM2, 0);
     if (column == 4 && !hasRuns(figures)) return QObject::tr("not counted");
-    return describeAmount(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
+    return formatAmount(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 
 namespace noonmark {
 
-QString describeArea(double areaM2) { return QString::fromStdString(formatArea(areaM2, UnitSystem::metric)); }
-
 QString describeKind(PlaceKind kind) {
     switch (kind) {
         case PlaceKind::park:
@@ -37,7 +35,7 @@ QString describeKind(PlaceKind kind) {
 
 QString describeDrawn(const PolygonTool& tool) {
     if (tool.sideM() == 0) return {};
-    const QString side = QStringLiteral("%1 m").arg(tool.sideM(), 0, 'f', 1);
+    const QString side = describeLength(tool.sideM());
     return tool.areaM2() == 0 ? side : side + QStringLiteral(", ") + describeArea(tool.areaM2());
 }
 
@@ -48,10 +46,10 @@ QString describeRegion(const Region& region, double cellM) {
     const Box2 box = bounds(region);
     const QString name =
         region.name.empty() ? QStringLiteral("Polygon") : QString::fromStdString(region.name);
-    return QObject::tr("%1\n%2 × %3 m, %4, %5 cells")
+    return QObject::tr("%1\n%2 × %3, %4, %5 cells")
         .arg(name.at(0).toUpper() + name.mid(1))
-        .arg(double(box.high.x - box.low.x), 0, 'f', 0)
-        .arg(double(box.high.y - box.low.y), 0, 'f', 0)
+        .arg(describeLength(double(box.high.x - box.low.x), 0))
+        .arg(describeLength(double(box.high.y - box.low.y), 0))
         .arg(describeArea(areaM2), groupDigits(areaM2 / (cellM * cellM)));
 }
 

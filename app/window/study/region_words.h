@@ -8,9 +8,6 @@
 
 namespace noonmark {
 
-/// "12,345 m²", or "67.8 ha" from ten hectares on.
-QString describeArea(double areaM2);
-
 /// "park", "school grounds", ...: the kind of a place in the window.
 QString describeKind(PlaceKind kind);
 

@@ -22,7 +22,7 @@ CivilDate today() { return civilOf(QDate::currentDate()); }
 
 QString dayText(std::chrono::month_day day) {
     const QDate date(2024, int(unsigned(day.month())), int(unsigned(day.day())));
-    return QLocale().toString(date, QStringLiteral("d MMMM"));
+    return QLocale().toString(date, longDay());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "app/window/time/time_strip.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -25,7 +26,7 @@ constexpr double minutesPerWidth = 720, daysPerHeight = 182;
 QString describeShare(const ShadowField& field) {
     const ShadowStatistics figures = computeStatistics(field);
     const double share = figures.receiverAreaM2 > 0 ? figures.shadowAreaM2 / figures.receiverAreaM2 : 0;
-    return QObject::tr("%1 % in shadow").arg(describeAmount(100 * share));
+    return QObject::tr("%1 % in shadow").arg(formatAmount(100 * share));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TimeLook firstLook(const Period& study) {
 
 QString describe(const TimeLook& look) {
     if (look.span == LookSpan::period) return {};
-    const QString date = QLocale(QLocale::English).toString(dateOf(look.date), QStringLiteral("d MMMM yyyy"));
+    const QString date = QLocale().toString(dateOf(look.date), longDate());
     if (look.span == LookSpan::day) return date;
     return QStringLiteral("%1, %2").arg(date, QString::fromStdString(formatText(look.at)));
 }

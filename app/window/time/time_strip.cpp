@@ -72,7 +72,7 @@ void TimeStrip::makeFields() {
                minutesADay - 1, 60);
     dateField_ = new QDateEdit;
     dateField_->setObjectName(QStringLiteral("lookDateField"));
-    dateField_->setDisplayFormat(QStringLiteral("d MMM"));
+    dateField_->setDisplayFormat(shortDay());
     dateField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     timeField_ = new QTimeEdit;
     timeField_->setObjectName(QStringLiteral("lookTimeField"));
@@ -254,7 +254,7 @@ void TimeStrip::showMarks() {
     std::vector<MarkedSlider::Mark> marks;
     for (const QDate date : {QDate(first.year(), 3, 21), QDate(first.year(), 6, 21),
                              QDate(first.year(), 9, 22), QDate(first.year(), 12, 21)})
-        marks.push_back({int(first.daysTo(date)), locale().toString(date, QStringLiteral("d MMM"))});
+        marks.push_back({int(first.daysTo(date)), locale().toString(date, tr("d MMM"))});
     date_->setMarks(marks);
 }
 

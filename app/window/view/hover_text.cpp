@@ -5,6 +5,7 @@
 
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/city/terrain/building_ground.h"
 
 namespace noonmark {
@@ -13,16 +14,16 @@ namespace {
 
 QString placeText(const Pick& pick, const City& city) {
     const LonLat place = city.frame.lonLatFromLocal({pick.position.x, pick.position.y});
-    return QObject::tr("%1   height %2 m   x %3 m, y %4 m")
+    return QObject::tr("%1   height %2   x %3 m, y %4 m")
         .arg(describeLatLon(place))
-        .arg(pick.position.z, 0, 'f', 1)
-        .arg(pick.position.x, 0, 'f', 1)
-        .arg(pick.position.y, 0, 'f', 1);
+        .arg(describeLength(pick.position.z))
+        .arg(groupDigits(pick.position.x, 1))
+        .arg(groupDigits(pick.position.y, 1));
 }
 
 QString buildingText(const Building& building, const City& city) {
     const QString name = QString::fromStdString(building.name.empty() ? building.sourceId : building.name);
-    QString text = QObject::tr("%1, %2 m high").arg(name).arg(double(heightM(building, city)), 0, 'f', 1);
+    QString text = QObject::tr("%1, %2 high").arg(name).arg(describeLength(double(heightM(building, city))));
     if (!building.status.empty())
         text += QStringLiteral(" (%1)").arg(QString::fromStdString(building.status));
     return text;
@@ -40,9 +41,9 @@ std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point) {
 QString formatMinutes(float gross, float continuous, bool instant) {
     if (std::isnan(gross)) return QObject::tr("not measured");
     if (instant) return gross > 0 ? QObject::tr("in shadow") : QObject::tr("in the sun");
-    const QString text = QObject::tr("gross %1 min a day").arg(double(gross), 0, 'f', 1);
+    const QString text = QObject::tr("gross %1 min a day").arg(groupDigits(double(gross), 1));
     if (std::isnan(continuous)) return text;
-    return text + QObject::tr(", continuous %1 min").arg(double(continuous), 0, 'f', 1);
+    return text + QObject::tr(", continuous %1 min").arg(groupDigits(double(continuous), 1));
 }
 
 QString formatMinutes(const ShadowField& field, glm::dvec2 point) {

@@ -18,20 +18,28 @@ struct ColumnWords {
 };
 
 constexpr ColumnWords columns[] = {
-    {"name", "Interval", "Name of the interval"},
-    {"first", "First", "First day, every year: month and day such as 06-01, or a month such as June"},
-    {"last", "Last",
-     "Last day, included; before the first: across New Year. Such as 08-31, or a month such as August"},
-    {"from", "From", "Time of day at which it begins, wall clock: 00:00 to 24:00"},
-    {"to", "To", "Time of day at which it ends: 00:00 to 24:00"},
-    {"weight", "Weight", "-1 (shadow unwanted) to 1 (shade wanted)"},
+    {"name", QT_TRANSLATE_NOOP("noonmark::WeightsModel", "Interval"),
+     QT_TRANSLATE_NOOP("noonmark::WeightsModel", "Name of the interval")},
+    {"first", QT_TRANSLATE_NOOP("noonmark::WeightsModel", "First"),
+     QT_TRANSLATE_NOOP("noonmark::WeightsModel",
+                       "First day, every year: month and day such as 06-01, or a month such as June")},
+    {"last", QT_TRANSLATE_NOOP("noonmark::WeightsModel", "Last"),
+     QT_TRANSLATE_NOOP(
+         "noonmark::WeightsModel",
+         "Last day, included; before the first: across New Year. Such as 08-31, or a month such as August")},
+    {"from", QT_TRANSLATE_NOOP("noonmark::WeightsModel", "From"),
+     QT_TRANSLATE_NOOP("noonmark::WeightsModel",
+                       "Time of day at which it begins, wall clock: 00:00 to 24:00")},
+    {"to", QT_TRANSLATE_NOOP("noonmark::WeightsModel", "To"),
+     QT_TRANSLATE_NOOP("noonmark::WeightsModel", "Time of day at which it ends: 00:00 to 24:00")},
+    {"weight", QT_TRANSLATE_NOOP("noonmark::WeightsModel", "Weight"),
+     QT_TRANSLATE_NOOP("noonmark::WeightsModel", "-1 (shadow unwanted) to 1 (shade wanted)")},
 };
 
 QString describeDay(std::chrono::month_day day) {
-    const QLocale english(QLocale::English);
     return QStringLiteral("%1 %2")
         .arg(unsigned(day.day()))
-        .arg(english.standaloneMonthName(int(unsigned(day.month())), QLocale::ShortFormat));
+        .arg(QLocale().standaloneMonthName(int(unsigned(day.month())), QLocale::ShortFormat));
 }
 
 QString shownText(const WeightedInterval& interval, int column) {

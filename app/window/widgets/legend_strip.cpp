@@ -10,6 +10,7 @@
 
 #include "app/report/maps/map_furniture.h"
 #include "app/window/looks/theme.h"
+#include "app/window/widgets/legend_words.h"
 
 namespace noonmark {
 
@@ -91,8 +92,8 @@ LegendStrip::LegendStrip(QWidget* parent)
     : QWidget(parent), measure_(new QComboBox), scale_(changeScaleField()) {
     setFixedHeight(stripHeight);
     measure_->setObjectName(QStringLiteral("measure"));
-    measure_->addItem(nameOf(ShadowMeasure::gross));
-    measure_->addItem(nameOf(ShadowMeasure::continuous));
+    measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::gross)));
+    measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::continuous)));
     measure_->setToolTip(
         tr("What is displayed.\nGross shadow: minutes in shadow per day, mean over the days.\nContinuous "
            "shadow: longest unbroken run in shadow on any day, minutes."));
@@ -235,7 +236,9 @@ void LegendStrip::paintEvent(QPaintEvent*) {
     paintScale(canvas);
     paintNote(canvas);
     const QRectF area = legendArea();
-    if (legend_) return paintLegend({painter, area.height() / legendHeightPt, canvas.inks}, area, *legend_);
+    if (legend_)
+        return paintLegend({painter, area.height() / legendHeightPt, canvas.inks}, area,
+                           translateLegend(*legend_));
     painter.setPen(canvas.inks.quiet);
     painter.setFont(font());
     painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, hint_);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QSettings;
+
+namespace noonmark {
+
+/// What the user sets once for all projects: language, colours, units, paper, start page. Each is read and
+/// saved by the functions that use it; the dialog stores nothing of its own. Applies on OK: colours at once,
+/// language and units when the program starts again.
+class PreferencesDialog final : public QDialog {
+    Q_OBJECT
+public:
+    explicit PreferencesDialog(QSettings& settings, QWidget* parent = nullptr);  ///< must outlive it
+
+Q_SIGNALS:
+    void paperChosen();
+    void restartNeeded();  ///< for the new language or units
+
+private:
+    void addLooks(QFormLayout& form);
+    void addUse(QFormLayout& form);
+    void save();
+    bool saveLooks();
+
+    QSettings& settings_;
+    QComboBox* language_;
+    QComboBox* theme_;
+    QComboBox* units_;
+    QComboBox* paper_;
+    QComboBox* orientation_;
+    QCheckBox* start_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,52 @@
+#include "app/window/widgets/legend_words.h"
+
+#include <QCoreApplication>
+
+#include "app/window/widgets/number_words.h"
+
+namespace noonmark {
+
+namespace {
+
+// What shadow_measure.cpp, legend_painter.cpp, impact_legend.cpp and score_legend.cpp write.
+[[maybe_unused]] constexpr const char* words[] = {
+    QT_TRANSLATE_NOOP("Legend", "Gross shadow"),
+    QT_TRANSLATE_NOOP("Legend", "Continuous shadow"),
+    QT_TRANSLATE_NOOP("Legend", "minutes in shadow a day"),
+    QT_TRANSLATE_NOOP("Legend", "longest run, minutes"),
+    QT_TRANSLATE_NOOP("Legend", "Change of gross shadow"),
+    QT_TRANSLATE_NOOP("Legend", "Change of continuous shadow"),
+    QT_TRANSLATE_NOOP("Legend", "min a day"),
+    QT_TRANSLATE_NOOP("Legend", "min"),
+    QT_TRANSLATE_NOOP("Legend", "scale fitted to this difference"),
+    QT_TRANSLATE_NOOP("Legend", "Shadow"),
+    QT_TRANSLATE_NOOP("Legend", "at this moment"),
+    QT_TRANSLATE_NOOP("Legend", "Shadow score"),
+    QT_TRANSLATE_NOOP("Legend", "weight × share of time"),
+    QT_TRANSLATE_NOOP("Legend", "built over"),
+    QT_TRANSLATE_NOOP("Legend", "now ground"),
+    QT_TRANSLATE_NOOP("Legend", "in the sun"),
+    QT_TRANSLATE_NOOP("Legend", "in shadow"),
+};
+
+// A unit has parts between commas: "min a day, scale fitted to this difference, largest 12".
+QString translateParts(const QString& unit) {
+    QStringList parts = unit.split(QStringLiteral(", "));
+    for (QString& part : parts) part = localiseNumbers(translateLegendWord(part));
+    return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString translateLegendWord(const QString& word) {
+    return QCoreApplication::translate("Legend", word.toUtf8().constData());
+}
+
+Legend translateLegend(Legend legend) {
+    legend.title = translateLegendWord(legend.title);
+    legend.unit = translateParts(legend.unit);
+    for (LegendPatch& patch : legend.patches) patch.label = translateLegendWord(patch.label);
+    return legend;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,5146 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>FieldText</name>
+    <message>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
+        <translation>Was die Untersuchung beantwortet: Minuten im Schatten, die Änderung durch ein Szenario, eine Bewertung erwünschten und unerwünschten Schattens oder die Befunde nach der Regel einer Behörde.</translation>
+    </message>
+    <message>
+        <source>The rule of a review board by which the ticked places are judged. The list has the rules that come with Noonmark and those of your own.</source>
+        <translation>Die Regel einer Behörde, nach der die angekreuzten Orte beurteilt werden. Die Liste enthält die mitgelieferten und Ihre eigenen Regeln.</translation>
+    </message>
+    <message>
+        <source>The scenario with the proposal. Displayed: whichever is chosen at the top of the window.</source>
+        <translation>Das Szenario mit dem Entwurf. Angezeigt: das oben im Fenster gewählte.</translation>
+    </message>
+    <message>
+        <source>A choice that the rule leaves to the case, such as a district or a zone.</source>
+        <translation>Eine Wahl, die die Regel dem Fall überlässt, etwa ein Bezirk oder eine Zone.</translation>
+    </message>
+    <message>
+        <source>How exactly the shadow is computed. The line below the list says what each choice means; its error is measured and stated beside the legend.</source>
+        <translation>Wie genau der Schatten berechnet wird. Die Zeile unter der Liste erklärt die Wahl; ihr Fehler wird gemessen und steht neben der Legende.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the time zone, the step of the sun and how sunrise is defined.</source>
+        <translation>Zeigt oder verbirgt Zeitzone, Schrittweite der Sonne und die Definition des Sonnenaufgangs.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the method and its options, for experts.</source>
+        <translation>Zeigt oder verbirgt das Verfahren und seine Optionen, für Fachleute.</translation>
+    </message>
+    <message>
+        <source>What the chart of a range of days shows: shadow in the scenario, in the baseline, or what the scenario adds.</source>
+        <translation>Was das Diagramm einer Spanne von Tagen zeigt: Schatten im Szenario, im Vergleich oder was das Szenario hinzufügt.</translation>
+    </message>
+    <message>
+        <source>The places with their verdicts, and below each its days with the numbers behind it. A click shows the timeline, a double click zooms to the place.</source>
+        <translation>Die Orte mit ihren Befunden, darunter die Tage mit den Zahlen. Ein Klick zeigt den Zeitverlauf, ein Doppelklick den Ort von nahem.</translation>
+    </message>
+    <message>
+        <source>What the proposal is compared with.</source>
+        <translation>Womit der Entwurf verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Lists only the places whose name or kind contains this text.</source>
+        <translation>Zeigt nur Orte, deren Name oder Art diesen Text enthält.</translation>
+    </message>
+    <message>
+        <source>The places that the review judges: those with a tick.</source>
+        <translation>Die Orte, die geprüft werden: die angekreuzten.</translation>
+    </message>
+    <message>
+        <source>The size of the floor plate: as a share of the lot in per cent, or as an area in square metres.</source>
+        <translation>Die Größe der Geschossplatte: als Anteil am Grundstück in Prozent oder als Fläche in Quadratmetern.</translation>
+    </message>
+    <message>
+        <source>Adds a height above which the walls are set back from the edge of the plate.</source>
+        <translation>Fügt eine Höhe hinzu, über der die Wände zurückspringen.</translation>
+    </message>
+    <message>
+        <source>Removes the selected setback.</source>
+        <translation>Entfernt den gewählten Rücksprung.</translation>
+    </message>
+    <message>
+        <source>Heights, and how far the walls are set back above each, metres.</source>
+        <translation>Höhen, und wie weit die Wände darüber zurückspringen, Meter.</translation>
+    </message>
+    <message>
+        <source>Ends placing; the scenario stays as it is.</source>
+        <translation>Beendet das Setzen; das Szenario bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>All that the project holds. Enter or a double click shows or uses a row, F2 renames it, Delete removes it, a right click has more.</source>
+        <translation>Alles, was das Projekt enthält. Eingabe oder Doppelklick zeigt oder verwendet eine Zeile, F2 benennt um, Entf entfernt, ein Rechtsklick bietet mehr.</translation>
+    </message>
+    <message>
+        <source>The scenarios side by side, with their figures for the same period and region. A click on a heading sorts them.</source>
+        <translation>Die Szenarien nebeneinander, mit ihren Zahlen für denselben Zeitraum und dasselbe Gebiet. Ein Klick auf eine Überschrift sortiert.</translation>
+    </message>
+    <message>
+        <source>The intervals of the weight table: days of the year, hours of the day, and a weight from -1 (shadow unwanted) to 1 (shade wanted). Double-click a cell to change it.</source>
+        <translation>Die Intervalle der Gewichtstabelle: Tage des Jahres, Stunden des Tages und ein Gewicht von -1 (unerwünscht) bis 1 (erwünscht). Doppelklick ändert eine Zelle.</translation>
+    </message>
+    <message>
+        <source>Does what the message proposes.</source>
+        <translation>Tut, was die Meldung vorschlägt.</translation>
+    </message>
+    <message>
+        <source>Does the other thing that the message proposes.</source>
+        <translation>Tut das andere, was die Meldung vorschlägt.</translation>
+    </message>
+    <message>
+        <source>The date that is shown, in the year of the period.</source>
+        <translation>Das gezeigte Datum, im Jahr des Zeitraums.</translation>
+    </message>
+    <message>
+        <source>The wall-clock time that is shown, in the time zone of the study.</source>
+        <translation>Die gezeigte Uhrzeit, in der Zeitzone der Untersuchung.</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Gross shadow</source>
+        <translation>Gesamtschatten</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>Dauerschatten</translation>
+    </message>
+    <message>
+        <source>minutes in shadow a day</source>
+        <translation>Minuten im Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>longest run, minutes</source>
+        <translation>längste Dauer, Minuten</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow</source>
+        <translation>Änderung des Gesamtschattens</translation>
+    </message>
+    <message>
+        <source>Change of continuous shadow</source>
+        <translation>Änderung des Dauerschattens</translation>
+    </message>
+    <message>
+        <source>min a day</source>
+        <translation>min am Tag</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>scale fitted to this difference</source>
+        <translation>Skala dieser Differenz angepasst</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Schattenbewertung</translation>
+    </message>
+    <message>
+        <source>weight × share of time</source>
+        <translation>Gewicht × Zeitanteil</translation>
+    </message>
+    <message>
+        <source>built over</source>
+        <translation>überbaut</translation>
+    </message>
+    <message>
+        <source>now ground</source>
+        <translation>jetzt Boden</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>in der Sonne</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>im Schatten</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>at this moment</source>
+        <translation>zu diesem Zeitpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Read &amp;places into this project</source>
+        <translation>&amp;Orte in dieses Projekt einlesen</translation>
+    </message>
+    <message>
+        <source>&amp;Open as another city</source>
+        <translation>Als andere Stadt öffn&amp;en</translation>
+    </message>
+    <message>
+        <source>%1 places were read</source>
+        <translation>%1 Orte wurden eingelesen</translation>
+    </message>
+    <message>
+        <source>; %1 replace earlier ones</source>
+        <translation>; %1 ersetzen frühere</translation>
+    </message>
+    <message>
+        <source>
+%1 more kinds of notes</source>
+        <translation>
+%1 weitere Arten von Hinweisen</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. R: Gebiet. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe in Metern tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>from its storeys</source>
+        <translation>aus den Geschossen</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>from its mesh</source>
+        <translation>aus dem Modell</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>entworfen</translation>
+    </message>
+    <message>
+        <source>synthetic</source>
+        <translation>synthetisch</translation>
+    </message>
+    <message>
+        <source>; mesh is open: %1 estimated</source>
+        <translation>; Modell ist offen: %1 geschätzt</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Grundfläche</translation>
+    </message>
+    <message>
+        <source>Floor area</source>
+        <translation>Geschossfläche</translation>
+    </message>
+    <message>
+        <source>every pixel</source>
+        <translation>jedes Pixel</translation>
+    </message>
+    <message>
+        <source>a sample every %1 pixels</source>
+        <translation>ein Wert je %1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation>%1, %2 m</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 days; %3</source>
+        <translation>%1 von %2 Tagen; %3</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a project or a city</source>
+        <translation>Ein Projekt oder eine Stadt öffnen</translation>
+    </message>
+    <message>
+        <source>Save project as</source>
+        <translation>Projekt speichern unter</translation>
+    </message>
+    <message>
+        <source>Projects (*%1)</source>
+        <translation>Projekte (*%1)</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>%1 ist schon vorhanden. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Import a mesh as a building</source>
+        <translation>Ein 3D-Modell als Gebäude einfügen</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>3D-Modelle</translation>
+    </message>
+    <message>
+        <source>Region from file</source>
+        <translation>Gebiet aus Datei</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>Read places</source>
+        <translation>Orte einlesen</translation>
+    </message>
+    <message>
+        <source>Maps and polygons</source>
+        <translation>Karten und Polygone</translation>
+    </message>
+    <message>
+        <source>Save sun and sky</source>
+        <translation>Sonne und Himmel speichern</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)</source>
+        <translation>Zeichnung (*.svg);;Bild (*.png);;Minuten nach Monat und Stunde (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>Film exportieren</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4 *.gif)</source>
+        <translation>Filme (*.mp4 *.gif)</translation>
+    </message>
+    <message>
+        <source>Logo for the title block</source>
+        <translation>Logo für das Schriftfeld</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>%1 already contains these files: %2. Replace them?</source>
+        <translation>%1 enthält schon diese Dateien: %2. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Projects, cities and terrain</source>
+        <translation>Projekte, Städte und Gelände</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>Projekte</translation>
+    </message>
+    <message>
+        <source>Footprints</source>
+        <translation>Grundrisse</translation>
+    </message>
+    <message>
+        <source>3D models and meshes</source>
+        <translation>3D-Modelle und Netze</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Untersuchung</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Szenarien</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>Tower</source>
+        <translation>Turm</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;From a side</source>
+        <translation>Von einer Sei&amp;te</translation>
+    </message>
+    <message>
+        <source>S&amp;un</source>
+        <translation>S&amp;onne</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Bedien&amp;felder</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>S&amp;cenario</source>
+        <translation>S&amp;zenario</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>&amp;Untersuchung</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Graphics: OpenGL on the processor; a graphics card is faster</source>
+        <translation>Grafik: OpenGL auf dem Prozessor; eine Grafikkarte ist schneller</translation>
+    </message>
+    <message>
+        <source>Graphics: OpenGL on a graphics card</source>
+        <translation>Grafik: OpenGL auf einer Grafikkarte</translation>
+    </message>
+    <message>
+        <source>System: %1, %2</source>
+        <translation>System: %1, %2</translation>
+    </message>
+    <message>
+        <source>this moment</source>
+        <translation>diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>all %1 steps</source>
+        <translation>allen %1 Schritten</translation>
+    </message>
+    <message>
+        <source>With the proposal: exact at %1</source>
+        <translation>Mit dem Entwurf: genau zu %1</translation>
+    </message>
+    <message>
+        <source>With the proposal: exact at %1 of %2 steps</source>
+        <translation>Mit dem Entwurf: genau zu %1 von %2 Schritten</translation>
+    </message>
+    <message>
+        <source>With the proposal: %1, within 0.25° of azimuth</source>
+        <translation>Mit dem Entwurf: %1, auf 0,25° des Azimuts genau</translation>
+    </message>
+    <message>
+        <source>%1; continuous shadow follows</source>
+        <translation>%1; Dauerschatten folgt</translation>
+    </message>
+    <message>
+        <source>1 storey</source>
+        <translation>1 Geschoss</translation>
+    </message>
+    <message>
+        <source>%1 storeys</source>
+        <translation>%1 Geschosse</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>West</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>Ost</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>Süd</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Gross floor area</source>
+        <translation>Bruttogrundfläche</translation>
+    </message>
+    <message>
+        <source>Floor area ratio (FAR)</source>
+        <translation>Geschossflächenzahl (GFZ)</translation>
+    </message>
+    <message>
+        <source>Lot coverage</source>
+        <translation>Überbauung des Grundstücks</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Geschosse</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Grundstück</translation>
+    </message>
+    <message>
+        <source>Buildings demolished</source>
+        <translation>Abgerissene Gebäude</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to lot</source>
+        <translation>&amp;Grundstück zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to place</source>
+        <translation>&amp;Ort zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study region</source>
+        <translation>Als Unter&amp;suchungsgebiet verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study period</source>
+        <translation>Als Untersuchungs&amp;zeitraum verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Edit and score</source>
+        <translation>&amp;Bearbeiten und bewerten</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Stadt</translation>
+    </message>
+    <message>
+        <source>The existing city, from which every scenario starts</source>
+        <translation>Der Bestand, mit dem jedes Szenario beginnt</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>%1 Gebäude</translation>
+    </message>
+    <message>
+        <source>Terrain of %1 × %2 points</source>
+        <translation>Gelände mit %1 × %2 Punkten</translation>
+    </message>
+    <message>
+        <source>Flat ground</source>
+        <translation>Ebener Boden</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>aus %1</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to show it</source>
+        <translation>Eingabe oder Doppelklick zeigt es</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2; press Delete to remove it</source>
+        <translation>Schritt %1 von %2; Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>Lists of changes to the city; the displayed one is bold</source>
+        <translation>Listen von Änderungen an der Stadt; die angezeigte ist fett</translation>
+    </message>
+    <message>
+        <source>The existing city. Press Enter or double-click to show it</source>
+        <translation>Der Bestand. Eingabe oder Doppelklick zeigt ihn</translation>
+    </message>
+    <message>
+        <source>Lots</source>
+        <translation>Grundstücke</translation>
+    </message>
+    <message>
+        <source>Ground to build on</source>
+        <translation>Boden, der bebaut werden kann</translation>
+    </message>
+    <message>
+        <source>%1, roads: %2</source>
+        <translation>%1, Straßen: %2</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to zoom to it</source>
+        <translation>Eingabe oder Doppelklick zeigt es von nahem</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Gebiete</translation>
+    </message>
+    <message>
+        <source>Where shadow is measured</source>
+        <translation>Wo Schatten gemessen wird</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to use it as the study region</source>
+        <translation>Eingabe oder Doppelklick macht es zum Untersuchungsgebiet</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Areas whose sunlight matters: parks, playgrounds, school grounds...</source>
+        <translation>Flächen, deren Besonnung zählt: Parks, Spielplätze, Schulhöfe ...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to zoom to it</source>
+        <translation>%1
+Eingabe oder Doppelklick zeigt ihn von nahem</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Zeiträume</translation>
+    </message>
+    <message>
+        <source>Days and hours to study</source>
+        <translation>Tage und Stunden der Untersuchung</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to use it as the study period</source>
+        <translation>%1
+Eingabe oder Doppelklick macht ihn zum Untersuchungszeitraum</translation>
+    </message>
+    <message>
+        <source>Weight tables</source>
+        <translation>Gewichtstabellen</translation>
+    </message>
+    <message>
+        <source>How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year</source>
+        <translation>Wie erwünscht Schatten (bis 1) oder wie unerwünscht er ist (bis -1), je nach Jahreszeit</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to edit it and compute scores with it</source>
+        <translation>Eingabe oder Doppelklick öffnet sie zum Bearbeiten und Bewerten</translation>
+    </message>
+    <message>
+        <source>Saved results</source>
+        <translation>Gespeicherte Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Maps and figures saved in the project</source>
+        <translation>Im Projekt gespeicherte Karten und Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2
+Press Enter or double-click to show it again</source>
+        <translation>%1 von %2
+Eingabe oder Doppelklick zeigt es wieder</translation>
+    </message>
+    <message>
+        <source>%1 &gt; %2 min</source>
+        <translation>%1 &gt; %2 min</translation>
+    </message>
+    <message>
+        <source>Contribution of this new building alone: ground with over %1 min a day more gross shadow than without it</source>
+        <translation>Beitrag dieses neuen Gebäudes allein: Boden mit über %1 Minuten mehr Gesamtschatten am Tag als ohne es</translation>
+    </message>
+    <message>
+        <source>no change</source>
+        <translation>keine Änderung</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 mehr</translation>
+    </message>
+    <message>
+        <source>%1 less</source>
+        <translation>%1 weniger</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>Verglichen</translation>
+    </message>
+    <message>
+        <source>%1
+with %2</source>
+        <translation>%1
+mit %2</translation>
+    </message>
+    <message>
+        <source>Minutes of the first minus minutes of the second, with the same engine, steps and cells</source>
+        <translation>Minuten des ersten minus Minuten des zweiten, mit gleichem Verfahren, gleichen Schritten und Zellen</translation>
+    </message>
+    <message>
+        <source>Gross</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Ground whose gross shadow increases or decreases by more than this</source>
+        <translation>Boden, dessen Gesamtschatten um mehr als dies zu- oder abnimmt</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Ground whose continuous shadow increases or decreases by more than this</source>
+        <translation>Boden, dessen Dauerschatten um mehr als dies zu- oder abnimmt</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>The engine computed gross shadow only</source>
+        <translation>Das Verfahren hat nur den Gesamtschatten berechnet</translation>
+    </message>
+    <message>
+        <source>Any change</source>
+        <translation>Jede Änderung</translation>
+    </message>
+    <message>
+        <source>%1 more
+%2 less</source>
+        <translation>%1 mehr
+%2 weniger</translation>
+    </message>
+    <message>
+        <source>Ground with any change of gross shadow</source>
+        <translation>Boden, dessen Gesamtschatten sich überhaupt ändert</translation>
+    </message>
+    <message>
+        <source>Largest increase</source>
+        <translation>Größte Zunahme</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min am Tag</translation>
+    </message>
+    <message>
+        <source>The cell with the largest increase of gross shadow</source>
+        <translation>Die Zelle mit der größten Zunahme des Gesamtschattens</translation>
+    </message>
+    <message>
+        <source>Largest decrease</source>
+        <translation>Größte Abnahme</translation>
+    </message>
+    <message>
+        <source>The cell with the largest decrease of gross shadow</source>
+        <translation>Die Zelle mit der größten Abnahme des Gesamtschattens</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>Mittlere Änderung</translation>
+    </message>
+    <message>
+        <source>Mean change of gross shadow over all cells that are open ground in both</source>
+        <translation>Mittlere Änderung des Gesamtschattens aller Zellen, die in beiden offener Boden sind</translation>
+    </message>
+    <message>
+        <source>Shadow area</source>
+        <translation>Schattenfläche</translation>
+    </message>
+    <message>
+        <source>Change of the sum over the cells of (share of the sunlit time in shadow × cell area)</source>
+        <translation>Änderung der Summe über die Zellen aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
+    </message>
+    <message>
+        <source>Built over</source>
+        <translation>Überbaut</translation>
+    </message>
+    <message>
+        <source>Formerly ground, now building; not included above</source>
+        <translation>Vorher Boden, jetzt Gebäude; oben nicht enthalten</translation>
+    </message>
+    <message>
+        <source>Became ground</source>
+        <translation>Boden geworden</translation>
+    </message>
+    <message>
+        <source>Formerly building, now ground; not included above</source>
+        <translation>Vorher Gebäude, jetzt Boden; oben nicht enthalten</translation>
+    </message>
+    <message>
+        <source>Ground compared</source>
+        <translation>Verglichener Boden</translation>
+    </message>
+    <message>
+        <source>Open ground in both</source>
+        <translation>Offener Boden in beiden</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Zeitraum</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Used for both</source>
+        <translation>Für beide verwendet</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the area, %2 % of the minutes of a cell</source>
+        <translation>Gemessener Fehler gegen Strahlen: %1 % der Fläche, %2 % der Minuten einer Zelle</translation>
+    </message>
+    <message>
+        <source>Continuous shadow was not counted</source>
+        <translation>Dauerschatten wurde nicht gezählt</translation>
+    </message>
+    <message>
+        <source>So far: %1 (%2 %)</source>
+        <translation>Bisher: %1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 with the weights %2</source>
+        <translation>%1 mit den Gewichten %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>formerly ground, now built over</source>
+        <translation>vorher Boden, jetzt überbaut</translation>
+    </message>
+    <message>
+        <source>formerly building, now ground</source>
+        <translation>vorher Gebäude, jetzt Boden</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>now in shadow</source>
+        <translation>jetzt im Schatten</translation>
+    </message>
+    <message>
+        <source>now in the sun</source>
+        <translation>jetzt in der Sonne</translation>
+    </message>
+    <message>
+        <source>change: gross %1 min a day</source>
+        <translation>Änderung: gesamt %1 min am Tag</translation>
+    </message>
+    <message>
+        <source>, continuous %1 min</source>
+        <translation>, am Stück %1 min</translation>
+    </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>Bisher: %1</translation>
+    </message>
+    <message>
+        <source>Refining: %1</source>
+        <translation>Wird feiner: %1</translation>
+    </message>
+    <message>
+        <source>Computing the shadow in the view...</source>
+        <translation>Der Schatten in der Ansicht wird berechnet ...</translation>
+    </message>
+    <message>
+        <source>No study yet: choose a period and a region, then press Run (Ctrl+R)</source>
+        <translation>Noch keine Untersuchung: Zeitraum und Gebiet wählen, dann Berechnen drücken (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
+        <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
+    </message>
+    <message>
+        <source>Share of ground</source>
+        <translation>Anteil am Boden</translation>
+    </message>
+    <message>
+        <source>Shadow area over the area of all receivers</source>
+        <translation>Schattenfläche durch die Fläche aller Messpunkte</translation>
+    </message>
+    <message>
+        <source>Mean gross</source>
+        <translation>Gesamtschatten, Mittel</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and receivers</source>
+        <translation>Minuten im Schatten am Tag, Mittel über Tage und Messpunkte</translation>
+    </message>
+    <message>
+        <source>Mean continuous</source>
+        <translation>Dauerschatten, Mittel</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>Längster ununterbrochener Schatten eines Tages, Mittel über die Messpunkte</translation>
+    </message>
+    <message>
+        <source>Max continuous</source>
+        <translation>Dauerschatten, größter</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow at any receiver on any day</source>
+        <translation>Längster ununterbrochener Schatten an einem Messpunkt an einem Tag</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the receivers over the same steps</source>
+        <translation>Gegen die Strahlreferenz, an einer Stichprobe der Messpunkte zu denselben Schritten</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source> M rays/s</source>
+        <translation> M Strahlen/s</translation>
+    </message>
+    <message>
+        <source>%1 occlusion rays divided by the engine&apos;s time</source>
+        <translation>%1 Schattenstrahlen durch die Zeit des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time taken by the engine</source>
+        <translation>Rechenzeit des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Receivers</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Cells in which shadow is measured</source>
+        <translation>Zellen, in denen Schatten gemessen wird</translation>
+    </message>
+    <message>
+        <source>Steps of the sun</source>
+        <translation>Sonnenstände</translation>
+    </message>
+    <message>
+        <source>Positions of the sun above the horizon; %1 below it were left out</source>
+        <translation>Sonnenstände über dem Horizont; %1 darunter wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Sunlit time</source>
+        <translation>Besonnte Zeit</translation>
+    </message>
+    <message>
+        <source> min/day</source>
+        <translation> min/Tag</translation>
+    </message>
+    <message>
+        <source>Mean minutes a day with the sun above the horizon: 100 % of the time</source>
+        <translation>Mittlere Minuten am Tag mit Sonne über dem Horizont: 100 % der Zeit</translation>
+    </message>
+    <message>
+        <source>score %1%2 m² a m²</source>
+        <translation>Bewertung %1%2 m² je m²</translation>
+    </message>
+    <message>
+        <source>%1 m² shadow, score %2</source>
+        <translation>%1 m² Schatten, Bewertung %2</translation>
+    </message>
+    <message>
+        <source>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</source>
+        <translation>Schattenfläche in %1 besonnten Minuten und der Beitrag des Monats zur Bewertung</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Interval of the table and its weight: shadow area in its sunlit time, and weight times shadow area</source>
+        <translation>Intervall der Tabelle und sein Gewicht: Schattenfläche in seiner besonnten Zeit, und Gewicht mal Schattenfläche</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Schattenbewertung</translation>
+    </message>
+    <message>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <translation>Summe über die Intervalle aus Gewicht × Anteil der besonnten Zeit im Schatten × Zellfläche. Über 0 überwiegt der erwünschte Schatten den unerwünschten</translation>
+    </message>
+    <message>
+        <source>per m² of ground</source>
+        <translation>je m² Boden</translation>
+    </message>
+    <message>
+        <source>Score divided by the area of all receivers</source>
+        <translation>Bewertung durch die Fläche aller Messpunkte</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Bewertet</translation>
+    </message>
+    <message>
+        <source>%1
+with the weights %2</source>
+        <translation>%1
+mit den Gewichten %2</translation>
+    </message>
+    <message>
+        <source>Open ground of the region</source>
+        <translation>Offener Boden des Gebiets</translation>
+    </message>
+    <message>
+        <source>at an unknown date</source>
+        <translation>zu unbekanntem Datum</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2</source>
+        <translation>Gespeichert %1: %2</translation>
+    </message>
+    <message>
+        <source>%1. Outdated</source>
+        <translation>%1. Veraltet</translation>
+    </message>
+    <message>
+        <source>Saved result</source>
+        <translation>Gespeichertes Ergebnis</translation>
+    </message>
+    <message>
+        <source>As saved in the project, not recomputed</source>
+        <translation>Wie im Projekt gespeichert, nicht neu berechnet</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>%1
+cells of %2 m</source>
+        <translation>%1
+Zellen von %2 m</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>Computed by</source>
+        <translation>Berechnet mit</translation>
+    </message>
+    <message>
+        <source>%1, saved %2</source>
+        <translation>%1, gespeichert %2</translation>
+    </message>
+    <message>
+        <source>A result saved %1.</source>
+        <translation>Ein Ergebnis, gespeichert %1.</translation>
+    </message>
+    <message>
+        <source>Its inputs have not changed since.</source>
+        <translation>Seine Eingaben haben sich seither nicht geändert.</translation>
+    </message>
+    <message>
+        <source>Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the scenario; incremental shadow takes %4 (%5 %)</source>
+        <translation>Von einer theoretischen Summe von %1 liegen %2 % im Vergleich und %3 % im Szenario im Schatten; zusätzlicher Schatten nimmt %4 (%5 %)</translation>
+    </message>
+    <message>
+        <source>, most on %1</source>
+        <translation>, am meisten am %1</translation>
+    </message>
+    <message>
+        <source>✓ pass</source>
+        <translation>✓ erfüllt</translation>
+    </message>
+    <message>
+        <source>≈ borderline</source>
+        <translation>≈ grenzwertig</translation>
+    </message>
+    <message>
+        <source>✗ fail</source>
+        <translation>✗ nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>– not applicable</source>
+        <translation>– nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Least sure figure: %1 (%2)</source>
+        <translation>Unsicherste Zahl: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>building, %1</source>
+        <translation>Gebäude, %1</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>Grundstück</translation>
+    </message>
+    <message>
+        <source>street</source>
+        <translation>Straße</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>park</source>
+        <translation>Park</translation>
+    </message>
+    <message>
+        <source>playground</source>
+        <translation>Spielplatz</translation>
+    </message>
+    <message>
+        <source>schoolyard</source>
+        <translation>Schulhof</translation>
+    </message>
+    <message>
+        <source>plaza</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>greenstreet</source>
+        <translation>Grünstraße</translation>
+    </message>
+    <message>
+        <source>cemetery</source>
+        <translation>Friedhof</translation>
+    </message>
+    <message>
+        <source>facade</source>
+        <translation>Fassade</translation>
+    </message>
+    <message>
+        <source>stained glass</source>
+        <translation>Buntglas</translation>
+    </message>
+    <message>
+        <source>other place</source>
+        <translation>anderer Ort</translation>
+    </message>
+    <message>
+        <source>No region yet</source>
+        <translation>Noch kein Gebiet</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 Millionen</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 positions of the sun.</source>
+        <translation>%1 Zellen, %2 Sonnenstände.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Rays would take %3.</source>
+        <translation>%1 %2 Strahlen bräuchten %3.</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>about %1 %2</source>
+        <translation>etwa %1 %2</translation>
+    </message>
+    <message>
+        <source>about a second</source>
+        <translation>etwa eine Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+    <message>
+        <source>and %1 more, listed in study.json of an export</source>
+        <translation>und %1 weitere, aufgeführt in study.json eines Exports</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>Reference (rays)</source>
+        <translation>Referenz (Strahlen)</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>Eigene Einstellungen</translation>
+    </message>
+    <message>
+        <source>Exact where that is quick; over long periods off by 0.04 % of the time on average, and the error is measured</source>
+        <translation>Genau, wo das schnell geht; über lange Zeiträume im Mittel 0,04 % der Zeit daneben, und der Fehler wird gemessen</translation>
+    </message>
+    <message>
+        <source>The outline of every shadow at every step, without rounding</source>
+        <translation>Der Umriss jedes Schattens bei jedem Schritt, ohne Rundung</translation>
+    </message>
+    <message>
+        <source>One ray for every cell and step: what the other ways are checked against</source>
+        <translation>Ein Strahl je Zelle und Schritt: daran werden die anderen Verfahren geprüft</translation>
+    </message>
+    <message>
+        <source>The method and the options chosen below</source>
+        <translation>Das unten gewählte Verfahren mit seinen Optionen</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>21 March</source>
+        <translation>21. März</translation>
+    </message>
+    <message>
+        <source>21 June</source>
+        <translation>21. Juni</translation>
+    </message>
+    <message>
+        <source>21 December</source>
+        <translation>21. Dezember</translation>
+    </message>
+    <message>
+        <source>Growing season (October to April)</source>
+        <translation>Vegetationszeit (Oktober bis April)</translation>
+    </message>
+    <message>
+        <source>Growing season (April to October)</source>
+        <translation>Vegetationszeit (April bis Oktober)</translation>
+    </message>
+    <message>
+        <source>Whole year</source>
+        <translation>Ganzes Jahr</translation>
+    </message>
+    <message>
+        <source>Own dates</source>
+        <translation>Eigene Daten</translation>
+    </message>
+    <message>
+        <source>How many minutes each spot is in shadow on a mean day of the period, and the longest time without a break</source>
+        <translation>Wie viele Minuten jede Stelle an einem mittleren Tag des Zeitraums im Schatten liegt, und die längste Zeit ohne Unterbrechung</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
+        <translation>Minuten Schatten, die das Szenario hinzufügt oder wegnimmt, gegen die Stadt unter „verglichen mit“</translation>
+    </message>
+    <message>
+        <source>Shadow weighed by hour and month: wanted in summer, unwanted in winter. Choose the weights in the panel Weights</source>
+        <translation>Schatten nach Stunde und Monat gewichtet: im Sommer erwünscht, im Winter unerwünscht. Die Gewichte stehen im Feld Gewichte</translation>
+    </message>
+    <message>
+        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
+        <translation>Parks und andere Orte nach der Regel einer Behörde: erfüllt oder nicht. Die Regel steht im Feld Prüfung</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>auf dem Boden</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>auf Dächern</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>auf Boden und Dächern</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>NO</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SO</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>SW</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>NW</translation>
+    </message>
+    <message>
+        <source>Sun below the horizon</source>
+        <translation>Sonne unter dem Horizont</translation>
+    </message>
+    <message>
+        <source>Sun %1° %2, %3° high</source>
+        <translation>Sonne %1° %2, %3° hoch</translation>
+    </message>
+    <message>
+        <source>%1 % in shadow</source>
+        <translation>%1 % im Schatten</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>im Schatten</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>in der Sonne</translation>
+    </message>
+    <message>
+        <source>gross %1 min a day</source>
+        <translation>gesamt %1 min am Tag</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>Ray reference</source>
+        <translation>Strahlreferenz</translation>
+    </message>
+    <message>
+        <source>Shadow on all visible surfaces: ground, roofs and facades.
+Updated when the view or the period changes, coarse at first, then pixel by pixel.</source>
+        <translation>Schatten auf allen sichtbaren Flächen: Boden, Dächern und Fassaden.
+Wird erneuert, wenn sich Ansicht oder Zeitraum ändern, erst grob, dann Pixel für Pixel.</translation>
+    </message>
+    <message>
+        <source>Shadow on the ground of the region, cell by cell, with figures, report and files.
+Computed by the engine of the study when you press Run.</source>
+        <translation>Schatten auf dem Boden des Gebiets, Zelle für Zelle, mit Zahlen, Bericht und Dateien.
+Wird mit dem Verfahren der Untersuchung berechnet, wenn Sie Berechnen drücken.</translation>
+    </message>
+    <message>
+        <source>Like the analysis, but with one ray per cell and minute:
+the slow, exact reference for the other engines.</source>
+        <translation>Wie die Analyse, aber mit einem Strahl je Zelle und Minute:
+die langsame, genaue Referenz für die anderen Verfahren.</translation>
+    </message>
+    <message>
+        <source>in the middle of the picture</source>
+        <translation>in der Mitte des Bildes</translation>
+    </message>
+    <message>
+        <source>%1.
+Default: %2</source>
+        <translation>%1.
+Vorgabe: %2</translation>
+    </message>
+    <message>
+        <source>%1.
+%2 to %3 %4, usually %5</source>
+        <translation>%1.
+%2 bis %3 %4, üblich %5</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Y is usual in OBJ and glTF, Z in models from GIS and CAD</source>
+        <translation>Y ist in OBJ und glTF üblich, Z in Modellen aus GIS und CAD</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
+        <translation>Einheit der Koordinaten des Modells, die in der Datei fehlt</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> zu %1</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>d. MMM</translation>
+    </message>
+    <message>
+        <source>d MMMM</source>
+        <translation>d. MMMM</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <translation>d. MMM yyyy</translation>
+    </message>
+    <message>
+        <source>d MMMM yyyy</source>
+        <translation>d. MMMM yyyy</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3 floor area, FAR %4</source>
+        <translation>%1, %2
+%3 Geschossfläche, GFZ %4</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 %4</source>
+        <translation>%1 %2, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1
+%2 × %3, %4, %5 cells</source>
+        <translation>%1
+%2 × %3, %4, %5 Zellen</translation>
+    </message>
+    <message>
+        <source>%1   height %2   x %3 m, y %4 m</source>
+        <translation>%1   Höhe %2   x %3 m, y %4 m</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, %2 hoch</translation>
+    </message>
+    <message>
+        <source>Mo&amp;de</source>
+        <translation>&amp;Modus</translation>
+    </message>
+    <message>
+        <source>Guided &amp;tours</source>
+        <translation>&amp;Führungen</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Architect: design a tower</source>
+        <translation>Architektur: einen Turm entwerfen</translation>
+    </message>
+    <message>
+        <source>A tower on a lot, its shadow while you shape it, and what it changes</source>
+        <translation>Ein Turm auf einem Grundstück, sein Schatten beim Formen und was er ändert</translation>
+    </message>
+    <message>
+        <source>The green outlines in the view are lots. Towers are designed in the panel Tower.</source>
+        <translation>Die grünen Umrisse in der Ansicht sind Grundstücke. Türme werden im Feld Turm entworfen.</translation>
+    </message>
+    <message>
+        <source>The list above has the lots of the project. Design tower puts a first tower on the one chosen.</source>
+        <translation>Die Liste darüber enthält die Grundstücke des Projekts. Turm entwerfen setzt einen ersten Turm auf das gewählte.</translation>
+    </message>
+    <message>
+        <source>Type 70 storeys, or drag the arrow on the tower. Its shadow follows, and so do height and floor area.</source>
+        <translation>70 Geschosse eingeben oder am Pfeil des Turms ziehen. Schatten, Höhe und Geschossfläche folgen.</translation>
+    </message>
+    <message>
+        <source>Build puts the tower into a new scenario. One undo takes it back.</source>
+        <translation>Bauen setzt den Turm in ein neues Szenario. Einmal Rückgängig nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Brown ground gains shadow, blue loses it. The panel Results has the figures.</source>
+        <translation>Brauner Boden gewinnt Schatten, blauer verliert ihn. Das Feld Ergebnisse hat die Zahlen.</translation>
+    </message>
+    <message>
+        <source>File &gt; Export writes the comparison as PDF, picture, tables and data. That is the end of this tour.</source>
+        <translation>Datei &gt; Exportieren schreibt den Vergleich als PDF, Bild, Tabellen und Daten. Das ist das Ende dieser Führung.</translation>
+    </message>
+    <message>
+        <source>Planner: weigh shade over a year</source>
+        <translation>Planung: Schatten eines Jahres abwägen</translation>
+    </message>
+    <message>
+        <source>Shadow of a whole year, one moment of it, and a score of wanted and unwanted shadow</source>
+        <translation>Schatten eines ganzen Jahres, ein Zeitpunkt daraus und eine Bewertung</translation>
+    </message>
+    <message>
+        <source>A study answers four questions. The first is what to measure: choose Hours of shadow.</source>
+        <translation>Eine Untersuchung beantwortet vier Fragen. Die erste ist, was gemessen wird: Stunden im Schatten wählen.</translation>
+    </message>
+    <message>
+        <source>The second is when: choose the whole year.</source>
+        <translation>Die zweite ist, wann: das ganze Jahr wählen.</translation>
+    </message>
+    <message>
+        <source>Cells of 10 m are enough for a first look; smaller ones take longer.</source>
+        <translation>Zellen von 10 m genügen für einen ersten Blick; kleinere dauern länger.</translation>
+    </message>
+    <message>
+        <source>The line above the button says how long a study will take, before it runs. Start it.</source>
+        <translation>Die Zeile über dem Knopf sagt vorher, wie lange eine Untersuchung dauert. Starten.</translation>
+    </message>
+    <message>
+        <source>The map shows the whole year. Choose One moment to see sun and shadow at a date and time.</source>
+        <translation>Die Karte zeigt das ganze Jahr. Ein Zeitpunkt zeigt Sonne und Schatten zu Datum und Uhrzeit.</translation>
+    </message>
+    <message>
+        <source>Shade is welcome in summer and unwelcome in winter. The panel Weights says how much, month by month.</source>
+        <translation>Schatten ist im Sommer willkommen, im Winter nicht. Das Feld Gewichte sagt, wie sehr, Monat für Monat.</translation>
+    </message>
+    <message>
+        <source>Compute score adds up the year by these weights. Above zero, wanted shade outweighs unwanted shadow.</source>
+        <translation>Bewerten summiert das Jahr mit diesen Gewichten. Über null überwiegt der erwünschte Schatten.</translation>
+    </message>
+    <message>
+        <source>File &gt; Export writes the score by month as tables, charts and maps for GIS. That is the end of this tour.</source>
+        <translation>Datei &gt; Exportieren schreibt die Bewertung nach Monat als Tabellen, Diagramme und Karten für GIS. Das ist das Ende dieser Führung.</translation>
+    </message>
+    <message>
+        <source>Review board: judge a proposal</source>
+        <translation>Behörde: einen Entwurf prüfen</translation>
+    </message>
+    <message>
+        <source>A place whose sunlight matters, a proposal, and the verdicts of a rule</source>
+        <translation>Ein Ort, dessen Besonnung zählt, ein Entwurf und die Befunde einer Regel</translation>
+    </message>
+    <message>
+        <source>A review needs places whose sunlight matters. Choose Study &gt; Draw place and click the corners of a lawn in the park; Enter finishes.</source>
+        <translation>Eine Prüfung braucht Orte, deren Besonnung zählt. Untersuchung &gt; Ort zeichnen wählen und die Ecken einer Wiese im Park anklicken; Eingabe beendet.</translation>
+    </message>
+    <message>
+        <source>It also needs a proposal. Here we design one; usually the project has it already.</source>
+        <translation>Sie braucht auch einen Entwurf. Hier entwerfen wir einen; meist enthält das Projekt ihn schon.</translation>
+    </message>
+    <message>
+        <source>Design tower puts a tower on the lot chosen in the list.</source>
+        <translation>Turm entwerfen setzt einen Turm auf das in der Liste gewählte Grundstück.</translation>
+    </message>
+    <message>
+        <source>Build makes it a scenario, which can be compared with the existing city.</source>
+        <translation>Bauen macht daraus ein Szenario, das mit dem Bestand verglichen werden kann.</translation>
+    </message>
+    <message>
+        <source>Study &gt; Review by a rule opens the panel Review.</source>
+        <translation>Untersuchung &gt; Prüfung nach einer Regel öffnet das Feld Prüfung.</translation>
+    </message>
+    <message>
+        <source>Choose the rule of the board, here CEQR of New York. Its tool tip says what it asks and how sure its figures are.</source>
+        <translation>Die Regel der Behörde wählen, hier CEQR aus New York. Ihr Hinweis sagt, was sie verlangt und wie sicher ihre Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>Run review judges every ticked place on the days of the rule.</source>
+        <translation>Prüfen beurteilt jeden angekreuzten Ort an den Tagen der Regel.</translation>
+    </message>
+    <message>
+        <source>The table has the verdicts and the numbers behind them. Export shows the sheets and writes them with all data. That is the end of this tour.</source>
+        <translation>Die Tabelle hat die Befunde und die Zahlen dahinter. Exportieren zeigt die Blätter und schreibt sie mit allen Daten. Das ist das Ende dieser Führung.</translation>
+    </message>
+    <message>
+        <source>Scenario &gt; Compare with the existing city asks what the tower changes. Where that takes longer, the button Compare of the panel Study starts it.</source>
+        <translation>Szenario &gt; Mit dem Bestand vergleichen fragt, was der Turm ändert. Wo das länger dauert, startet es der Knopf Vergleichen im Feld Untersuchung.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::AccuracyForm</name>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the shadow is computed; the ray reference is the standard for the errors of the others</source>
+        <translation>Wie der Schatten berechnet wird; an der Strahlreferenz werden die Fehler der anderen gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::AccuracySection</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells</source>
+        <translation>Seite einer Zelle auf dem Boden, Meter, 0,25 bis 10. Halbe Größe: viermal so viele Zellen</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Wie im Artikel</translation>
+    </message>
+    <message>
+        <source>Exploration by shadow accrual maps, analysis by inverse accrual maps through the direction graph,
+as published. Approximate: the legend states the measured error</source>
+        <translation>Erkundung mit Schattenakkumulationskarten, Analyse mit inversen Akkumulationskarten über den Richtungsgraphen,
+wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</translation>
+    </message>
+    <message>
+        <source>Method and options</source>
+        <translation>Verfahren und Optionen</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Zellgröße</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>cell size</source>
+        <translation>Zellgröße</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BookView</name>
+    <message>
+        <source>Previous page</source>
+        <translation>Vorige Seite</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Nächste Seite</translation>
+    </message>
+    <message>
+        <source>Goes to a chapter; the PDF has them as bookmarks</source>
+        <translation>Geht zu einem Kapitel; im PDF sind sie Lesezeichen</translation>
+    </message>
+    <message>
+        <source>How large the page is shown</source>
+        <translation>Wie groß die Seite gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Whole page</source>
+        <translation>Ganze Seite</translation>
+    </message>
+    <message>
+        <source>Page width</source>
+        <translation>Seitenbreite</translation>
+    </message>
+    <message>
+        <source>%1 dots per inch</source>
+        <translation>%1 Punkte je Zoll</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>Painting the page</source>
+        <translation>Die Seite wird gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BuildingEditing</name>
+    <message>
+        <source>%1, %2
+%3 floor area</source>
+        <translation>%1, %2
+%3 Geschossfläche</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContextMenu</name>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Replace by tower</source>
+        <translation>Durch Turm ersetzen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Demolish</source>
+        <translation>Abreißen</translation>
+    </message>
+    <message>
+        <source>Study its surroundings</source>
+        <translation>Umgebung untersuchen</translation>
+    </message>
+    <message>
+        <source>Make its outline a place</source>
+        <translation>Umriss als Ort aufnehmen</translation>
+    </message>
+    <message>
+        <source>Study this place</source>
+        <translation>Diesen Ort untersuchen</translation>
+    </message>
+    <message>
+        <source>Zoom to it</source>
+        <translation>Von nahem zeigen</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>Sun and sky here</source>
+        <translation>Sonne und Himmel hier</translation>
+    </message>
+    <message>
+        <source>Draw lot</source>
+        <translation>Grundstück zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw place</source>
+        <translation>Ort zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw region</source>
+        <translation>Gebiet zeichnen</translation>
+    </message>
+    <message>
+        <source>Copy position: %1</source>
+        <translation>Position kopieren: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CopyActions</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>The table or text last clicked, else the picture of the view</source>
+        <translation>Die zuletzt angeklickte Tabelle oder der Text, sonst das Bild der Ansicht</translation>
+    </message>
+    <message>
+        <source>The figures of the dock Results, as a table</source>
+        <translation>Die Zahlen des Felds Ergebnisse als Tabelle</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The view with title, legend, scale and north</source>
+        <translation>Die Ansicht mit Titel, Legende, Maßstab und Nordpfeil</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 copied</source>
+        <translation>%1 kopiert</translation>
+    </message>
+    <message>
+        <source>Copy fi&amp;gures</source>
+        <translation>&amp;Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>C&amp;opy picture</source>
+        <translation>Bi&amp;ld kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::DayPanel</name>
+    <message>
+        <source>Any day, in the hours of the rule</source>
+        <translation>Ein beliebiger Tag in den Stunden der Regel</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditActions</name>
+    <message>
+        <source>%1 is not a building of the displayed city</source>
+        <translation>%1 ist kein Gebäude der angezeigten Stadt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditPreview</name>
+    <message>
+        <source>%1. Shape of %2 s ago</source>
+        <translation>%1. Form von vor %2 s</translation>
+    </message>
+    <message>
+        <source>The live shadow was cancelled; it returns with the next design</source>
+        <translation>Der mitlaufende Schatten wurde abgebrochen; beim nächsten Entwurf kommt er wieder</translation>
+    </message>
+    <message>
+        <source>No live shadow. %1</source>
+        <translation>Kein mitlaufender Schatten. %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditTools</name>
+    <message>
+        <source>Draw &amp;lot</source>
+        <translation>&amp;Grundstück zeichnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels</source>
+        <translation>Ecken auf dem Boden anklicken; Umschalt: rechte Winkel; Eingabe beendet, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>&amp;Demolish</source>
+        <translation>Gebäude &amp;abreißen</translation>
+    </message>
+    <message>
+        <source>Removes the selected building</source>
+        <translation>Entfernt das ausgewählte Gebäude</translation>
+    </message>
+    <message>
+        <source>Replace by &amp;tower</source>
+        <translation>Durch &amp;Turm ersetzen</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Replaces the selected building by a tower on its lot or footprint</source>
+        <translation>Ersetzt das ausgewählte Gebäude durch einen Turm auf seinem Grundstück oder Grundriss</translation>
+    </message>
+    <message>
+        <source>&amp;Move building</source>
+        <translation>Gebäude &amp;verschieben</translation>
+    </message>
+    <message>
+        <source>Drag the selected building over the ground</source>
+        <translation>Das ausgewählte Gebäude über den Boden ziehen</translation>
+    </message>
+    <message>
+        <source>Creates a lot from the selected building&apos;s outline</source>
+        <translation>Legt aus dem Umriss des ausgewählten Gebäudes ein Grundstück an</translation>
+    </message>
+    <message>
+        <source>&amp;Import mesh...</source>
+        <translation>3D-Modell &amp;einfügen ...</translation>
+    </message>
+    <message>
+        <source>Adds a building from a mesh file, placed by a click</source>
+        <translation>Fügt ein Gebäude aus einer Modelldatei ein, durch einen Klick gesetzt</translation>
+    </message>
+    <message>
+        <source>Drag the building over the ground. Esc ends the tool.</source>
+        <translation>Das Gebäude über den Boden ziehen. Esc beendet das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <translation>Die Ecken des Grundstücks anklicken. Umschalt: rechtwinklig zur letzten Seite. Doppelklick oder Eingabe beendet.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
+        <translation>Am Pfeil ziehen oder eine Höhe in Metern tippen. Umschalt: nicht an Geschosse fangen. Eingabe baut, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Lot from foot&amp;print</source>
+        <translation>Grundstück aus Grund&amp;riss</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Exploration</name>
+    <message>
+        <source>Exploring</source>
+        <translation>Erkundung läuft</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ExportDialog</name>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>Large screen</source>
+        <translation>Großer Bildschirm</translation>
+    </message>
+    <message>
+        <source>A4 in print</source>
+        <translation>A4 im Druck</translation>
+    </message>
+    <message>
+        <source>A3 in print</source>
+        <translation>A3 im Druck</translation>
+    </message>
+    <message>
+        <source>A1 in print</source>
+        <translation>A1 im Druck</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source> pixels wide</source>
+        <translation> Pixel breit</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Table of all cells</source>
+        <translation>Tabelle aller Zellen</translation>
+    </message>
+    <message>
+        <source>A line of text for each cell: large for a large region</source>
+        <translation>Eine Textzeile je Zelle: bei großen Gebieten umfangreich</translation>
+    </message>
+    <message>
+        <source>Sheets with a title block</source>
+        <translation>Blätter mit Schriftfeld</translation>
+    </message>
+    <message>
+        <source>A PDF with maps, figures, charts and method on several pages</source>
+        <translation>Ein PDF mit Karten, Zahlen, Diagrammen und Verfahren auf mehreren Seiten</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>a folder; it is created if missing</source>
+        <translation>ein Ordner; fehlt er, wird er angelegt</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Durchsuchen ...</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Einen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Export to folder</source>
+        <translation>In Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>The sheets are shown first</source>
+        <translation>Die Blätter werden zuerst gezeigt</translation>
+    </message>
+    <message>
+        <source>Show the sheets</source>
+        <translation>Blätter zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ExtrudeHandle</name>
+    <message>
+        <source>Height: %1 m  (Enter)</source>
+        <translation>Höhe: %1 m  (Eingabe)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FieldHelp</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>More in the guide (F1)</source>
+        <translation>Mehr im Handbuch (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HelpActions</name>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>The guide, at the page about the panel in use</source>
+        <translation>Das Handbuch, auf der Seite zum benutzten Feld</translation>
+    </message>
+    <message>
+        <source>&amp;Start page</source>
+        <translation>&amp;Startseite</translation>
+    </message>
+    <message>
+        <source>Samples and recent projects</source>
+        <translation>Beispiele und zuletzt geöffnete Projekte</translation>
+    </message>
+    <message>
+        <source>&amp;About Noonmark</source>
+        <translation>&amp;Über Noonmark</translation>
+    </message>
+    <message>
+        <source>Version, libraries and processor</source>
+        <translation>Version, Bibliotheken und Prozessor</translation>
+    </message>
+    <message>
+        <source>About Noonmark</source>
+        <translation>Über Noonmark</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>Explains the field that is clicked next; in a field, Shift+F1</source>
+        <translation>Erklärt das nächste angeklickte Feld</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LegendStrip</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Scale: automatic</source>
+        <translation>Skala: automatisch</translation>
+    </message>
+    <message>
+        <source>The ends of the colour scale of a difference.
+Lock it to compare pictures of several proposals; 0: automatic, fitted to each difference.</source>
+        <translation>Die Enden der Farbskala einer Differenz.
+Feststellen, um Bilder mehrerer Entwürfe zu vergleichen; 0: automatisch, jeder Differenz angepasst.</translation>
+    </message>
+    <message>
+        <source>What is displayed.
+Gross shadow: minutes in shadow per day, mean over the days.
+Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
+        <translation>Was gezeigt wird.
+Gesamtschatten: Minuten im Schatten am Tag, Mittel über die Tage.
+Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LiveFollower</name>
+    <message>
+        <source>Live shadow</source>
+        <translation>Mitlaufender Schatten</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LotRoadsDialog</name>
+    <message>
+        <source>North</source>
+        <translation>Norden</translation>
+    </message>
+    <message>
+        <source>Northeast</source>
+        <translation>Nordosten</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Osten</translation>
+    </message>
+    <message>
+        <source>Southeast</source>
+        <translation>Südosten</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Süden</translation>
+    </message>
+    <message>
+        <source>Southwest</source>
+        <translation>Südwesten</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Westen</translation>
+    </message>
+    <message>
+        <source>Northwest</source>
+        <translation>Nordwesten</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>no road</source>
+        <translation>keine Straße</translation>
+    </message>
+    <message>
+        <source>Roads along %1</source>
+        <translation>Straßen an %1</translation>
+    </message>
+    <message>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <translation>Wie breit sind Straßen, Wasser oder Gleise auf jeder Seite? Regeln über Parzellen, wie in Japan, rücken die Parzellengrenze an ihnen nach außen. Eine Seite gilt für die äußersten Kanten, die bis auf 45 Grad zu ihr zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MainWindow</name>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>as in the paper</source>
+        <translation>wie im Artikel</translation>
+    </message>
+    <message>
+        <source>Choose a scenario at the top first. A change to a building begins one: click a building, and drag its arrow or replace it by a tower (Ctrl+T).</source>
+        <translation>Erst oben ein Szenario wählen. Eine Änderung an einem Gebäude beginnt eines: ein Gebäude anklicken und an seinem Pfeil ziehen oder es durch einen Turm ersetzen (Strg+T).</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>%1[*] - Noonmark</source>
+        <translation>%1[*] - Noonmark</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MapLayer</name>
+    <message>
+        <source>Painting the map</source>
+        <translation>Die Karte wird gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingForm</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Podium</source>
+        <translation>Sockel</translation>
+    </message>
+    <message>
+        <source>All storeys, including the podium: 1 to 500</source>
+        <translation>Alle Geschosse mit dem Sockel: 1 bis 500</translation>
+    </message>
+    <message>
+        <source>Floor to floor: 2 to 10 m</source>
+        <translation>Von Boden zu Boden: 2 bis 10 m</translation>
+    </message>
+    <message>
+        <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
+        <translation>Von einem Geschoss bis 2000 m; oder am Pfeil des Turms ziehen oder eine Zahl über der Ansicht tippen</translation>
+    </message>
+    <message>
+        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
+        <translation>Drehung im Uhrzeigersinn um die Mitte des Turms; er muss auf dem Grundstück bleiben</translation>
+    </message>
+    <message>
+        <source>Fewer than all storeys</source>
+        <translation>Weniger als alle Geschosse</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Geschosse</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Geschossplatte</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>Geschosshöhe</translation>
+    </message>
+    <message>
+        <source>Total height</source>
+        <translation>Gesamthöhe</translation>
+    </message>
+    <message>
+        <source>Floor plate</source>
+        <translation>Geschossplatte</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingPanel</name>
+    <message>
+        <source>Name and id of the new building</source>
+        <translation>Name und Id des neuen Gebäudes</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>The project&apos;s lots</source>
+        <translation>Die Grundstücke des Projekts</translation>
+    </message>
+    <message>
+        <source>Design tower</source>
+        <translation>Turm entwerfen</translation>
+    </message>
+    <message>
+        <source>Designs a tower on this lot; building it demolishes the buildings on the lot</source>
+        <translation>Entwirft einen Turm auf diesem Grundstück; beim Bauen werden die Gebäude darauf abgerissen</translation>
+    </message>
+    <message>
+        <source>Draw lot</source>
+        <translation>Grundstück zeichnen</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground (Shift: at right angles to the last side).
+Double click, Enter or right click finishes, Backspace removes the last corner.</source>
+        <translation>Ecken auf dem Boden anklicken (Umschalt: rechtwinklig zur letzten Seite).
+Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke.</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Adds the tower to the scenario, as one undo step (Enter over the view)</source>
+        <translation>Fügt den Turm dem Szenario hinzu, als ein Schritt (Eingabe über der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leaves the scenario unchanged (Esc over the view)</source>
+        <translation>Lässt das Szenario unverändert (Esc über der Ansicht)</translation>
+    </message>
+    <message>
+        <source>No lots yet: draw one</source>
+        <translation>Noch keine Grundstücke: eines zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MeshPlacing</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MessageBar</name>
+    <message>
+        <source>Shows or hides the other lines of this message</source>
+        <translation>Zeigt oder verbirgt die weiteren Zeilen dieser Meldung</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>1 more line</source>
+        <translation>1 weitere Zeile</translation>
+    </message>
+    <message>
+        <source>%1 more lines</source>
+        <translation>%1 weitere Zeilen</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Weniger</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ModeSwitch</name>
+    <message>
+        <source>engine</source>
+        <translation>Verfahren</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MonthChart</name>
+    <message>
+        <source>Shadow area by month, m²</source>
+        <translation>Schattenfläche nach Monat, m²</translation>
+    </message>
+    <message>
+        <source>Score by month, m²</source>
+        <translation>Bewertung nach Monat, m²</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieActions</name>
+    <message>
+        <source>Export &amp;movie...</source>
+        <translation>&amp;Film exportieren ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>The shadows of a day, of a year, or of the change by a scenario, as MP4 or GIF</source>
+        <translation>Die Schatten eines Tages, eines Jahres oder der Änderung durch ein Szenario, als MP4 oder GIF</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>Shadow: %1</source>
+        <translation>Schatten: %1</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Movie of %1 frames saved as %2</source>
+        <translation>Film mit %1 Bildern gespeichert als %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieDialog</name>
+    <message>
+        <source>Export movie</source>
+        <translation>Film exportieren</translation>
+    </message>
+    <message>
+        <source>What changes from frame to frame</source>
+        <translation>Was sich von Bild zu Bild ändert</translation>
+    </message>
+    <message>
+        <source>Shadows of one day</source>
+        <translation>Schatten eines Tages</translation>
+    </message>
+    <message>
+        <source>Shadows at one time through the year</source>
+        <translation>Schatten zu einer Uhrzeit durch das Jahr</translation>
+    </message>
+    <message>
+        <source>From baseline to scenario</source>
+        <translation>Vom Vergleich zum Szenario</translation>
+    </message>
+    <message>
+        <source> min of the day in each frame</source>
+        <translation> min des Tages je Bild</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>The ground that all frames show, from above</source>
+        <translation>Der Boden, den alle Bilder zeigen, von oben</translation>
+    </message>
+    <message>
+        <source>What changes and what its shadows reach, or the places</source>
+        <translation>Was sich ändert und wohin seine Schatten reichen, oder die Orte</translation>
+    </message>
+    <message>
+        <source>The region of the study</source>
+        <translation>Das Gebiet der Untersuchung</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Small pictures make small files, which matters for GIF</source>
+        <translation>Kleine Bilder ergeben kleine Dateien, was bei GIF zählt</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source> frames per second</source>
+        <translation> Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportieren ...</translation>
+    </message>
+    <message>
+        <source>Asks for a file: MP4 for players, GIF for pages and mail</source>
+        <translation>Fragt nach einer Datei: MP4 für Abspielprogramme, GIF für Seiten und E-Mail</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpenOptions</name>
+    <message>
+        <source>Open with options</source>
+        <translation>Mit Optionen öffnen</translation>
+    </message>
+    <message>
+        <source>Read the files with these settings</source>
+        <translation>Die Dateien mit diesen Einstellungen lesen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpeningActions</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;New project from a city...</source>
+        <translation>&amp;Neues Projekt aus einer Stadt ...</translation>
+    </message>
+    <message>
+        <source>Footprints, CityJSON, meshes, terrain; several files are combined into one city</source>
+        <translation>Grundrisse, CityJSON, 3D-Modelle, Gelände; mehrere Dateien werden zu einer Stadt verbunden</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Öffnen ...</translation>
+    </message>
+    <message>
+        <source>A project, or city files, from which a new project is created</source>
+        <translation>Ein Projekt, oder Stadtdateien, aus denen ein neues Projekt entsteht</translation>
+    </message>
+    <message>
+        <source>Open &amp;with options...</source>
+        <translation>Mit O&amp;ptionen öffnen ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>For files without location, unit or heights</source>
+        <translation>Für Dateien ohne Lage, Einheit oder Höhen</translation>
+    </message>
+    <message>
+        <source>&amp;Central Park South</source>
+        <translation>&amp;Central Park South</translation>
+    </message>
+    <message>
+        <source>The park, its streets and the towers of the case study</source>
+        <translation>Der Park, seine Straßen und die Türme der Fallstudie</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>A synthetic city of blocks and lots</source>
+        <translation>Eine synthetische Stadt aus Blöcken und Grundstücken</translation>
+    </message>
+    <message>
+        <source>The time zone %1 is a guess; %2 is also nearby.</source>
+        <translation>Die Zeitzone %1 ist geraten; auch %2 liegt nahe.</translation>
+    </message>
+    <message>
+        <source>Open with options...</source>
+        <translation>Mit Optionen öffnen ...</translation>
+    </message>
+    <message>
+        <source>Open samp&amp;le</source>
+        <translation>Beispie&amp;l öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodForm</name>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>From sunrise to sunset</source>
+        <translation>Sonnenauf- bis -untergang</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>erstes Licht (-0,833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>Mitte der Scheibe (0°)</translation>
+    </message>
+    <message>
+        <source>Sun as seen through the air</source>
+        <translation>Sonne durch die Luft</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Erster Tag</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>After sunrise</source>
+        <translation>Nach Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source>Before sunset</source>
+        <translation>Vor Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Hours per day</source>
+        <translation>Stunden am Tag</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>Sun every</source>
+        <translation>Sonne alle</translation>
+    </message>
+    <message>
+        <source>Sunrise at</source>
+        <translation>Sonnenaufgang bei</translation>
+    </message>
+    <message>
+        <source>Time zone and sun</source>
+        <translation>Zeitzone und Sonne</translation>
+    </message>
+    <message>
+        <source>First day of the period, local date in the time zone</source>
+        <translation>Erster Tag des Zeitraums, Datum in der Zeitzone</translation>
+    </message>
+    <message>
+        <source>Number of days, 1 to 3660</source>
+        <translation>Anzahl der Tage, 1 bis 3660</translation>
+    </message>
+    <message>
+        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
+        <translation>Uhrzeit, zu der jeder Tag beginnt, Stunden:Minuten</translation>
+    </message>
+    <message>
+        <source>Hours per day, 0 to 24; 0 is a single moment</source>
+        <translation>Stunden am Tag, 0 bis 24; 0 ist ein einzelner Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Minutes from one position of the sun to the next, 1/60 to 240</source>
+        <translation>Minuten von einem Sonnenstand zum nächsten, 1/60 bis 240</translation>
+    </message>
+    <message>
+        <source>IANA time zone of the wall clock, daylight saving included.
+Set to that of the nearest city when a file is opened: check it near borders.</source>
+        <translation>IANA-Zeitzone der Uhrzeit, mit Sommerzeit.
+Beim Öffnen einer Datei die der nächsten Stadt: nahe Grenzen prüfen.</translation>
+    </message>
+    <message>
+        <source>Use sunrise and sunset instead of clock times</source>
+        <translation>Sonnenauf- und -untergang statt Uhrzeiten verwenden</translation>
+    </message>
+    <message>
+        <source>The window begins this many hours after sunrise</source>
+        <translation>Das Fenster beginnt so viele Stunden nach Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source>The window ends this many hours before sunset</source>
+        <translation>Das Fenster endet so viele Stunden vor Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <translation>Welcher Zeitpunkt als Sonnenauf- und -untergang gilt: die Höhe der Sonnenmitte</translation>
+    </message>
+    <message>
+        <source>On: the air lifts the sun a little near the horizon (refraction).
+Off: the sun&apos;s geometric position, as some rules require</source>
+        <translation>Ein: die Luft hebt die Sonne nahe dem Horizont ein wenig (Refraktion).
+Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceActions</name>
+    <message>
+        <source>Read &amp;places...</source>
+        <translation>&amp;Orte einlesen ...</translation>
+    </message>
+    <message>
+        <source>Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons</source>
+        <translation>Parks, Spielplätze, Schulhöfe ... aus OpenStreetMap oder einer Datei mit Polygonen</translation>
+    </message>
+    <message>
+        <source>Draw p&amp;lace</source>
+        <translation>Or&amp;t zeichnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Enter finishes, Esc cancels</source>
+        <translation>Ecken auf dem Boden anklicken; Eingabe beendet, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Creates a place from the selected building&apos;s outline</source>
+        <translation>Legt aus dem Umriss des ausgewählten Gebäudes einen Ort an</translation>
+    </message>
+    <message>
+        <source>P&amp;laces</source>
+        <translation>O&amp;rte</translation>
+    </message>
+    <message>
+        <source>Shows outlines and names of places</source>
+        <translation>Zeigt Umrisse und Namen der Orte</translation>
+    </message>
+    <message>
+        <source>Reading places</source>
+        <translation>Orte werden gelesen</translation>
+    </message>
+    <message>
+        <source>read places</source>
+        <translation>Orte einlesen</translation>
+    </message>
+    <message>
+        <source>draw place</source>
+        <translation>Ort zeichnen</translation>
+    </message>
+    <message>
+        <source>place from building</source>
+        <translation>Ort aus Gebäude</translation>
+    </message>
+    <message>
+        <source>Place from b&amp;uilding outline</source>
+        <translation>Ort aus Gebäudeu&amp;mriss</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceList</name>
+    <message>
+        <source>Find a place</source>
+        <translation>Einen Ort finden</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Tick all places</source>
+        <translation>Alle Orte ankreuzen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Tick no place</source>
+        <translation>Keinen Ort ankreuzen</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Vorauswahl</translation>
+    </message>
+    <message>
+        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
+        <translation>Die Orte ankreuzen, die der Schatten des Entwurfs überhaupt erreichen kann</translation>
+    </message>
+    <message>
+        <source>%1, %2%3</source>
+        <translation>%1, %2%3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places ticked</source>
+        <translation>%1 von %2 Orten angekreuzt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places can be reached; the others&apos; tooltips say why not</source>
+        <translation>%1 von %2 Orten sind erreichbar; bei den anderen steht im Hinweis, warum nicht</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacingPanel</name>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Scale of all three axes</source>
+        <translation>Maßstab aller drei Achsen</translation>
+    </message>
+    <message>
+        <source>Clockwise, seen from above</source>
+        <translation>Im Uhrzeigersinn, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Adds it to the scenario (Enter over the view)</source>
+        <translation>Fügt es dem Szenario hinzu (Eingabe über der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>%1: click the place on the ground for its middle.</source>
+        <translation>%1: die Stelle auf dem Boden für seine Mitte anklicken.</translation>
+    </message>
+    <message>
+        <source> (and %1 more)</source>
+        <translation> (und %1 weitere)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high. Another click moves it.</source>
+        <translation>%1, %2 hoch. Ein weiterer Klick verschiebt es.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlateField</name>
+    <message>
+        <source>Whole lot</source>
+        <translation>Ganzes Grundstück</translation>
+    </message>
+    <message>
+        <source>Share of the lot</source>
+        <translation>Anteil am Grundstück</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
+        <translation>Eine kleinere Platte behält die Form des Grundstücks, auf allen Seiten eingerückt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointDock</name>
+    <message>
+        <source>In the sun on %1: %2
+In the year: %3 h of %4 h
+Sky view factor: %5</source>
+        <translation>In der Sonne am %1: %2
+Im Jahr: %3 h von %4 h
+Himmelssichtfaktor: %5</translation>
+    </message>
+    <message>
+        <source>
+Vertical sky component: %1 %</source>
+        <translation>
+Vertikaler Himmelslichtanteil: %1 %</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern ...</translation>
+    </message>
+    <message>
+        <source>The drawing as SVG or PNG, or the minutes by month and hour as CSV</source>
+        <translation>Die Zeichnung als SVG oder PNG oder die Minuten nach Monat und Stunde als CSV</translation>
+    </message>
+    <message>
+        <source>Right-click the ground, a roof or a wall and choose Sun and sky here.</source>
+        <translation>Den Boden, ein Dach oder eine Wand rechts anklicken und „Sonne und Himmel hier“ wählen.</translation>
+    </message>
+    <message>
+        <source>Before
+%1
+
+Scenario
+%2</source>
+        <translation>Vorher
+%1
+
+Szenario
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointInspector</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PreferencesActions</name>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Language, colours, units, paper and start page</source>
+        <translation>Sprache, Farben, Einheiten, Papier und Startseite</translation>
+    </message>
+    <message>
+        <source>Language and units apply when Noonmark starts again.</source>
+        <translation>Sprache und Einheiten gelten beim nächsten Start von Noonmark.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences...</source>
+        <translation>E&amp;instellungen ...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and error messages stay English</source>
+        <translation>Von Menüs, Feldern und Zahlen; gilt beim nächsten Start von Noonmark. Dateien, Blätter und Fehlermeldungen bleiben englisch</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Light or dark; applies at once</source>
+        <translation>Hell oder dunkel; gilt sofort</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown; applies when Noonmark starts again. Fields to type in stay in metres</source>
+        <translation>Für angezeigte Flächen, Längen und Höhen; gilt beim nächsten Start von Noonmark. Eingabefelder bleiben in Metern</translation>
+    </message>
+    <message>
+        <source>Metric: metres</source>
+        <translation>Metrisch: Meter</translation>
+    </message>
+    <message>
+        <source>Imperial: feet</source>
+        <translation>Imperial: Fuß</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>Metrisch und imperial</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Of sheets, until you choose another for one of them</source>
+        <translation>Von Blättern, bis für eines ein anderes gewählt wird</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Of sheets</source>
+        <translation>Von Blättern</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Show the start page when Noonmark starts</source>
+        <translation>Startseite beim Start von Noonmark zeigen</translation>
+    </message>
+    <message>
+        <source>Only where no file is opened with the program. Help &gt; Start page shows it at any time</source>
+        <translation>Nur wenn keine Datei mit dem Programm geöffnet wird. Hilfe &gt; Startseite zeigt sie jederzeit</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProgressStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop this job; the previous result stays</source>
+        <translation>Diese Berechnung abbrechen; das vorige Ergebnis bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectDock</name>
+    <message>
+        <source>remove step %1 of %2</source>
+        <translation>Schritt %1 von %2 entfernen</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>duplicate %1</source>
+        <translation>%1 verdoppeln</translation>
+    </message>
+    <message>
+        <source>new scenario %1</source>
+        <translation>neues Szenario %1</translation>
+    </message>
+    <message>
+        <source>change kind of %1</source>
+        <translation>Art von %1 ändern</translation>
+    </message>
+    <message>
+        <source>roads along %1</source>
+        <translation>Straßen an %1</translation>
+    </message>
+    <message>
+        <source>R&amp;oads along it...</source>
+        <translation>S&amp;traßen daran ...</translation>
+    </message>
+    <message>
+        <source>&amp;Rename	F2</source>
+        <translation>Um&amp;benennen	F2</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>&amp;Verdoppeln</translation>
+    </message>
+    <message>
+        <source>&amp;Remove step	Del</source>
+        <translation>&amp;Schritt entfernen	Entf</translation>
+    </message>
+    <message>
+        <source>&amp;Delete	Del</source>
+        <translation>&amp;Löschen	Entf</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with this</source>
+        <translation>Ver&amp;gleichen damit</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario from this</source>
+        <translation>&amp;Neues Szenario hieraus</translation>
+    </message>
+    <message>
+        <source>&amp;Starts from</source>
+        <translation>Beginnt &amp;mit</translation>
+    </message>
+    <message>
+        <source>change base of %1</source>
+        <translation>Ausgangspunkt von %1 ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study region</source>
+        <translation>Als Unter&amp;suchungsgebiet verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Neues Szenario</translation>
+    </message>
+    <message>
+        <source>&amp;Save the study&apos;s region</source>
+        <translation>Untersuchungsgebiet &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Save the study&apos;s period</source>
+        <translation>Untersuchungszeitraum &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Save the displayed result</source>
+        <translation>Angezeigtes Ergebnis &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a lot</source>
+        <translation>&amp;Grundstück zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a place</source>
+        <translation>&amp;Ort zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Read places from a file...</source>
+        <translation>Orte aus Datei &amp;einlesen ...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectSaving</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saving recovery file</source>
+        <translation>Sicherung wird gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectSession</name>
+    <message>
+        <source>rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>add lot %1</source>
+        <translation>Grundstück %1 hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RangePanel</name>
+    <message>
+        <source>Incremental shadow</source>
+        <translation>Zusätzlicher Schatten</translation>
+    </message>
+    <message>
+        <source>Shadow in the scenario</source>
+        <translation>Schatten im Szenario</translation>
+    </message>
+    <message>
+        <source>Shadow in the baseline</source>
+        <translation>Schatten im Vergleich</translation>
+    </message>
+    <message>
+        <source>Shadow by month</source>
+        <translation>Schatten nach Monat</translation>
+    </message>
+    <message>
+        <source>This rule is about single days. Rules about a range of days, such as san-francisco-295, have a chart by hour and day of the year.</source>
+        <translation>Diese Regel gilt einzelnen Tagen. Regeln über eine Spanne von Tagen, wie san-francisco-295, haben ein Diagramm nach Stunde und Tag des Jahres.</translation>
+    </message>
+    <message>
+        <source>Computing...</source>
+        <translation>Wird berechnet ...</translation>
+    </message>
+    <message>
+        <source>Chart of the range</source>
+        <translation>Diagramm der Spanne</translation>
+    </message>
+    <message>
+        <source>Click a day for its timeline.</source>
+        <translation>Einen Tag anklicken zeigt seinen Zeitverlauf.</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow; each month counts twice, for both halves of the year.</source>
+        <translation>Fläche × Stunden im Schatten; jeder Monat zählt doppelt, für beide Jahreshälften.</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow.</source>
+        <translation>Fläche × Stunden im Schatten.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReadingForm</name>
+    <message>
+        <source>found by name</source>
+        <translation>am Namen erkannt</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>all layers with polygons</source>
+        <translation>alle Ebenen mit Polygonen</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>wie in der Datei (Beispiel: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>die höchste</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>immer</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nie (ebener Boden)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Origin located at</source>
+        <translation>Ursprung liegt bei</translation>
+    </message>
+    <message>
+        <source>° east</source>
+        <translation>° Ost</translation>
+    </message>
+    <message>
+        <source>° north</source>
+        <translation>° Nord</translation>
+    </message>
+    <message>
+        <source>Middle of the open city</source>
+        <translation>Mitte der offenen Stadt</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Height field</source>
+        <translation>Feld der Höhe</translation>
+    </message>
+    <message>
+        <source>Storeys field</source>
+        <translation>Feld der Geschosse</translation>
+    </message>
+    <message>
+        <source>Unit of heights</source>
+        <translation>Einheit der Höhen</translation>
+    </message>
+    <message>
+        <source>Height of a storey</source>
+        <translation>Höhe eines Geschosses</translation>
+    </message>
+    <message>
+        <source>Default height</source>
+        <translation>Vorgabehöhe</translation>
+    </message>
+    <message>
+        <source>Place and choice of data</source>
+        <translation>Lage und Auswahl der Daten</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Detailgrad</translation>
+    </message>
+    <message>
+        <source>Maximum distance</source>
+        <translation>Größte Entfernung</translation>
+    </message>
+    <message>
+        <source>Terrain from building bases</source>
+        <translation>Gelände aus Gebäudefüßen</translation>
+    </message>
+    <message>
+        <source>Meshes (OBJ, PLY, glTF)</source>
+        <translation>3D-Modelle (OBJ, PLY, glTF)</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Unit of coordinates</source>
+        <translation>Einheit der Koordinaten</translation>
+    </message>
+    <message>
+        <source>Mesh north</source>
+        <translation>Norden des Modells</translation>
+    </message>
+    <message>
+        <source>Name of the field with the heights.
+Empty: the usual names are tried.</source>
+        <translation>Name des Felds mit den Höhen.
+Leer: die üblichen Namen werden versucht.</translation>
+    </message>
+    <message>
+        <source>Name of the field with the storeys above ground.
+Empty: the usual names are tried.</source>
+        <translation>Name des Felds mit den Geschossen über dem Boden.
+Leer: die üblichen Namen werden versucht.</translation>
+    </message>
+    <message>
+        <source>Unit of heights given as plain numbers.
+As in the file: metres, unless the value or the field states otherwise.</source>
+        <translation>Einheit von Höhen ohne Einheit.
+Wie in der Datei: Meter, wenn Wert oder Feld nichts anderes sagen.</translation>
+    </message>
+    <message>
+        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
+Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
+        <translation>Wenn kein Gelände gelesen wird: aus den Bodenhöhen der Gebäude ableiten.
+Vorgabe: wenn mehr als eines von zwanzig Nachbarpaaren um mehr als 1 m abweicht.</translation>
+    </message>
+    <message>
+        <source>For buildings with known storeys but no height, metres, 2 to 6</source>
+        <translation>Für Gebäude mit bekannten Geschossen ohne Höhe, Meter, 2 bis 6</translation>
+    </message>
+    <message>
+        <source>For buildings with neither height nor storeys, metres, 1 to 1000</source>
+        <translation>Für Gebäude ohne Höhe und Geschosse, Meter, 1 bis 1000</translation>
+    </message>
+    <message>
+        <source>Read this layer only.
+Empty: all layers with polygons.</source>
+        <translation>Nur diese Ebene lesen.
+Leer: alle Ebenen mit Polygonen.</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of files that do not state it: EPSG:number.
+Empty: as in the file.</source>
+        <translation>Koordinatensystem von Dateien, die keines nennen: EPSG:Nummer.
+Leer: wie in der Datei.</translation>
+    </message>
+    <message>
+        <source>CityJSON: read this level of detail, 2.2 for example.
+Empty: the highest available.</source>
+        <translation>CityJSON: diesen Detailgrad lesen, zum Beispiel 2.2.
+Leer: den höchsten vorhandenen.</translation>
+    </message>
+    <message>
+        <source>Objects farther from the middle of the data are left out, with a warning; metres, 100 to 200000</source>
+        <translation>Objekte weiter von der Mitte der Daten werden mit Hinweis ausgelassen; Meter, 100 bis 200000</translation>
+    </message>
+    <message>
+        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
+        <translation>Richtung der Nordachse des Modells, Grad im Uhrzeigersinn von geografisch Nord, -360 bis 360</translation>
+    </message>
+    <message>
+        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
+Off: at the origin of the city from the other files.</source>
+        <translation>Geografische Lage des Modellursprungs. Nötig, wenn ein Modell allein geöffnet wird.
+Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
+    </message>
+    <message>
+        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
+        <translation>Länge des Modellursprungs, Grad, Ost positiv, -180 bis 180</translation>
+    </message>
+    <message>
+        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
+        <translation>Breite des Modellursprungs, Grad, Nord positiv, -90 bis 90</translation>
+    </message>
+    <message>
+        <source>Places the mesh&apos;s origin at the middle of the open city</source>
+        <translation>Setzt den Ursprung des Modells in die Mitte der offenen Stadt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RecentMenu</name>
+    <message>
+        <source>%1, with options</source>
+        <translation>%1, mit Optionen</translation>
+    </message>
+    <message>
+        <source>%1, read with %2</source>
+        <translation>%1, gelesen mit %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RecoveryOffers</name>
+    <message>
+        <source>Noonmark closed before %1 was saved. Unsaved changes can be recovered.</source>
+        <translation>Noonmark wurde beendet, bevor %1 gespeichert war. Ungespeicherte Änderungen können wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Older changes...</source>
+        <translation>Ältere Änderungen ...</translation>
+    </message>
+    <message>
+        <source>There are unsaved changes to %1 from %2. They can be recovered or deleted.</source>
+        <translation>Es gibt ungespeicherte Änderungen an %1 vom %2. Sie können wiederhergestellt oder gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Noonmark closed before a project was saved. The unsaved project can be recovered.</source>
+        <translation>Noonmark wurde beendet, bevor ein Projekt gespeichert war. Das Projekt kann wiederhergestellt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RegionActions</name>
+    <message>
+        <source>&amp;Draw region</source>
+        <translation>Gebiet &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Enter finishes, Esc cancels</source>
+        <translation>Ecken auf dem Boden anklicken; Eingabe beendet, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Region from &amp;file...</source>
+        <translation>Gebiet aus Datei ...</translation>
+    </message>
+    <message>
+        <source>Polygons from a file, in any coordinate system</source>
+        <translation>Polygone aus einer Datei, in einem beliebigen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>draw %1</source>
+        <translation>%1 zeichnen</translation>
+    </message>
+    <message>
+        <source>save region %1</source>
+        <translation>Gebiet %1 speichern</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultActions</name>
+    <message>
+        <source>Save &amp;picture...</source>
+        <translation>B&amp;ild speichern ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>The view with its legend, as a PNG file</source>
+        <translation>Die Ansicht mit ihrer Legende als PNG-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>E&amp;xportieren ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>The displayed result, all scenarios or the review, as PDF, picture, GeoTIFF, tables and JSON</source>
+        <translation>Das angezeigte Ergebnis, alle Szenarien oder die Prüfung als PDF, Bild, GeoTIFF, Tabellen und JSON</translation>
+    </message>
+    <message>
+        <source>&amp;Save result</source>
+        <translation>Ergebnis &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Stores the displayed map and figures in the project</source>
+        <translation>Legt die angezeigte Karte und ihre Zahlen im Projekt ab</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>Bild gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Picture copied</source>
+        <translation>Bild kopiert</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>All %1 scenarios measured</source>
+        <translation>Alle %1 gemessenen Szenarien</translation>
+    </message>
+    <message>
+        <source>Review: sheets, tables and drawings</source>
+        <translation>Prüfung: Blätter, Tabellen und Zeichnungen</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>Bewertung von %1 mit %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Untersuchung von %1</translation>
+    </message>
+    <message>
+        <source>Saved result %1</source>
+        <translation>Gespeichertes Ergebnis %1</translation>
+    </message>
+    <message>
+        <source>&amp;Export (%1)...</source>
+        <translation>E&amp;xportieren (%1) ...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultDisplay</name>
+    <message>
+        <source>Outdated: buildings have changed</source>
+        <translation>Veraltet: Gebäude haben sich geändert</translation>
+    </message>
+    <message>
+        <source>%1. Outdated: buildings have changed</source>
+        <translation>%1. Veraltet: Gebäude haben sich geändert</translation>
+    </message>
+    <message>
+        <source>These figures do not include the building being designed. Build it, then run.</source>
+        <translation>Diese Zahlen enthalten das entworfene Gebäude nicht. Bauen, dann berechnen.</translation>
+    </message>
+    <message>
+        <source>Outdated figures: buildings have changed; %1.</source>
+        <translation>Veraltete Zahlen: Gebäude haben sich geändert; %1.</translation>
+    </message>
+    <message>
+        <source>new figures are being computed</source>
+        <translation>neue Zahlen werden berechnet</translation>
+    </message>
+    <message>
+        <source>run again (Ctrl+R)</source>
+        <translation>neu berechnen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Outdated figures: settings have changed; run again (Ctrl+R).</source>
+        <translation>Veraltete Zahlen: Einstellungen haben sich geändert; neu berechnen (Strg+R).</translation>
+    </message>
+    <message>
+        <source>Outdated score: the weight table has changed; score again.</source>
+        <translation>Veraltete Bewertung: die Gewichtstabelle hat sich geändert; neu bewerten.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultsDock</name>
+    <message>
+        <source>No study yet.
+Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The figures of the study then stand here.</source>
+        <translation>Noch keine Untersuchung.
+Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R). Die Zahlen stehen dann hier.</translation>
+    </message>
+    <message>
+        <source>Show the study again</source>
+        <translation>Untersuchung wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Replaces this result by the current study or comparison</source>
+        <translation>Ersetzt dieses Ergebnis durch die laufende Untersuchung oder den Vergleich</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewActions</name>
+    <message>
+        <source>Re&amp;view by a rule...</source>
+        <translation>&amp;Prüfung nach einer Regel ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule of a review board on the places of the project</source>
+        <translation>Die Regel einer Behörde an den Orten des Projekts auswerten</translation>
+    </message>
+    <message>
+        <source>Shows the sheets of the review, and writes them with its tables and drawings</source>
+        <translation>Zeigt die Blätter der Prüfung und schreibt sie mit ihren Tabellen und Zeichnungen</translation>
+    </message>
+    <message>
+        <source>The review was exported to %1</source>
+        <translation>Die Prüfung wurde nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>S&amp;heets of the review...</source>
+        <translation>B&amp;lätter der Prüfung ...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewDock</name>
+    <message>
+        <source>Run review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportieren ...</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule on the ticked places</source>
+        <translation>Die Regel an den angekreuzten Orten auswerten</translation>
+    </message>
+    <message>
+        <source>Copies the table, with all days, as text for a spreadsheet</source>
+        <translation>Kopiert die Tabelle mit allen Tagen als Text für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage)</source>
+        <translation>Schreibt die Blätter (PDF), die Tabelle (CSV), die Daten (JSON) und die Schatten für CAD und GIS (DXF, GeoPackage)</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>Range of days</source>
+        <translation>Spanne von Tagen</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>The expected time of this review</source>
+        <translation>Die erwartete Zeit dieser Prüfung</translation>
+    </message>
+    <message>
+        <source>Computing the verdicts of the building being designed...</source>
+        <translation>Die Befunde für das entworfene Gebäude werden berechnet ...</translation>
+    </message>
+    <message>
+        <source>Press Run review to evaluate the rule on the ticked places.</source>
+        <translation>Prüfen drücken, um die Regel an den angekreuzten Orten auszuwerten.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 compared with %3. %4</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 verglichen mit %3. %4</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;&lt;i&gt;Follows the building being designed.&lt;/i&gt;</source>
+        <translation>&lt;br&gt;&lt;i&gt;Folgt dem entworfenen Gebäude.&lt;/i&gt;</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Click a row of the table to see its timeline.</source>
+        <translation>Eine Zeile der Tabelle anklicken zeigt ihren Zeitverlauf.</translation>
+    </message>
+    <message>
+        <source>The timeline of a place appears here after a review.</source>
+        <translation>Der Zeitverlauf eines Orts erscheint hier nach einer Prüfung.</translation>
+    </message>
+    <message>
+        <source>Build the tower, then run the review, to see its range of days.</source>
+        <translation>Den Turm bauen, dann prüfen, um die Spanne von Tagen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>How Noonmark reads what the rule leaves open</source>
+        <translation>Wie Noonmark liest, was die Regel offen lässt</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1, steps of %2 min, cells of %3 m, %4, %5&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1, Schritte von %2 min, Zellen von %3 m, %4, %5&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Rule files that are left out</source>
+        <translation>Ausgelassene Regeldateien</translation>
+    </message>
+    <message>
+        <source>&lt;h4&gt;Figures with status and source&lt;/h4&gt;</source>
+        <translation>&lt;h4&gt;Zahlen mit Stand und Quelle&lt;/h4&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewSession</name>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Wird abgeschätzt</translation>
+    </message>
+    <message>
+        <source>Screening</source>
+        <translation>Vorauswahl läuft</translation>
+    </message>
+    <message>
+        <source>the building being designed</source>
+        <translation>das entworfene Gebäude</translation>
+    </message>
+    <message>
+        <source>Live review</source>
+        <translation>Mitlaufende Prüfung</translation>
+    </message>
+    <message>
+        <source>Not up to date: a building is being designed. Build it, then run.</source>
+        <translation>Nicht aktuell: ein Gebäude wird entworfen. Bauen, dann prüfen.</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation>Nicht aktuell. %1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings or scenarios have changed. Run again.</source>
+        <translation>Nicht aktuell: Gebäude oder Szenarien haben sich geändert. Neu prüfen.</translation>
+    </message>
+    <message>
+        <source>Not up to date: rule, places, time zone or year have changed. Run again.</source>
+        <translation>Nicht aktuell: Regel, Orte, Zeitzone oder Jahr haben sich geändert. Neu prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RuleForm</name>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>What the proposal is compared with. The rule asks for: %1</source>
+        <translation>Womit der Entwurf verglichen wird. Die Regel verlangt: %1</translation>
+    </message>
+    <message>
+        <source>Displayed: %1</source>
+        <translation>Angezeigt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RunForecast</name>
+    <message>
+        <source>Estimating</source>
+        <translation>Wird abgeschätzt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SavingActions</name>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>City, scenarios, lots, results and view in one file</source>
+        <translation>Stadt, Szenarien, Grundstücke, Ergebnisse und Ansicht in einer Datei</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as...</source>
+        <translation>Projekt speichern &amp;unter ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Speichern unter ...</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save changes to %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioActions</name>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Neues Szenario</translation>
+    </message>
+    <message>
+        <source>Starts from the existing city</source>
+        <translation>Beginnt mit dem Bestand</translation>
+    </message>
+    <message>
+        <source>New scenario &amp;from this one</source>
+        <translation>Neues Szenario aus &amp;diesem</translation>
+    </message>
+    <message>
+        <source>Starts from the displayed scenario and inherits its later changes</source>
+        <translation>Beginnt mit dem angezeigten Szenario und übernimmt dessen spätere Änderungen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the existing city</source>
+        <translation>Mit dem Bestand &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Shows how many minutes of shadow the scenario adds or removes</source>
+        <translation>Zeigt, wie viele Minuten Schatten das Szenario hinzufügt oder wegnimmt</translation>
+    </message>
+    <message>
+        <source>&amp;Measure all scenarios</source>
+        <translation>&amp;Alle Szenarien messen</translation>
+    </message>
+    <message>
+        <source>Runs the same study for each scenario, for comparison side by side</source>
+        <translation>Führt dieselbe Untersuchung für jedes Szenario durch, zum Vergleich nebeneinander</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioBar</name>
+    <message>
+        <source>The displayed scenario. Edits are added to it; on the existing city they start a new scenario</source>
+        <translation>Das angezeigte Szenario. Änderungen gehen hinein; am Bestand beginnen sie ein neues Szenario</translation>
+    </message>
+    <message>
+        <source>Compare the scenario with this baseline: more or fewer minutes of shadow</source>
+        <translation>Das Szenario mit diesem Stand vergleichen: mehr oder weniger Minuten Schatten</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>compare with</source>
+        <translation>verglichen mit</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioTable</name>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Double-click to show it</source>
+        <translation>Doppelklick zeigt es</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Steps from the existing city, including those of its bases</source>
+        <translation>Schritte seit dem Bestand, mit denen seiner Grundlagen</translation>
+    </message>
+    <message>
+        <source>Shadow area, m²</source>
+        <translation>Schattenfläche, m²</translation>
+    </message>
+    <message>
+        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
+        <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
+    </message>
+    <message>
+        <source>Mean gross, min</source>
+        <translation>Gesamt, Mittel, min</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and receivers</source>
+        <translation>Minuten im Schatten am Tag, Mittel über Tage und Messpunkte</translation>
+    </message>
+    <message>
+        <source>Mean continuous, min</source>
+        <translation>Dauer, Mittel, min</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>Längster ununterbrochener Schatten eines Tages, Mittel über die Messpunkte</translation>
+    </message>
+    <message>
+        <source>Not computed with the current settings: show the scenario and press Run</source>
+        <translation>Mit den jetzigen Einstellungen nicht berechnet: Szenario zeigen und Berechnen drücken</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenariosDock</name>
+    <message>
+        <source>Only the existing city so far. Select a building and change it, or design a tower on a lot: the first change begins a scenario, which is listed here.</source>
+        <translation>Bisher nur der Bestand. Ein Gebäude auswählen und ändern oder einen Turm auf einem Grundstück entwerfen: die erste Änderung beginnt ein Szenario, das hier steht.</translation>
+    </message>
+    <message>
+        <source>Measure all</source>
+        <translation>Alle messen</translation>
+    </message>
+    <message>
+        <source>Runs the study for scenarios without figures, with the current period and region</source>
+        <translation>Untersucht alle Szenarien ohne Zahlen, mit dem jetzigen Zeitraum und Gebiet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SearchActions</name>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Suchen</translation>
+    </message>
+    <message>
+        <source>A building by name or id, a street, a place, a lot or a position</source>
+        <translation>Ein Gebäude nach Name oder Id, eine Straße, ein Ort, ein Grundstück oder eine Position</translation>
+    </message>
+    <message>
+        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
+        <translation>Nichts heißt „%1“. Gebäude ohne Namen findet man an ihrer Id.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SearchField</name>
+    <message>
+        <source>Find (Ctrl+F)</source>
+        <translation>Suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832</source>
+        <translation>Ein Gebäude nach Name oder Id, eine Straße, ein Ort, ein Grundstück oder eine Position wie 40.7536, -73.9832</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SelectionPanel</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Import mesh...</source>
+        <translation>3D-Modell einfügen ...</translation>
+    </message>
+    <message>
+        <source>Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground</source>
+        <translation>Fügt ein Gebäude aus OBJ, PLY, glTF oder CityJSON ein, durch einen Klick auf den Boden gesetzt</translation>
+    </message>
+    <message>
+        <source>Demolish</source>
+        <translation>Abreißen</translation>
+    </message>
+    <message>
+        <source>Removes the building (Delete)</source>
+        <translation>Entfernt das Gebäude (Entf)</translation>
+    </message>
+    <message>
+        <source>Replace by tower</source>
+        <translation>Durch Turm ersetzen</translation>
+    </message>
+    <message>
+        <source>Replaces it by a tower on its lot or, if it has none, on its footprint</source>
+        <translation>Ersetzt es durch einen Turm auf seinem Grundstück oder, wenn es keines hat, auf seinem Grundriss</translation>
+    </message>
+    <message>
+        <source>Lot from footprint</source>
+        <translation>Grundstück aus Grundriss</translation>
+    </message>
+    <message>
+        <source>Creates a lot from its outline on the ground</source>
+        <translation>Legt aus seinem Umriss auf dem Boden ein Grundstück an</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Drag the building over the ground; Esc ends the tool</source>
+        <translation>Das Gebäude über den Boden ziehen; Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply</source>
+        <translation>Über dem Boden, 0,1 bis 2000 m; oder am Pfeil des Gebäudes ziehen. Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Clockwise about its middle. Press Enter to apply</source>
+        <translation>Im Uhrzeigersinn um seine Mitte. Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Negative: west, south. Press Enter to apply</source>
+        <translation>Negativ: nach Westen, Süden. Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Move east</source>
+        <translation>Nach Osten</translation>
+    </message>
+    <message>
+        <source>Move north</source>
+        <translation>Nach Norden</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Same floor area on its lot:</source>
+        <translation>Gleiche Geschossfläche auf seinem Grundstück:</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Breiter</translation>
+    </message>
+    <message>
+        <source>Shorter, on a floor plate twice as large</source>
+        <translation>Niedriger, auf einer doppelt so großen Platte</translation>
+    </message>
+    <message>
+        <source>Widest</source>
+        <translation>Am breitesten</translation>
+    </message>
+    <message>
+        <source>As short as the lot allows</source>
+        <translation>So niedrig, wie das Grundstück zulässt</translation>
+    </message>
+    <message>
+        <source>Slimmer</source>
+        <translation>Schlanker</translation>
+    </message>
+    <message>
+        <source>Taller, on half the floor plate</source>
+        <translation>Höher, auf der halben Platte</translation>
+    </message>
+    <message>
+        <source>Click a building in the view to select it.</source>
+        <translation>Ein Gebäude in der Ansicht anklicken, um es auszuwählen.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SetbackTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Ab Höhe</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>Rücksprung</translation>
+    </message>
+    <message>
+        <source>Above each height the walls are set back by the inset, from bottom to top</source>
+        <translation>Über jeder Höhe springen die Wände um den Wert zurück, von unten nach oben</translation>
+    </message>
+    <message>
+        <source>Add setback</source>
+        <translation>Rücksprung hinzufügen</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SheetForm</name>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Title block (saved in the project)</source>
+        <translation>Schriftfeld (im Projekt gespeichert)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Scale of diagrams</source>
+        <translation>Maßstab der Pläne</translation>
+    </message>
+    <message>
+        <source>A scale from 1:%1 to 1:%2 may be typed. Where a place or its shadows are larger than the paper at that scale, the diagram shows the part around the place.</source>
+        <translation>Ein Maßstab von 1:%1 bis 1:%2 kann getippt werden. Sind ein Ort oder seine Schatten dabei größer als das Papier, zeigt der Plan den Teil um den Ort.</translation>
+    </message>
+    <message>
+        <source>fits the page</source>
+        <translation>passt auf die Seite</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Of areas, lengths and heights</source>
+        <translation>Von Flächen, Längen und Höhen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Metrisch</translation>
+    </message>
+    <message>
+        <source>Imperial</source>
+        <translation>Imperial</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>Metrisch und imperial</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Auftraggeber</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Sheet numbers</source>
+        <translation>Blattnummern</translation>
+    </message>
+    <message>
+        <source>example: A- for A-1, A-2...</source>
+        <translation>Beispiel: A- für A-1, A-2 ...</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen ...</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG picture of at most 1 MiB</source>
+        <translation>Ein PNG- oder JPEG-Bild von höchstens 1 MiB</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Sheets without a logo</source>
+        <translation>Blätter ohne Logo</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SheetsDialog</name>
+    <message>
+        <source>Write files...</source>
+        <translation>Dateien schreiben ...</translation>
+    </message>
+    <message>
+        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage) to a folder</source>
+        <translation>Schreibt die Blätter (PDF), die Tabelle (CSV), die Daten (JSON) und die Schatten für CAD und GIS (DXF, GeoPackage) in einen Ordner</translation>
+    </message>
+    <message>
+        <source>Sheets of the review</source>
+        <translation>Blätter der Prüfung</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation>Schriftfeld</translation>
+    </message>
+    <message>
+        <source>Laying out the sheets</source>
+        <translation>Die Blätter werden gesetzt</translation>
+    </message>
+    <message>
+        <source>Writing the files</source>
+        <translation>Die Dateien werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>Write the files of the review to folder</source>
+        <translation>Die Dateien der Prüfung in Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change lays the sheets out again.</source>
+        <translation>Abgebrochen. Jede Änderung setzt die Blätter neu.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StartDialog</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Noonmark measures the shadows that buildings cast on a city.</source>
+        <translation>Noonmark misst die Schatten, die Gebäude auf eine Stadt werfen.</translation>
+    </message>
+    <message>
+        <source>Open a city or a project...</source>
+        <translation>Eine Stadt oder ein Projekt öffnen ...</translation>
+    </message>
+    <message>
+        <source>Footprints, OpenStreetMap, CityJSON, meshes, terrain</source>
+        <translation>Grundrisse, OpenStreetMap, CityJSON, 3D-Modelle, Gelände</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>How to study, compare and review</source>
+        <translation>Wie man untersucht, vergleicht und prüft</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Central Park South</source>
+        <translation>Central Park South</translation>
+    </message>
+    <message>
+        <source>The park, its streets and the towers of the case study</source>
+        <translation>Der Park, seine Straßen und die Türme der Fallstudie</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>A synthetic city of blocks and lots</source>
+        <translation>Eine synthetische Stadt aus Blöcken und Grundstücken</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Guided tours</source>
+        <translation>Führungen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StudyActions</name>
+    <message>
+        <source>&amp;Run</source>
+        <translation>Be&amp;rechnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Compute the shadow in the region</source>
+        <translation>Den Schatten im Gebiet berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Ab&amp;brechen</translation>
+    </message>
+    <message>
+        <source>Ctrl+.</source>
+        <translation>Ctrl+.</translation>
+    </message>
+    <message>
+        <source>Stop the study that is running</source>
+        <translation>Die laufende Untersuchung anhalten</translation>
+    </message>
+    <message>
+        <source>Show &amp;gross shadow</source>
+        <translation>&amp;Gesamtschatten zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day</source>
+        <translation>Minuten im Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>Show c&amp;ontinuous shadow</source>
+        <translation>&amp;Dauerschatten zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow</source>
+        <translation>Längster ununterbrochener Schatten</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>Zeitraum</translation>
+    </message>
+    <message>
+        <source>save period %1</source>
+        <translation>Zeitraum %1 speichern</translation>
+    </message>
+    <message>
+        <source>%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, in %3.</source>
+        <translation>%1 war mit %2 verglichen, als das Projekt gespeichert wurde. Berechnen (Strg+R) wiederholt den Vergleich, Dauer %3.</translation>
+    </message>
+    <message>
+        <source>A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.</source>
+        <translation>Eine Untersuchung war gezeigt, als das Projekt gespeichert wurde. Berechnen (Strg+R) wiederholt sie, Dauer %1.</translation>
+    </message>
+    <message>
+        <source>This study takes %1 (%2). The accuracy Quick takes %3 and measures its error against rays.</source>
+        <translation>Diese Untersuchung dauert %1 (%2). Die Genauigkeit Schnell braucht %3 und misst ihren Fehler gegen Strahlen.</translation>
+    </message>
+    <message>
+        <source>Run quickly</source>
+        <translation>Schnell berechnen</translation>
+    </message>
+    <message>
+        <source>Run it all the same</source>
+        <translation>Trotzdem berechnen</translation>
+    </message>
+    <message>
+        <source>This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.</source>
+        <translation>Diese Untersuchung dauert %1 (%2). Größere Zellen, weniger Tage oder ein kleineres Gebiet machen sie schneller.</translation>
+    </message>
+    <message>
+        <source>Cancelled. The previous study is shown.</source>
+        <translation>Abgebrochen. Die vorige Untersuchung wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No study yet.</source>
+        <translation>Abgebrochen. Noch keine Untersuchung.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StudyDock</name>
+    <message>
+        <source>Compute the minutes of shadow in every cell of the region (Ctrl+R)</source>
+        <translation>Die Minuten Schatten in jeder Zelle des Gebiets berechnen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>How exactly</source>
+        <translation>Wie genau</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>This method works on level ground only, but %1. Choose Quick or Reference.</source>
+        <translation>Dieses Verfahren gilt nur für ebenen Boden, aber %1. Schnell oder Referenz wählen.</translation>
+    </message>
+    <message>
+        <source>roofs are to be measured</source>
+        <translation>Dächer sollen gemessen werden</translation>
+    </message>
+    <message>
+        <source>this city has terrain</source>
+        <translation>diese Stadt hat Gelände</translation>
+    </message>
+    <message>
+        <source>Choose weights</source>
+        <translation>Gewichte wählen</translation>
+    </message>
+    <message>
+        <source>Choose a rule</source>
+        <translation>Regel wählen</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>Neu berechnen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Run study</source>
+        <translation>Berechnen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SunShadow</name>
+    <message>
+        <source>Drawing the shadow</source>
+        <translation>Der Schatten wird gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ThemeMenu</name>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>Far&amp;ben</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeDisplay</name>
+    <message>
+        <source>&amp;Play the sun</source>
+        <translation>Sonne ab&amp;spielen</translation>
+    </message>
+    <message>
+        <source>Shift+Space</source>
+        <translation>Shift+Space</translation>
+    </message>
+    <message>
+        <source>Plays or stops the sun and its shadows</source>
+        <translation>Spielt die Sonne und ihre Schatten ab oder hält sie an</translation>
+    </message>
+    <message>
+        <source>Ten minutes &amp;later</source>
+        <translation>Zehn Minuten s&amp;päter</translation>
+    </message>
+    <message>
+        <source>The sun ten minutes later</source>
+        <translation>Die Sonne zehn Minuten später</translation>
+    </message>
+    <message>
+        <source>Ten minutes &amp;earlier</source>
+        <translation>Zehn Minuten f&amp;rüher</translation>
+    </message>
+    <message>
+        <source>The sun ten minutes earlier</source>
+        <translation>Die Sonne zehn Minuten früher</translation>
+    </message>
+    <message>
+        <source>&amp;Next day</source>
+        <translation>&amp;Nächster Tag</translation>
+    </message>
+    <message>
+        <source>The sun at the same time of the next day</source>
+        <translation>Die Sonne zur selben Zeit am nächsten Tag</translation>
+    </message>
+    <message>
+        <source>Previous &amp;day</source>
+        <translation>&amp;Voriger Tag</translation>
+    </message>
+    <message>
+        <source>The sun at the same time of the day before</source>
+        <translation>Die Sonne zur selben Zeit am Tag davor</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>Zeitraum</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeLooking</name>
+    <message>
+        <source>Computing %1</source>
+        <translation>%1 wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeStrip</name>
+    <message>
+        <source>Whole period</source>
+        <translation>Ganzer Zeitraum</translation>
+    </message>
+    <message>
+        <source>One day</source>
+        <translation>Ein Tag</translation>
+    </message>
+    <message>
+        <source>One moment</source>
+        <translation>Ein Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>What is shown: the whole period; one day of a study, from horizons cached in steps of half a degree;
+or sun and shadow at one moment, on everything</source>
+        <translation>Was gezeigt wird: der ganze Zeitraum; ein Tag einer Untersuchung, aus gespeicherten Horizonten in halben Grad;
+oder Sonne und Schatten zu einem Zeitpunkt, auf allem</translation>
+    </message>
+    <message>
+        <source>The date, in the year of the period. Arrows: a day; Page Up and Down: a month</source>
+        <translation>Das Datum im Jahr des Zeitraums. Pfeile: ein Tag; Bild auf und ab: ein Monat</translation>
+    </message>
+    <message>
+        <source>The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour</source>
+        <translation>Die Uhrzeit; gelb: die Sonne ist oben. Pfeile: eine Minute; Bild auf und ab: eine Stunde</translation>
+    </message>
+    <message>
+        <source>Direction of the sun, clockwise from true north, and its altitude</source>
+        <translation>Richtung der Sonne im Uhrzeigersinn von geografisch Nord, und ihre Höhe</translation>
+    </message>
+    <message>
+        <source>Set as period</source>
+        <translation>Als Zeitraum</translation>
+    </message>
+    <message>
+        <source>Makes this day or moment the period of the study; Run then computes its figures and errors</source>
+        <translation>Macht diesen Tag oder Zeitpunkt zum Zeitraum der Untersuchung; Berechnen liefert dann Zahlen und Fehler</translation>
+    </message>
+    <message>
+        <source>Plays the sun and its shadows (Shift+Space)</source>
+        <translation>Spielt die Sonne und ihre Schatten ab (Umschalt+Leertaste)</translation>
+    </message>
+    <message>
+        <source>through the day</source>
+        <translation>durch den Tag</translation>
+    </message>
+    <message>
+        <source>through the year</source>
+        <translation>durch das Jahr</translation>
+    </message>
+    <message>
+        <source>Play from sunrise to sunset of one date, or one time of day through the year</source>
+        <translation>Von Sonnenaufgang bis -untergang eines Datums abspielen oder eine Uhrzeit durch das Jahr</translation>
+    </message>
+    <message>
+        <source>slowly</source>
+        <translation>langsam</translation>
+    </message>
+    <message>
+        <source>steadily</source>
+        <translation>stetig</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>Half an hour, an hour and a half or four hours of the day in a second;
+of the year, as many weeks</source>
+        <translation>Eine halbe, anderthalb oder vier Stunden des Tages in einer Sekunde;
+vom Jahr ebenso viele Wochen</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>d.M.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tour</name>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 von %3)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TourBubble</name>
+    <message>
+        <source>Show me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Does this step for you</source>
+        <translation>Führt diesen Schritt für Sie aus</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>End tour</source>
+        <translation>Führung beenden</translation>
+    </message>
+    <message>
+        <source>Help &gt; Guided tours starts it again</source>
+        <translation>Hilfe &gt; Führungen startet sie wieder</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TowerEditing</name>
+    <message>
+        <source>Build %1</source>
+        <translation>%1 bauen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::VerdictTable</name>
+    <message>
+        <source>Place and day</source>
+        <translation>Ort und Tag</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Tag</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewActions</name>
+    <message>
+        <source>Zoom to whole &amp;city</source>
+        <translation>Ganze &amp;Stadt</translation>
+    </message>
+    <message>
+        <source>&amp;North up</source>
+        <translation>&amp;Norden oben</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>&amp;Draufsicht</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;region</source>
+        <translation>&amp;Gebiet zeigen</translation>
+    </message>
+    <message>
+        <source>The study region seen from above</source>
+        <translation>Das Untersuchungsgebiet von oben</translation>
+    </message>
+    <message>
+        <source>&amp;Solid buildings</source>
+        <translation>&amp;Volle Gebäude</translation>
+    </message>
+    <message>
+        <source>Off: wireframe, so that the ground behind buildings is visible</source>
+        <translation>Aus: Drahtmodell, damit der Boden hinter Gebäuden sichtbar ist</translation>
+    </message>
+    <message>
+        <source>&amp;Map on the ground</source>
+        <translation>&amp;Karte auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Streets, paths, parks, water and trees, drawn for orientation</source>
+        <translation>Straßen, Wege, Parks, Wasser und Bäume zur Orientierung</translation>
+    </message>
+    <message>
+        <source>&amp;Explore by shadow accrual maps</source>
+        <translation>&amp;Erkundung mit Akkumulationskarten</translation>
+    </message>
+    <message>
+        <source>As in the paper, instead of rays: inexact at shadow edges, but hours that look alike are computed once</source>
+        <translation>Wie im Artikel statt mit Strahlen: an Schattenkanten ungenau, aber ähnliche Stunden werden nur einmal berechnet</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewPanel</name>
+    <message>
+        <source>region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>Grundstück</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Ort</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewPresets</name>
+    <message>
+        <source>From the &amp;south</source>
+        <translation>Von &amp;Süden</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>From the &amp;east</source>
+        <translation>Von &amp;Osten</translation>
+    </message>
+    <message>
+        <source>Shift+E</source>
+        <translation>Shift+E</translation>
+    </message>
+    <message>
+        <source>From the &amp;north</source>
+        <translation>Von &amp;Norden</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>From the &amp;west</source>
+        <translation>Von &amp;Westen</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>From the s&amp;un</source>
+        <translation>Von de&amp;r Sonne</translation>
+    </message>
+    <message>
+        <source>As the sun sees the city at the date and time below the view: what is visible is sunlit</source>
+        <translation>Wie die Sonne die Stadt zu Datum und Uhrzeit unter der Ansicht sieht: was sichtbar ist, ist besonnt</translation>
+    </message>
+    <message>
+        <source>The same ground from this side, nearly level</source>
+        <translation>Derselbe Boden von dieser Seite, fast waagrecht</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon at this date and time. Move the time below the view.</source>
+        <translation>Zu diesem Zeitpunkt steht die Sonne unter dem Horizont. Die Uhrzeit unter der Ansicht ändern.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WarningsDock</name>
+    <message>
+        <source>Double-click a feature or press Enter to go to its building</source>
+        <translation>Doppelklick auf ein Objekt oder Eingabe geht zu seinem Gebäude</translation>
+    </message>
+    <message>
+        <source>No warnings: nothing was left out, repaired or assumed</source>
+        <translation>Keine Hinweise: nichts wurde ausgelassen, repariert oder angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WeightsDock</name>
+    <message>
+        <source>Compute score</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
+        <translation>Schatten des angezeigten Szenarios im Gebiet und Zeitraum der Untersuchung, mit dieser Tabelle gewichtet: nach Monat und als Karte</translation>
+    </message>
+    <message>
+        <source>The weight table to edit and to compute scores with; rename it with F2 in the project tree</source>
+        <translation>Die Gewichtstabelle zum Bearbeiten und Bewerten; umbenennen mit F2 im Projektbaum</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds an interval after the selected one: over days without a weight, else over half of its days</source>
+        <translation>Fügt nach dem gewählten Intervall eines hinzu: über Tage ohne Gewicht, sonst über die Hälfte seiner Tage</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the selected interval; its time then has no weight</source>
+        <translation>Entfernt das gewählte Intervall; seine Zeit hat dann kein Gewicht</translation>
+    </message>
+    <message>
+        <source>New table</source>
+        <translation>Neue Tabelle</translation>
+    </message>
+    <message>
+        <source>Adds a table that starts with the twelve months of the paper</source>
+        <translation>Fügt eine Tabelle hinzu, die mit den zwölf Monaten des Artikels beginnt</translation>
+    </message>
+    <message>
+        <source>new weight table %1</source>
+        <translation>neue Gewichtstabelle %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WeightsModel</name>
+    <message>
+        <source>Interval</source>
+        <translation>Intervall</translation>
+    </message>
+    <message>
+        <source>Name of the interval</source>
+        <translation>Name des Intervalls</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erster</translation>
+    </message>
+    <message>
+        <source>First day, every year: month and day such as 06-01, or a month such as June</source>
+        <translation>Erster Tag, jedes Jahr: Monat und Tag wie 06-01 oder ein Monat wie June</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzter</translation>
+    </message>
+    <message>
+        <source>Last day, included; before the first: across New Year. Such as 08-31, or a month such as August</source>
+        <translation>Letzter Tag, eingeschlossen; vor dem ersten: über Neujahr. Wie 08-31 oder ein Monat wie August</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Time of day at which it begins, wall clock: 00:00 to 24:00</source>
+        <translation>Uhrzeit, zu der es beginnt: 00:00 bis 24:00</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Time of day at which it ends: 00:00 to 24:00</source>
+        <translation>Uhrzeit, zu der es endet: 00:00 bis 24:00</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>-1 (shadow unwanted) to 1 (shade wanted)</source>
+        <translation>-1 (Schatten unerwünscht) bis 1 (Schatten erwünscht)</translation>
+    </message>
+    <message>
+        <source>edit weights %1</source>
+        <translation>Gewichte %1 bearbeiten</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhatForm</name>
+    <message>
+        <source>Where shadow is measured. Changes and scores are measured on the ground only.
+Shadow on facades is shown in the mode Exploration.</source>
+        <translation>Wo Schatten gemessen wird. Änderungen und Bewertungen werden nur auf dem Boden gemessen.
+Schatten auf Fassaden zeigt der Modus Erkundung.</translation>
+    </message>
+    <message>
+        <source>Hours of shadow</source>
+        <translation>Stunden im Schatten</translation>
+    </message>
+    <message>
+        <source>Change by a scenario</source>
+        <translation>Änderung durch ein Szenario</translation>
+    </message>
+    <message>
+        <source>Score of wanted shadow</source>
+        <translation>Bewertung erwünschten Schattens</translation>
+    </message>
+    <message>
+        <source>Review by a rule</source>
+        <translation>Prüfung nach einer Regel</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhenForm</name>
+    <message>
+        <source>The days that are measured. The hours stay as they are</source>
+        <translation>Die Tage, die gemessen werden. Die Stunden bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>As in a rule</source>
+        <translation>Nach Regel</translation>
+    </message>
+    <message>
+        <source>The day and the hours of a review board&apos;s rule</source>
+        <translation>Der Tag und die Stunden aus der Regel einer Behörde</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>Zeitraum</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhereForm</name>
+    <message>
+        <source>Place or region by name</source>
+        <translation>Ort oder Gebiet nach Name</translation>
+    </message>
+    <message>
+        <source>A place or a region of the project. Type a part of its name.</source>
+        <translation>Ein Ort oder Gebiet des Projekts. Einen Teil des Namens tippen.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Click the corners of a polygon on the ground.
+Double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Die Ecken eines Polygons auf dem Boden anklicken.
+Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>What I see</source>
+        <translation>Was ich sehe</translation>
+    </message>
+    <message>
+        <source>The ground visible in the view</source>
+        <translation>Der in der Ansicht sichtbare Boden</translation>
+    </message>
+    <message>
+        <source>Whole city</source>
+        <translation>Ganze Stadt</translation>
+    </message>
+    <message>
+        <source>The bounding box of all buildings</source>
+        <translation>Das umschließende Rechteck aller Gebäude</translation>
+    </message>
+    <message>
+        <source>Around building</source>
+        <translation>Um das Gebäude</translation>
+    </message>
+    <message>
+        <source>The selected building&apos;s surroundings, as far as four times its height.
+Click a building first.</source>
+        <translation>Die Umgebung des gewählten Gebäudes, bis zum Vierfachen seiner Höhe.
+Zuerst ein Gebäude anklicken.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Workbench</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Recovering</source>
+        <translation>Wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>recover unsaved changes</source>
+        <translation>ungespeicherte Änderungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes recovered. Save keeps them, Undo discards them.</source>
+        <translation>Ungespeicherte Änderungen wiederhergestellt. Speichern behält sie, Rückgängig verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Showing %1</source>
+        <translation>%1 wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Wird abgeschätzt</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Untersuchung</translation>
+    </message>
+    <message>
+        <source>All scenarios</source>
+        <translation>Alle Szenarien</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>save result %1</source>
+        <translation>Ergebnis %1 speichern</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Wird exportiert</translation>
+    </message>
+    <message>
+        <source>Exported to %1: %2</source>
+        <translation>Exportiert nach %1: %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,5146 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>FieldText</name>
+    <message>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
+        <translation>Qué responde el estudio: minutos de sombra, el cambio que causa un escenario, una puntuación de sombra deseada y no deseada, o los dictámenes según la norma de una autoridad.</translation>
+    </message>
+    <message>
+        <source>The rule of a review board by which the ticked places are judged. The list has the rules that come with Noonmark and those of your own.</source>
+        <translation>La norma de una autoridad con la que se juzgan los lugares marcados. La lista tiene las normas que trae Noonmark y las suyas propias.</translation>
+    </message>
+    <message>
+        <source>The scenario with the proposal. Displayed: whichever is chosen at the top of the window.</source>
+        <translation>El escenario con la propuesta. Mostrado: el que esté elegido en la parte superior de la ventana.</translation>
+    </message>
+    <message>
+        <source>A choice that the rule leaves to the case, such as a district or a zone.</source>
+        <translation>Una opción que la norma deja al caso, como un distrito o una zona.</translation>
+    </message>
+    <message>
+        <source>How exactly the shadow is computed. The line below the list says what each choice means; its error is measured and stated beside the legend.</source>
+        <translation>Con qué exactitud se calcula la sombra. La línea bajo la lista explica cada opción; su error se mide y aparece junto a la leyenda.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the time zone, the step of the sun and how sunrise is defined.</source>
+        <translation>Muestra u oculta la zona horaria, el paso del sol y cómo se define el amanecer.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the method and its options, for experts.</source>
+        <translation>Muestra u oculta el método y sus opciones, para expertos.</translation>
+    </message>
+    <message>
+        <source>What the chart of a range of days shows: shadow in the scenario, in the baseline, or what the scenario adds.</source>
+        <translation>Qué muestra el gráfico de un intervalo de días: sombra en el escenario, en la referencia o la que añade el escenario.</translation>
+    </message>
+    <message>
+        <source>The places with their verdicts, and below each its days with the numbers behind it. A click shows the timeline, a double click zooms to the place.</source>
+        <translation>Los lugares con sus dictámenes y, debajo, los días con sus cifras. Un clic muestra la cronología; un doble clic acerca al lugar.</translation>
+    </message>
+    <message>
+        <source>What the proposal is compared with.</source>
+        <translation>Con qué se compara la propuesta.</translation>
+    </message>
+    <message>
+        <source>Lists only the places whose name or kind contains this text.</source>
+        <translation>Lista solo los lugares cuyo nombre o tipo contiene este texto.</translation>
+    </message>
+    <message>
+        <source>The places that the review judges: those with a tick.</source>
+        <translation>Los lugares que se evalúan: los marcados.</translation>
+    </message>
+    <message>
+        <source>The size of the floor plate: as a share of the lot in per cent, or as an area in square metres.</source>
+        <translation>El tamaño de la planta: como parte de la parcela en tanto por ciento o como área en metros cuadrados.</translation>
+    </message>
+    <message>
+        <source>Adds a height above which the walls are set back from the edge of the plate.</source>
+        <translation>Añade una altura por encima de la cual los muros se retranquean.</translation>
+    </message>
+    <message>
+        <source>Removes the selected setback.</source>
+        <translation>Quita el retranqueo seleccionado.</translation>
+    </message>
+    <message>
+        <source>Heights, and how far the walls are set back above each, metres.</source>
+        <translation>Alturas, y cuánto se retranquean los muros por encima de cada una, metros.</translation>
+    </message>
+    <message>
+        <source>Ends placing; the scenario stays as it is.</source>
+        <translation>Termina la colocación; el escenario no cambia.</translation>
+    </message>
+    <message>
+        <source>All that the project holds. Enter or a double click shows or uses a row, F2 renames it, Delete removes it, a right click has more.</source>
+        <translation>Todo lo que contiene el proyecto. Intro o doble clic muestra o usa una fila, F2 cambia el nombre, Supr la quita, un clic derecho ofrece más.</translation>
+    </message>
+    <message>
+        <source>The scenarios side by side, with their figures for the same period and region. A click on a heading sorts them.</source>
+        <translation>Los escenarios con sus cifras para el mismo periodo y zona. Un clic en un encabezado los ordena.</translation>
+    </message>
+    <message>
+        <source>The intervals of the weight table: days of the year, hours of the day, and a weight from -1 (shadow unwanted) to 1 (shade wanted). Double-click a cell to change it.</source>
+        <translation>Los intervalos de la tabla de pesos: días del año, horas del día y un peso de -1 (no deseada) a 1 (deseada). Doble clic cambia una celda.</translation>
+    </message>
+    <message>
+        <source>Does what the message proposes.</source>
+        <translation>Hace lo que propone el mensaje.</translation>
+    </message>
+    <message>
+        <source>Does the other thing that the message proposes.</source>
+        <translation>Hace lo otro que propone el mensaje.</translation>
+    </message>
+    <message>
+        <source>The date that is shown, in the year of the period.</source>
+        <translation>La fecha mostrada, en el año del periodo.</translation>
+    </message>
+    <message>
+        <source>The wall-clock time that is shown, in the time zone of the study.</source>
+        <translation>La hora local mostrada, en la zona horaria del estudio.</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Gross shadow</source>
+        <translation>Sombra total</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>Sombra continua</translation>
+    </message>
+    <message>
+        <source>minutes in shadow a day</source>
+        <translation>minutos en sombra al día</translation>
+    </message>
+    <message>
+        <source>longest run, minutes</source>
+        <translation>tramo más largo, minutos</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow</source>
+        <translation>Cambio de sombra total</translation>
+    </message>
+    <message>
+        <source>Change of continuous shadow</source>
+        <translation>Cambio de sombra continua</translation>
+    </message>
+    <message>
+        <source>min a day</source>
+        <translation>min al día</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>scale fitted to this difference</source>
+        <translation>escala ajustada a esta diferencia</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Puntuación de sombra</translation>
+    </message>
+    <message>
+        <source>weight × share of time</source>
+        <translation>peso × parte del tiempo</translation>
+    </message>
+    <message>
+        <source>built over</source>
+        <translation>edificado</translation>
+    </message>
+    <message>
+        <source>now ground</source>
+        <translation>ahora suelo</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>al sol</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>en sombra</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>at this moment</source>
+        <translation>en este momento</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Read &amp;places into this project</source>
+        <translation>Leer los &amp;lugares en este proyecto</translation>
+    </message>
+    <message>
+        <source>&amp;Open as another city</source>
+        <translation>Abrir c&amp;omo otra ciudad</translation>
+    </message>
+    <message>
+        <source>%1 places were read</source>
+        <translation>Se han leído %1 lugares</translation>
+    </message>
+    <message>
+        <source>; %1 replace earlier ones</source>
+        <translation>; %1 sustituyen a otros anteriores</translation>
+    </message>
+    <message>
+        <source>
+%1 more kinds of notes</source>
+        <translation>
+%1 clases más de avisos</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. R: zona. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura en metros y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medida</translation>
+    </message>
+    <message>
+        <source>from its storeys</source>
+        <translation>según sus plantas</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supuesta</translation>
+    </message>
+    <message>
+        <source>from its mesh</source>
+        <translation>de su malla</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>proyectada</translation>
+    </message>
+    <message>
+        <source>synthetic</source>
+        <translation>sintética</translation>
+    </message>
+    <message>
+        <source>; mesh is open: %1 estimated</source>
+        <translation>; malla abierta: %1 estimado</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Floor area</source>
+        <translation>Superficie construida</translation>
+    </message>
+    <message>
+        <source>every pixel</source>
+        <translation>cada píxel</translation>
+    </message>
+    <message>
+        <source>a sample every %1 pixels</source>
+        <translation>una muestra cada %1 píxeles</translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation>%1, %2 m</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 days; %3</source>
+        <translation>%1 de %2 días; %3</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open a project or a city</source>
+        <translation>Abrir un proyecto o una ciudad</translation>
+    </message>
+    <message>
+        <source>Save project as</source>
+        <translation>Guardar proyecto como</translation>
+    </message>
+    <message>
+        <source>Projects (*%1)</source>
+        <translation>Proyectos (*%1)</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>%1 ya existe. ¿Sustituirlo?</translation>
+    </message>
+    <message>
+        <source>Import a mesh as a building</source>
+        <translation>Importar una malla como edificio</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Mallas</translation>
+    </message>
+    <message>
+        <source>Region from file</source>
+        <translation>Zona desde archivo</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>Polígonos</translation>
+    </message>
+    <message>
+        <source>Read places</source>
+        <translation>Leer lugares</translation>
+    </message>
+    <message>
+        <source>Maps and polygons</source>
+        <translation>Mapas y polígonos</translation>
+    </message>
+    <message>
+        <source>Save sun and sky</source>
+        <translation>Guardar sol y cielo</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)</source>
+        <translation>Dibujo (*.svg);;Imagen (*.png);;Minutos por mes y hora (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Guardar imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>Exportar película</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4 *.gif)</source>
+        <translation>Películas (*.mp4 *.gif)</translation>
+    </message>
+    <message>
+        <source>Logo for the title block</source>
+        <translation>Logotipo para el cajetín</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>%1 already contains these files: %2. Replace them?</source>
+        <translation>%1 ya contiene estos archivos: %2. ¿Sustituirlos?</translation>
+    </message>
+    <message>
+        <source>Projects, cities and terrain</source>
+        <translation>Proyectos, ciudades y terreno</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>Proyectos</translation>
+    </message>
+    <message>
+        <source>Footprints</source>
+        <translation>Huellas de edificios</translation>
+    </message>
+    <message>
+        <source>3D models and meshes</source>
+        <translation>Modelos 3D y mallas</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terreno</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Escenarios</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesos</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
+    <message>
+        <source>Tower</source>
+        <translation>Torre</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Evaluación</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>&amp;From a side</source>
+        <translation>Desde &amp;un lado</translation>
+    </message>
+    <message>
+        <source>S&amp;un</source>
+        <translation>S&amp;ol</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneles</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>S&amp;cenario</source>
+        <translation>E&amp;scenario</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>Es&amp;tudio</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>Graphics: OpenGL on the processor; a graphics card is faster</source>
+        <translation>Gráficos: OpenGL en el procesador; una tarjeta gráfica es más rápida</translation>
+    </message>
+    <message>
+        <source>Graphics: OpenGL on a graphics card</source>
+        <translation>Gráficos: OpenGL en una tarjeta gráfica</translation>
+    </message>
+    <message>
+        <source>System: %1, %2</source>
+        <translation>Sistema: %1, %2</translation>
+    </message>
+    <message>
+        <source>this moment</source>
+        <translation>este momento</translation>
+    </message>
+    <message>
+        <source>all %1 steps</source>
+        <translation>los %1 pasos</translation>
+    </message>
+    <message>
+        <source>With the proposal: exact at %1</source>
+        <translation>Con la propuesta: exacto en %1</translation>
+    </message>
+    <message>
+        <source>With the proposal: exact at %1 of %2 steps</source>
+        <translation>Con la propuesta: exacto en %1 de %2 pasos</translation>
+    </message>
+    <message>
+        <source>With the proposal: %1, within 0.25° of azimuth</source>
+        <translation>Con la propuesta: %1, con 0,25° de acimut</translation>
+    </message>
+    <message>
+        <source>%1; continuous shadow follows</source>
+        <translation>%1; la sombra continua viene después</translation>
+    </message>
+    <message>
+        <source>1 storey</source>
+        <translation>1 planta</translation>
+    </message>
+    <message>
+        <source>%1 storeys</source>
+        <translation>%1 plantas</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>oeste</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>este</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>sur</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>norte</translation>
+    </message>
+    <message>
+        <source>Gross floor area</source>
+        <translation>Superficie construida total</translation>
+    </message>
+    <message>
+        <source>Floor area ratio (FAR)</source>
+        <translation>Edificabilidad</translation>
+    </message>
+    <message>
+        <source>Lot coverage</source>
+        <translation>Ocupación de la parcela</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Plantas</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Buildings demolished</source>
+        <translation>Edificios derribados</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to lot</source>
+        <translation>&amp;Acercar a la parcela</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to place</source>
+        <translation>&amp;Acercar al lugar</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study region</source>
+        <translation>&amp;Usar como zona del estudio</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study period</source>
+        <translation>&amp;Usar como periodo del estudio</translation>
+    </message>
+    <message>
+        <source>&amp;Edit and score</source>
+        <translation>&amp;Editar y puntuar</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Ciudad</translation>
+    </message>
+    <message>
+        <source>The existing city, from which every scenario starts</source>
+        <translation>La ciudad existente, de la que parte cada escenario</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>%1 edificios</translation>
+    </message>
+    <message>
+        <source>Terrain of %1 × %2 points</source>
+        <translation>Terreno de %1 × %2 puntos</translation>
+    </message>
+    <message>
+        <source>Flat ground</source>
+        <translation>Suelo llano</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>referencia</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to show it</source>
+        <translation>Pulse Intro o haga doble clic para mostrarlo</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2; press Delete to remove it</source>
+        <translation>Paso %1 de %2; Supr lo quita</translation>
+    </message>
+    <message>
+        <source>Lists of changes to the city; the displayed one is bold</source>
+        <translation>Listas de cambios de la ciudad; la mostrada va en negrita</translation>
+    </message>
+    <message>
+        <source>The existing city. Press Enter or double-click to show it</source>
+        <translation>La ciudad existente. Pulse Intro o haga doble clic para mostrarla</translation>
+    </message>
+    <message>
+        <source>Lots</source>
+        <translation>Parcelas</translation>
+    </message>
+    <message>
+        <source>Ground to build on</source>
+        <translation>Suelo edificable</translation>
+    </message>
+    <message>
+        <source>%1, roads: %2</source>
+        <translation>%1, calles: %2</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to zoom to it</source>
+        <translation>Pulse Intro o haga doble clic para acercarse</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Zonas</translation>
+    </message>
+    <message>
+        <source>Where shadow is measured</source>
+        <translation>Dónde se mide la sombra</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to use it as the study region</source>
+        <translation>Pulse Intro o haga doble clic para usarla como zona del estudio</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lugares</translation>
+    </message>
+    <message>
+        <source>Areas whose sunlight matters: parks, playgrounds, school grounds...</source>
+        <translation>Áreas cuyo soleamiento importa: parques, zonas de juego, patios escolares...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to zoom to it</source>
+        <translation>%1
+Pulse Intro o haga doble clic para acercarse</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Periodos</translation>
+    </message>
+    <message>
+        <source>Days and hours to study</source>
+        <translation>Días y horas del estudio</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to use it as the study period</source>
+        <translation>%1
+Pulse Intro o haga doble clic para usarlo como periodo del estudio</translation>
+    </message>
+    <message>
+        <source>Weight tables</source>
+        <translation>Tablas de pesos</translation>
+    </message>
+    <message>
+        <source>How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year</source>
+        <translation>Cuánto se desea la sombra (hasta 1) o se rechaza (hasta -1), según la época del año</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to edit it and compute scores with it</source>
+        <translation>Pulse Intro o haga doble clic para editarla y puntuar con ella</translation>
+    </message>
+    <message>
+        <source>Saved results</source>
+        <translation>Resultados guardados</translation>
+    </message>
+    <message>
+        <source>Maps and figures saved in the project</source>
+        <translation>Mapas y cifras guardados en el proyecto</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2
+Press Enter or double-click to show it again</source>
+        <translation>%1 de %2
+Pulse Intro o haga doble clic para volver a mostrarlo</translation>
+    </message>
+    <message>
+        <source>%1 &gt; %2 min</source>
+        <translation>%1 &gt; %2 min</translation>
+    </message>
+    <message>
+        <source>Contribution of this new building alone: ground with over %1 min a day more gross shadow than without it</source>
+        <translation>Contribución de este edificio nuevo por sí solo: suelo con más de %1 min al día de sombra total adicional</translation>
+    </message>
+    <message>
+        <source>no change</source>
+        <translation>sin cambios</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 más</translation>
+    </message>
+    <message>
+        <source>%1 less</source>
+        <translation>%1 menos</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>Comparado</translation>
+    </message>
+    <message>
+        <source>%1
+with %2</source>
+        <translation>%1
+con %2</translation>
+    </message>
+    <message>
+        <source>Minutes of the first minus minutes of the second, with the same engine, steps and cells</source>
+        <translation>Minutos del primero menos minutos del segundo, con el mismo motor, pasos y celdas</translation>
+    </message>
+    <message>
+        <source>Gross</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Ground whose gross shadow increases or decreases by more than this</source>
+        <translation>Suelo cuya sombra total aumenta o disminuye más que esto</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Ground whose continuous shadow increases or decreases by more than this</source>
+        <translation>Suelo cuya sombra continua aumenta o disminuye más que esto</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>no contada</translation>
+    </message>
+    <message>
+        <source>The engine computed gross shadow only</source>
+        <translation>El motor solo calculó la sombra total</translation>
+    </message>
+    <message>
+        <source>Any change</source>
+        <translation>Cualquier cambio</translation>
+    </message>
+    <message>
+        <source>%1 more
+%2 less</source>
+        <translation>%1 más
+%2 menos</translation>
+    </message>
+    <message>
+        <source>Ground with any change of gross shadow</source>
+        <translation>Suelo con algún cambio de sombra total</translation>
+    </message>
+    <message>
+        <source>Largest increase</source>
+        <translation>Mayor aumento</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min al día</translation>
+    </message>
+    <message>
+        <source>The cell with the largest increase of gross shadow</source>
+        <translation>La celda con el mayor aumento de sombra total</translation>
+    </message>
+    <message>
+        <source>Largest decrease</source>
+        <translation>Mayor disminución</translation>
+    </message>
+    <message>
+        <source>The cell with the largest decrease of gross shadow</source>
+        <translation>La celda con la mayor disminución de sombra total</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>Cambio medio</translation>
+    </message>
+    <message>
+        <source>Mean change of gross shadow over all cells that are open ground in both</source>
+        <translation>Cambio medio de la sombra total en las celdas que son suelo libre en ambos</translation>
+    </message>
+    <message>
+        <source>Shadow area</source>
+        <translation>Área de sombra</translation>
+    </message>
+    <message>
+        <source>Change of the sum over the cells of (share of the sunlit time in shadow × cell area)</source>
+        <translation>Cambio de la suma en las celdas de (parte del tiempo de sol en sombra × área de celda)</translation>
+    </message>
+    <message>
+        <source>Built over</source>
+        <translation>Edificado</translation>
+    </message>
+    <message>
+        <source>Formerly ground, now building; not included above</source>
+        <translation>Antes suelo, ahora edificio; no incluido arriba</translation>
+    </message>
+    <message>
+        <source>Became ground</source>
+        <translation>Ahora suelo</translation>
+    </message>
+    <message>
+        <source>Formerly building, now ground; not included above</source>
+        <translation>Antes edificio, ahora suelo; no incluido arriba</translation>
+    </message>
+    <message>
+        <source>Ground compared</source>
+        <translation>Suelo comparado</translation>
+    </message>
+    <message>
+        <source>Open ground in both</source>
+        <translation>Suelo libre en ambos</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periodo</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Motor de cálculo</translation>
+    </message>
+    <message>
+        <source>Used for both</source>
+        <translation>Usado para ambos</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the area, %2 % of the minutes of a cell</source>
+        <translation>Error medido frente a rayos: %1 % del área, %2 % de los minutos de una celda</translation>
+    </message>
+    <message>
+        <source>Continuous shadow was not counted</source>
+        <translation>La sombra continua no se contó</translation>
+    </message>
+    <message>
+        <source>So far: %1 (%2 %)</source>
+        <translation>Hasta ahora: %1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 with the weights %2</source>
+        <translation>%1 con los pesos %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>formerly ground, now built over</source>
+        <translation>antes suelo, ahora edificado</translation>
+    </message>
+    <message>
+        <source>formerly building, now ground</source>
+        <translation>antes edificio, ahora suelo</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>no medido</translation>
+    </message>
+    <message>
+        <source>now in shadow</source>
+        <translation>ahora en sombra</translation>
+    </message>
+    <message>
+        <source>now in the sun</source>
+        <translation>ahora al sol</translation>
+    </message>
+    <message>
+        <source>change: gross %1 min a day</source>
+        <translation>cambio: total %1 min al día</translation>
+    </message>
+    <message>
+        <source>, continuous %1 min</source>
+        <translation>, continua %1 min</translation>
+    </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>Hasta ahora: %1</translation>
+    </message>
+    <message>
+        <source>Refining: %1</source>
+        <translation>Refinando: %1</translation>
+    </message>
+    <message>
+        <source>Computing the shadow in the view...</source>
+        <translation>Calculando la sombra de la vista...</translation>
+    </message>
+    <message>
+        <source>No study yet: choose a period and a region, then press Run (Ctrl+R)</source>
+        <translation>Aún no hay estudio: elija un periodo y una zona y pulse Calcular (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
+        <translation>Suma en los receptores de (parte del tiempo de sol en sombra × área de celda)</translation>
+    </message>
+    <message>
+        <source>Share of ground</source>
+        <translation>Parte del suelo</translation>
+    </message>
+    <message>
+        <source>Shadow area over the area of all receivers</source>
+        <translation>Área de sombra dividida por el área de todos los receptores</translation>
+    </message>
+    <message>
+        <source>Mean gross</source>
+        <translation>Sombra total media</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and receivers</source>
+        <translation>Minutos en sombra al día, media de días y receptores</translation>
+    </message>
+    <message>
+        <source>Mean continuous</source>
+        <translation>Sombra continua media</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>Tramo más largo en sombra de cualquier día, media de los receptores</translation>
+    </message>
+    <message>
+        <source>Max continuous</source>
+        <translation>Sombra continua máxima</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow at any receiver on any day</source>
+        <translation>Tramo más largo en sombra en algún receptor en cualquier día</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the receivers over the same steps</source>
+        <translation>Frente a la referencia por rayos, en una muestra de los receptores con los mismos pasos</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source> M rays/s</source>
+        <translation> M rayos/s</translation>
+    </message>
+    <message>
+        <source>%1 occlusion rays divided by the engine&apos;s time</source>
+        <translation>%1 rayos de oclusión divididos por el tiempo del motor</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Time taken by the engine</source>
+        <translation>Tiempo que tardó el motor</translation>
+    </message>
+    <message>
+        <source>Receivers</source>
+        <translation>Receptores</translation>
+    </message>
+    <message>
+        <source>Cells in which shadow is measured</source>
+        <translation>Celdas en las que se mide la sombra</translation>
+    </message>
+    <message>
+        <source>Steps of the sun</source>
+        <translation>Posiciones del sol</translation>
+    </message>
+    <message>
+        <source>Positions of the sun above the horizon; %1 below it were left out</source>
+        <translation>Posiciones del sol sobre el horizonte; se omitieron %1 por debajo</translation>
+    </message>
+    <message>
+        <source>Sunlit time</source>
+        <translation>Tiempo de sol</translation>
+    </message>
+    <message>
+        <source> min/day</source>
+        <translation> min/día</translation>
+    </message>
+    <message>
+        <source>Mean minutes a day with the sun above the horizon: 100 % of the time</source>
+        <translation>Minutos medios al día con el sol sobre el horizonte: 100 % del tiempo</translation>
+    </message>
+    <message>
+        <source>score %1%2 m² a m²</source>
+        <translation>puntuación %1%2 m² por m²</translation>
+    </message>
+    <message>
+        <source>%1 m² shadow, score %2</source>
+        <translation>%1 m² de sombra, puntuación %2</translation>
+    </message>
+    <message>
+        <source>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</source>
+        <translation>Área de sombra en %1 minutos de sol y la aportación del mes a la puntuación</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Interval of the table and its weight: shadow area in its sunlit time, and weight times shadow area</source>
+        <translation>Intervalo de la tabla y su peso: área de sombra en su tiempo de sol, y peso por área de sombra</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Puntuación de sombra</translation>
+    </message>
+    <message>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <translation>Suma en los intervalos de peso × parte del tiempo de sol en sombra × área de celda. Por encima de 0, la sombra deseada supera a la no deseada</translation>
+    </message>
+    <message>
+        <source>per m² of ground</source>
+        <translation>por m² de suelo</translation>
+    </message>
+    <message>
+        <source>Score divided by the area of all receivers</source>
+        <translation>Puntuación dividida por el área de todos los receptores</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Puntuado</translation>
+    </message>
+    <message>
+        <source>%1
+with the weights %2</source>
+        <translation>%1
+con los pesos %2</translation>
+    </message>
+    <message>
+        <source>Open ground of the region</source>
+        <translation>Suelo libre de la zona</translation>
+    </message>
+    <message>
+        <source>at an unknown date</source>
+        <translation>en fecha desconocida</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2</source>
+        <translation>Guardado %1: %2</translation>
+    </message>
+    <message>
+        <source>%1. Outdated</source>
+        <translation>%1. Desactualizado</translation>
+    </message>
+    <message>
+        <source>Saved result</source>
+        <translation>Resultado guardado</translation>
+    </message>
+    <message>
+        <source>As saved in the project, not recomputed</source>
+        <translation>Tal como se guardó en el proyecto, sin recalcular</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Zona</translation>
+    </message>
+    <message>
+        <source>%1
+cells of %2 m</source>
+        <translation>%1
+celdas de %2 m</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>sin nombre</translation>
+    </message>
+    <message>
+        <source>Computed by</source>
+        <translation>Calculado por</translation>
+    </message>
+    <message>
+        <source>%1, saved %2</source>
+        <translation>%1, guardado %2</translation>
+    </message>
+    <message>
+        <source>A result saved %1.</source>
+        <translation>Un resultado guardado %1.</translation>
+    </message>
+    <message>
+        <source>Its inputs have not changed since.</source>
+        <translation>Sus datos no han cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the scenario; incremental shadow takes %4 (%5 %)</source>
+        <translation>De una suma teórica de %1, el %2 % está en sombra en la referencia y el %3 % en el escenario; la sombra añadida quita %4 (%5 %)</translation>
+    </message>
+    <message>
+        <source>, most on %1</source>
+        <translation>, sobre todo el %1</translation>
+    </message>
+    <message>
+        <source>✓ pass</source>
+        <translation>✓ cumple</translation>
+    </message>
+    <message>
+        <source>≈ borderline</source>
+        <translation>≈ en el límite</translation>
+    </message>
+    <message>
+        <source>✗ fail</source>
+        <translation>✗ no cumple</translation>
+    </message>
+    <message>
+        <source>– not applicable</source>
+        <translation>– no aplicable</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? no comprobado</translation>
+    </message>
+    <message>
+        <source>Least sure figure: %1 (%2)</source>
+        <translation>Cifra menos segura: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>edificio</translation>
+    </message>
+    <message>
+        <source>building, %1</source>
+        <translation>edificio, %1</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>parcela</translation>
+    </message>
+    <message>
+        <source>street</source>
+        <translation>calle</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+    <message>
+        <source>park</source>
+        <translation>parque</translation>
+    </message>
+    <message>
+        <source>playground</source>
+        <translation>zona de juegos</translation>
+    </message>
+    <message>
+        <source>schoolyard</source>
+        <translation>patio escolar</translation>
+    </message>
+    <message>
+        <source>plaza</source>
+        <translation>plaza</translation>
+    </message>
+    <message>
+        <source>greenstreet</source>
+        <translation>calle verde</translation>
+    </message>
+    <message>
+        <source>cemetery</source>
+        <translation>cementerio</translation>
+    </message>
+    <message>
+        <source>facade</source>
+        <translation>fachada</translation>
+    </message>
+    <message>
+        <source>stained glass</source>
+        <translation>vidriera</translation>
+    </message>
+    <message>
+        <source>other place</source>
+        <translation>otro lugar</translation>
+    </message>
+    <message>
+        <source>No region yet</source>
+        <translation>Aún sin zona</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 millones</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 positions of the sun.</source>
+        <translation>%1 celdas, %2 posiciones del sol.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Rays would take %3.</source>
+        <translation>%1 %2 Con rayos: %3.</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>días</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>about %1 %2</source>
+        <translation>unos %1 %2</translation>
+    </message>
+    <message>
+        <source>about a second</source>
+        <translation>alrededor de un segundo</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+    <message>
+        <source>and %1 more, listed in study.json of an export</source>
+        <translation>y %1 más, en study.json de una exportación</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>Rápida</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exacta</translation>
+    </message>
+    <message>
+        <source>Reference (rays)</source>
+        <translation>Referencia (rayos)</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>Ajustes propios</translation>
+    </message>
+    <message>
+        <source>Exact where that is quick; over long periods off by 0.04 % of the time on average, and the error is measured</source>
+        <translation>Exacta donde es rápido; en periodos largos se desvía un 0,04 % del tiempo de media, y el error se mide</translation>
+    </message>
+    <message>
+        <source>The outline of every shadow at every step, without rounding</source>
+        <translation>El contorno de cada sombra en cada paso, sin redondeo</translation>
+    </message>
+    <message>
+        <source>One ray for every cell and step: what the other ways are checked against</source>
+        <translation>Un rayo por celda y paso: con ello se comprueban los otros métodos</translation>
+    </message>
+    <message>
+        <source>The method and the options chosen below</source>
+        <translation>El método y las opciones elegidos abajo</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Hoy</translation>
+    </message>
+    <message>
+        <source>21 March</source>
+        <translation>21 de marzo</translation>
+    </message>
+    <message>
+        <source>21 June</source>
+        <translation>21 de junio</translation>
+    </message>
+    <message>
+        <source>21 December</source>
+        <translation>21 de diciembre</translation>
+    </message>
+    <message>
+        <source>Growing season (October to April)</source>
+        <translation>Época de crecimiento (octubre a abril)</translation>
+    </message>
+    <message>
+        <source>Growing season (April to October)</source>
+        <translation>Época de crecimiento (abril a octubre)</translation>
+    </message>
+    <message>
+        <source>Whole year</source>
+        <translation>Todo el año</translation>
+    </message>
+    <message>
+        <source>Own dates</source>
+        <translation>Fechas propias</translation>
+    </message>
+    <message>
+        <source>How many minutes each spot is in shadow on a mean day of the period, and the longest time without a break</source>
+        <translation>Cuántos minutos está cada punto en sombra en un día medio del periodo, y el tramo más largo sin interrupción</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
+        <translation>Minutos de sombra que el escenario añade o quita frente a la ciudad elegida en «comparar con»</translation>
+    </message>
+    <message>
+        <source>Shadow weighed by hour and month: wanted in summer, unwanted in winter. Choose the weights in the panel Weights</source>
+        <translation>Sombra ponderada por hora y mes: deseada en verano, no deseada en invierno. Elija los pesos en el panel Pesos</translation>
+    </message>
+    <message>
+        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
+        <translation>Parques y otros lugares según la norma de una autoridad: cumplen o no. Elíjala en el panel Evaluación</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>en el suelo</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>en las cubiertas</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>en el suelo y las cubiertas</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>NE</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SE</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>SO</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>NO</translation>
+    </message>
+    <message>
+        <source>Sun below the horizon</source>
+        <translation>Sol bajo el horizonte</translation>
+    </message>
+    <message>
+        <source>Sun %1° %2, %3° high</source>
+        <translation>Sol %1° %2, altura %3°</translation>
+    </message>
+    <message>
+        <source>%1 % in shadow</source>
+        <translation>%1 % en sombra</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>en sombra</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>al sol</translation>
+    </message>
+    <message>
+        <source>gross %1 min a day</source>
+        <translation>total %1 min al día</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Exploración</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Análisis</translation>
+    </message>
+    <message>
+        <source>Ray reference</source>
+        <translation>Referencia por rayos</translation>
+    </message>
+    <message>
+        <source>Shadow on all visible surfaces: ground, roofs and facades.
+Updated when the view or the period changes, coarse at first, then pixel by pixel.</source>
+        <translation>Sombra en todas las superficies visibles: suelo, cubiertas y fachadas.
+Se actualiza al cambiar la vista o el periodo, primero a grandes rasgos y luego píxel a píxel.</translation>
+    </message>
+    <message>
+        <source>Shadow on the ground of the region, cell by cell, with figures, report and files.
+Computed by the engine of the study when you press Run.</source>
+        <translation>Sombra en el suelo de la zona, celda a celda, con cifras, informe y archivos.
+La calcula el motor del estudio al pulsar Calcular.</translation>
+    </message>
+    <message>
+        <source>Like the analysis, but with one ray per cell and minute:
+the slow, exact reference for the other engines.</source>
+        <translation>Como el análisis, pero con un rayo por celda y minuto:
+la referencia lenta y exacta de los demás motores.</translation>
+    </message>
+    <message>
+        <source>in the middle of the picture</source>
+        <translation>en el centro de la imagen</translation>
+    </message>
+    <message>
+        <source>%1.
+Default: %2</source>
+        <translation>%1.
+Por defecto: %2</translation>
+    </message>
+    <message>
+        <source>%1.
+%2 to %3 %4, usually %5</source>
+        <translation>%1.
+%2 a %3 %4, normalmente %5</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automático</translation>
+    </message>
+    <message>
+        <source>Y is usual in OBJ and glTF, Z in models from GIS and CAD</source>
+        <translation>Y es habitual en OBJ y glTF, Z en modelos de SIG y CAD</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
+        <translation>Unidad de las coordenadas de la malla, que el archivo no indica</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>pies topográficos de EE. UU.</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> de %1</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>d MMM</translation>
+    </message>
+    <message>
+        <source>d MMMM</source>
+        <translation>d &apos;de&apos; MMMM</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <translation>d MMM yyyy</translation>
+    </message>
+    <message>
+        <source>d MMMM yyyy</source>
+        <translation>d &apos;de&apos; MMMM &apos;de&apos; yyyy</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3 floor area, FAR %4</source>
+        <translation>%1, %2
+%3 construidos, edificabilidad %4</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 %4</source>
+        <translation>%1 %2, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1
+%2 × %3, %4, %5 cells</source>
+        <translation>%1
+%2 × %3, %4, %5 celdas</translation>
+    </message>
+    <message>
+        <source>%1   height %2   x %3 m, y %4 m</source>
+        <translation>%1   altura %2   x %3 m, y %4 m</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, %2 de altura</translation>
+    </message>
+    <message>
+        <source>Mo&amp;de</source>
+        <translation>Mo&amp;do</translation>
+    </message>
+    <message>
+        <source>Guided &amp;tours</source>
+        <translation>&amp;Visitas guiadas</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Architect: design a tower</source>
+        <translation>Arquitectura: diseñar una torre</translation>
+    </message>
+    <message>
+        <source>A tower on a lot, its shadow while you shape it, and what it changes</source>
+        <translation>Una torre en una parcela, su sombra mientras la modela y lo que cambia</translation>
+    </message>
+    <message>
+        <source>The green outlines in the view are lots. Towers are designed in the panel Tower.</source>
+        <translation>Los contornos verdes de la vista son parcelas. Las torres se diseñan en el panel Torre.</translation>
+    </message>
+    <message>
+        <source>The list above has the lots of the project. Design tower puts a first tower on the one chosen.</source>
+        <translation>La lista de arriba tiene las parcelas del proyecto. Diseñar torre pone una primera torre en la elegida.</translation>
+    </message>
+    <message>
+        <source>Type 70 storeys, or drag the arrow on the tower. Its shadow follows, and so do height and floor area.</source>
+        <translation>Escriba 70 plantas o arrastre la flecha de la torre. La sombra, la altura y la superficie la siguen.</translation>
+    </message>
+    <message>
+        <source>Build puts the tower into a new scenario. One undo takes it back.</source>
+        <translation>Construir pone la torre en un escenario nuevo. Un solo Deshacer la retira.</translation>
+    </message>
+    <message>
+        <source>Brown ground gains shadow, blue loses it. The panel Results has the figures.</source>
+        <translation>El suelo marrón gana sombra, el azul la pierde. El panel Resultados tiene las cifras.</translation>
+    </message>
+    <message>
+        <source>File &gt; Export writes the comparison as PDF, picture, tables and data. That is the end of this tour.</source>
+        <translation>Archivo &gt; Exportar escribe la comparación en PDF, imagen, tablas y datos. Es el final de esta visita.</translation>
+    </message>
+    <message>
+        <source>Planner: weigh shade over a year</source>
+        <translation>Planificación: valorar la sombra de un año</translation>
+    </message>
+    <message>
+        <source>Shadow of a whole year, one moment of it, and a score of wanted and unwanted shadow</source>
+        <translation>La sombra de todo un año, un momento de él y una puntuación</translation>
+    </message>
+    <message>
+        <source>A study answers four questions. The first is what to measure: choose Hours of shadow.</source>
+        <translation>Un estudio responde cuatro preguntas. La primera es qué medir: elija Horas de sombra.</translation>
+    </message>
+    <message>
+        <source>The second is when: choose the whole year.</source>
+        <translation>La segunda es cuándo: elija todo el año.</translation>
+    </message>
+    <message>
+        <source>Cells of 10 m are enough for a first look; smaller ones take longer.</source>
+        <translation>Celdas de 10 m bastan para una primera mirada; las menores tardan más.</translation>
+    </message>
+    <message>
+        <source>The line above the button says how long a study will take, before it runs. Start it.</source>
+        <translation>La línea sobre el botón dice antes cuánto tardará un estudio. Inícielo.</translation>
+    </message>
+    <message>
+        <source>The map shows the whole year. Choose One moment to see sun and shadow at a date and time.</source>
+        <translation>El mapa muestra todo el año. Elija Un momento para ver el sol y la sombra en una fecha y hora.</translation>
+    </message>
+    <message>
+        <source>Shade is welcome in summer and unwelcome in winter. The panel Weights says how much, month by month.</source>
+        <translation>La sombra se agradece en verano y no en invierno. El panel Pesos dice cuánto, mes a mes.</translation>
+    </message>
+    <message>
+        <source>Compute score adds up the year by these weights. Above zero, wanted shade outweighs unwanted shadow.</source>
+        <translation>Calcular puntuación suma el año con estos pesos. Por encima de cero gana la sombra deseada.</translation>
+    </message>
+    <message>
+        <source>File &gt; Export writes the score by month as tables, charts and maps for GIS. That is the end of this tour.</source>
+        <translation>Archivo &gt; Exportar escribe la puntuación por mes en tablas, gráficos y mapas para SIG. Es el final de esta visita.</translation>
+    </message>
+    <message>
+        <source>Review board: judge a proposal</source>
+        <translation>Autoridad: juzgar una propuesta</translation>
+    </message>
+    <message>
+        <source>A place whose sunlight matters, a proposal, and the verdicts of a rule</source>
+        <translation>Un lugar cuyo soleamiento importa, una propuesta y los dictámenes de una norma</translation>
+    </message>
+    <message>
+        <source>A review needs places whose sunlight matters. Choose Study &gt; Draw place and click the corners of a lawn in the park; Enter finishes.</source>
+        <translation>Una evaluación necesita lugares cuyo soleamiento importe. Elija Estudio &gt; Dibujar lugar y haga clic en las esquinas de un césped del parque; Intro termina.</translation>
+    </message>
+    <message>
+        <source>It also needs a proposal. Here we design one; usually the project has it already.</source>
+        <translation>También necesita una propuesta. Aquí diseñamos una; normalmente el proyecto ya la tiene.</translation>
+    </message>
+    <message>
+        <source>Design tower puts a tower on the lot chosen in the list.</source>
+        <translation>Diseñar torre pone una torre en la parcela elegida en la lista.</translation>
+    </message>
+    <message>
+        <source>Build makes it a scenario, which can be compared with the existing city.</source>
+        <translation>Construir la convierte en un escenario, que se puede comparar con la ciudad existente.</translation>
+    </message>
+    <message>
+        <source>Study &gt; Review by a rule opens the panel Review.</source>
+        <translation>Estudio &gt; Evaluar según una norma abre el panel Evaluación.</translation>
+    </message>
+    <message>
+        <source>Choose the rule of the board, here CEQR of New York. Its tool tip says what it asks and how sure its figures are.</source>
+        <translation>Elija la norma de la autoridad, aquí CEQR de Nueva York. Su ayuda emergente dice qué pide y cuán seguras son sus cifras.</translation>
+    </message>
+    <message>
+        <source>Run review judges every ticked place on the days of the rule.</source>
+        <translation>Evaluar juzga cada lugar marcado en los días de la norma.</translation>
+    </message>
+    <message>
+        <source>The table has the verdicts and the numbers behind them. Export shows the sheets and writes them with all data. That is the end of this tour.</source>
+        <translation>La tabla tiene los dictámenes y sus cifras. Exportar muestra las láminas y las escribe con todos los datos. Es el final de esta visita.</translation>
+    </message>
+    <message>
+        <source>Scenario &gt; Compare with the existing city asks what the tower changes. Where that takes longer, the button Compare of the panel Study starts it.</source>
+        <translation>Escenario &gt; Comparar con la ciudad existente pregunta qué cambia la torre. Si tarda más, lo inicia el botón Comparar del panel Estudio.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::AccuracyForm</name>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>método</translation>
+    </message>
+    <message>
+        <source>How the shadow is computed; the ray reference is the standard for the errors of the others</source>
+        <translation>Cómo se calcula la sombra; la referencia por rayos mide los errores de los demás</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::AccuracySection</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells</source>
+        <translation>Lado de una celda en el suelo, metros, 0,25 a 10. La mitad: cuatro veces más celdas</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Como en el artículo</translation>
+    </message>
+    <message>
+        <source>Exploration by shadow accrual maps, analysis by inverse accrual maps through the direction graph,
+as published. Approximate: the legend states the measured error</source>
+        <translation>Exploración con mapas de acumulación de sombra, análisis con mapas inversos mediante el grafo de direcciones,
+como se publicó. Aproximado: la leyenda indica el error medido</translation>
+    </message>
+    <message>
+        <source>Method and options</source>
+        <translation>Método y opciones</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Tamaño de celda</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Precisión</translation>
+    </message>
+    <message>
+        <source>cell size</source>
+        <translation>tamaño de celda</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <translation>precisión</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BookView</name>
+    <message>
+        <source>Previous page</source>
+        <translation>Página anterior</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Página siguiente</translation>
+    </message>
+    <message>
+        <source>Goes to a chapter; the PDF has them as bookmarks</source>
+        <translation>Va a un capítulo; en el PDF son marcadores</translation>
+    </message>
+    <message>
+        <source>How large the page is shown</source>
+        <translation>Tamaño con que se muestra la página</translation>
+    </message>
+    <message>
+        <source>Whole page</source>
+        <translation>Página entera</translation>
+    </message>
+    <message>
+        <source>Page width</source>
+        <translation>Ancho de página</translation>
+    </message>
+    <message>
+        <source>%1 dots per inch</source>
+        <translation>%1 puntos por pulgada</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>Painting the page</source>
+        <translation>Dibujando la página</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BuildingEditing</name>
+    <message>
+        <source>%1, %2
+%3 floor area</source>
+        <translation>%1, %2
+%3 construidos</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContextMenu</name>
+    <message>
+        <source>Select</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>Replace by tower</source>
+        <translation>Sustituir por torre</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Demolish</source>
+        <translation>Derribar</translation>
+    </message>
+    <message>
+        <source>Study its surroundings</source>
+        <translation>Estudiar su entorno</translation>
+    </message>
+    <message>
+        <source>Make its outline a place</source>
+        <translation>Convertir su contorno en lugar</translation>
+    </message>
+    <message>
+        <source>Study this place</source>
+        <translation>Estudiar este lugar</translation>
+    </message>
+    <message>
+        <source>Zoom to it</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aquí</translation>
+    </message>
+    <message>
+        <source>Sun and sky here</source>
+        <translation>Sol y cielo aquí</translation>
+    </message>
+    <message>
+        <source>Draw lot</source>
+        <translation>Dibujar parcela</translation>
+    </message>
+    <message>
+        <source>Draw place</source>
+        <translation>Dibujar lugar</translation>
+    </message>
+    <message>
+        <source>Draw region</source>
+        <translation>Dibujar zona</translation>
+    </message>
+    <message>
+        <source>Copy position: %1</source>
+        <translation>Copiar posición: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CopyActions</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>The table or text last clicked, else the picture of the view</source>
+        <translation>La tabla o el texto en que se hizo clic por última vez; si no, la imagen de la vista</translation>
+    </message>
+    <message>
+        <source>The figures of the dock Results, as a table</source>
+        <translation>Las cifras del panel Resultados, como tabla</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The view with title, legend, scale and north</source>
+        <translation>La vista con título, leyenda, escala y norte</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Cifras</translation>
+    </message>
+    <message>
+        <source>%1 copied</source>
+        <translation>%1 copiado</translation>
+    </message>
+    <message>
+        <source>Copy fi&amp;gures</source>
+        <translation>Copiar ci&amp;fras</translation>
+    </message>
+    <message>
+        <source>C&amp;opy picture</source>
+        <translation>Copiar &amp;imagen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::DayPanel</name>
+    <message>
+        <source>Any day, in the hours of the rule</source>
+        <translation>Cualquier día, en las horas de la norma</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Cronología</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditActions</name>
+    <message>
+        <source>%1 is not a building of the displayed city</source>
+        <translation>%1 no es un edificio de la ciudad mostrada</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditPreview</name>
+    <message>
+        <source>%1. Shape of %2 s ago</source>
+        <translation>%1. Forma de hace %2 s</translation>
+    </message>
+    <message>
+        <source>The live shadow was cancelled; it returns with the next design</source>
+        <translation>La sombra en vivo se canceló; vuelve con el próximo diseño</translation>
+    </message>
+    <message>
+        <source>No live shadow. %1</source>
+        <translation>Sin sombra en vivo. %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditTools</name>
+    <message>
+        <source>Draw &amp;lot</source>
+        <translation>Dibujar &amp;parcela</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels</source>
+        <translation>Haga clic en las esquinas sobre el suelo; Mayús: ángulos rectos; Intro termina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>&amp;Demolish</source>
+        <translation>De&amp;rribar</translation>
+    </message>
+    <message>
+        <source>Removes the selected building</source>
+        <translation>Quita el edificio seleccionado</translation>
+    </message>
+    <message>
+        <source>Replace by &amp;tower</source>
+        <translation>Sustituir por &amp;torre</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Replaces the selected building by a tower on its lot or footprint</source>
+        <translation>Sustituye el edificio seleccionado por una torre en su parcela o huella</translation>
+    </message>
+    <message>
+        <source>&amp;Move building</source>
+        <translation>&amp;Mover edificio</translation>
+    </message>
+    <message>
+        <source>Drag the selected building over the ground</source>
+        <translation>Arrastre el edificio seleccionado sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Creates a lot from the selected building&apos;s outline</source>
+        <translation>Crea una parcela con el contorno del edificio seleccionado</translation>
+    </message>
+    <message>
+        <source>&amp;Import mesh...</source>
+        <translation>Importar ma&amp;lla...</translation>
+    </message>
+    <message>
+        <source>Adds a building from a mesh file, placed by a click</source>
+        <translation>Añade un edificio desde un archivo de malla, colocado con un clic</translation>
+    </message>
+    <message>
+        <source>Drag the building over the ground. Esc ends the tool.</source>
+        <translation>Arrastre el edificio sobre el suelo. Esc termina.</translation>
+    </message>
+    <message>
+        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <translation>Haga clic en las esquinas de la parcela. Mayús: en ángulo recto con el último lado. Doble clic o Intro termina.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
+        <translation>Arrastre la flecha o escriba una altura en metros. Mayús: sin ajustar a plantas. Intro construye, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>Lot from foot&amp;print</source>
+        <translation>Parcela desde la &amp;huella</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Exploration</name>
+    <message>
+        <source>Exploring</source>
+        <translation>Explorando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ExportDialog</name>
+    <message>
+        <source>Screen</source>
+        <translation>Pantalla</translation>
+    </message>
+    <message>
+        <source>Large screen</source>
+        <translation>Pantalla grande</translation>
+    </message>
+    <message>
+        <source>A4 in print</source>
+        <translation>A4 impreso</translation>
+    </message>
+    <message>
+        <source>A3 in print</source>
+        <translation>A3 impreso</translation>
+    </message>
+    <message>
+        <source>A1 in print</source>
+        <translation>A1 impreso</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Otro</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source> pixels wide</source>
+        <translation> píxeles de ancho</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Table of all cells</source>
+        <translation>Tabla de todas las celdas</translation>
+    </message>
+    <message>
+        <source>A line of text for each cell: large for a large region</source>
+        <translation>Una línea de texto por celda: grande en zonas grandes</translation>
+    </message>
+    <message>
+        <source>Sheets with a title block</source>
+        <translation>Láminas con cajetín</translation>
+    </message>
+    <message>
+        <source>A PDF with maps, figures, charts and method on several pages</source>
+        <translation>Un PDF con mapas, cifras, gráficos y método en varias páginas</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>a folder; it is created if missing</source>
+        <translation>una carpeta; se crea si no existe</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Examinar...</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Elija una carpeta</translation>
+    </message>
+    <message>
+        <source>Export to folder</source>
+        <translation>Exportar a una carpeta</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>The sheets are shown first</source>
+        <translation>Primero se muestran las láminas</translation>
+    </message>
+    <message>
+        <source>Show the sheets</source>
+        <translation>Mostrar las láminas</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ExtrudeHandle</name>
+    <message>
+        <source>Height: %1 m  (Enter)</source>
+        <translation>Altura: %1 m  (Intro)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FieldHelp</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>More in the guide (F1)</source>
+        <translation>Más en la guía (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HelpActions</name>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Guía del usuario</translation>
+    </message>
+    <message>
+        <source>The guide, at the page about the panel in use</source>
+        <translation>La guía, en la página del panel en uso</translation>
+    </message>
+    <message>
+        <source>&amp;Start page</source>
+        <translation>Página de &amp;inicio</translation>
+    </message>
+    <message>
+        <source>Samples and recent projects</source>
+        <translation>Ejemplos y proyectos recientes</translation>
+    </message>
+    <message>
+        <source>&amp;About Noonmark</source>
+        <translation>&amp;Acerca de Noonmark</translation>
+    </message>
+    <message>
+        <source>Version, libraries and processor</source>
+        <translation>Versión, bibliotecas y procesador</translation>
+    </message>
+    <message>
+        <source>About Noonmark</source>
+        <translation>Acerca de Noonmark</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this?</source>
+        <translation>¿&amp;Qué es esto?</translation>
+    </message>
+    <message>
+        <source>Explains the field that is clicked next; in a field, Shift+F1</source>
+        <translation>Explica el campo en que se haga clic</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LegendStrip</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Scale: automatic</source>
+        <translation>Escala: automática</translation>
+    </message>
+    <message>
+        <source>The ends of the colour scale of a difference.
+Lock it to compare pictures of several proposals; 0: automatic, fitted to each difference.</source>
+        <translation>Los extremos de la escala de colores de una diferencia.
+Fíjelos para comparar imágenes de varias propuestas; 0: automática, ajustada a cada diferencia.</translation>
+    </message>
+    <message>
+        <source>What is displayed.
+Gross shadow: minutes in shadow per day, mean over the days.
+Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
+        <translation>Qué se muestra.
+Sombra total: minutos en sombra al día, media de los días.
+Sombra continua: tramo más largo en sombra de cualquier día, minutos.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LiveFollower</name>
+    <message>
+        <source>Live shadow</source>
+        <translation>Sombra en vivo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LotRoadsDialog</name>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Northeast</source>
+        <translation>Noreste</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>Southeast</source>
+        <translation>Sureste</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Southwest</source>
+        <translation>Suroeste</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Oeste</translation>
+    </message>
+    <message>
+        <source>Northwest</source>
+        <translation>Noroeste</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>no road</source>
+        <translation>sin calle</translation>
+    </message>
+    <message>
+        <source>Roads along %1</source>
+        <translation>Calles junto a %1</translation>
+    </message>
+    <message>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <translation>¿Qué ancho tienen las calles, el agua o las vías en cada lado? Las normas sobre parcelas, como en Japón, desplazan hacia fuera la línea de la parcela. Un lado vale para los bordes exteriores orientados hacia él con menos de 45 grados.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MainWindow</name>
+    <message>
+        <source>Mode</source>
+        <translation>Modo</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>as in the paper</source>
+        <translation>como en el artículo</translation>
+    </message>
+    <message>
+        <source>Choose a scenario at the top first. A change to a building begins one: click a building, and drag its arrow or replace it by a tower (Ctrl+T).</source>
+        <translation>Elija antes un escenario arriba. Un cambio en un edificio inicia uno: haga clic en un edificio y arrastre su flecha o sustitúyalo por una torre (Ctrl+T).</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>%1[*] - Noonmark</source>
+        <translation>%1[*] - Noonmark</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MapLayer</name>
+    <message>
+        <source>Painting the map</source>
+        <translation>Dibujando el mapa</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingForm</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Podium</source>
+        <translation>Basamento</translation>
+    </message>
+    <message>
+        <source>All storeys, including the podium: 1 to 500</source>
+        <translation>Todas las plantas, con el basamento: 1 a 500</translation>
+    </message>
+    <message>
+        <source>Floor to floor: 2 to 10 m</source>
+        <translation>De suelo a suelo: 2 a 10 m</translation>
+    </message>
+    <message>
+        <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
+        <translation>De una planta a 2000 m; o arrastre la flecha de la torre, o escriba un número sobre la vista</translation>
+    </message>
+    <message>
+        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
+        <translation>Giro en sentido horario sobre el centro de la torre; debe quedar en la parcela</translation>
+    </message>
+    <message>
+        <source>Fewer than all storeys</source>
+        <translation>Menos que todas las plantas</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Plantas</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Planta tipo</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>Altura de planta</translation>
+    </message>
+    <message>
+        <source>Total height</source>
+        <translation>Altura total</translation>
+    </message>
+    <message>
+        <source>Floor plate</source>
+        <translation>Planta tipo</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Giro</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingPanel</name>
+    <message>
+        <source>Name and id of the new building</source>
+        <translation>Nombre e id del edificio nuevo</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>The project&apos;s lots</source>
+        <translation>Las parcelas del proyecto</translation>
+    </message>
+    <message>
+        <source>Design tower</source>
+        <translation>Diseñar torre</translation>
+    </message>
+    <message>
+        <source>Designs a tower on this lot; building it demolishes the buildings on the lot</source>
+        <translation>Diseña una torre en esta parcela; al construirla se derriban los edificios que hay en ella</translation>
+    </message>
+    <message>
+        <source>Draw lot</source>
+        <translation>Dibujar parcela</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground (Shift: at right angles to the last side).
+Double click, Enter or right click finishes, Backspace removes the last corner.</source>
+        <translation>Haga clic en las esquinas sobre el suelo (Mayús: en ángulo recto con el último lado).
+Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Construir</translation>
+    </message>
+    <message>
+        <source>Adds the tower to the scenario, as one undo step (Enter over the view)</source>
+        <translation>Añade la torre al escenario, en un solo paso (Intro sobre la vista)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Leaves the scenario unchanged (Esc over the view)</source>
+        <translation>Deja el escenario sin cambios (Esc sobre la vista)</translation>
+    </message>
+    <message>
+        <source>No lots yet: draw one</source>
+        <translation>Aún no hay parcelas: dibuje una</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MeshPlacing</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importar %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MessageBar</name>
+    <message>
+        <source>Shows or hides the other lines of this message</source>
+        <translation>Muestra u oculta las demás líneas de este mensaje</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Cerrar este mensaje</translation>
+    </message>
+    <message>
+        <source>1 more line</source>
+        <translation>1 línea más</translation>
+    </message>
+    <message>
+        <source>%1 more lines</source>
+        <translation>%1 líneas más</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Menos</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ModeSwitch</name>
+    <message>
+        <source>engine</source>
+        <translation>motor</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MonthChart</name>
+    <message>
+        <source>Shadow area by month, m²</source>
+        <translation>Área de sombra por mes, m²</translation>
+    </message>
+    <message>
+        <source>Score by month, m²</source>
+        <translation>Puntuación por mes, m²</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieActions</name>
+    <message>
+        <source>Export &amp;movie...</source>
+        <translation>Exportar &amp;película...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>The shadows of a day, of a year, or of the change by a scenario, as MP4 or GIF</source>
+        <translation>Las sombras de un día, de un año o del cambio por un escenario, en MP4 o GIF</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>Shadow: %1</source>
+        <translation>Sombra: %1</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Movie of %1 frames saved as %2</source>
+        <translation>Película de %1 fotogramas guardada como %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieDialog</name>
+    <message>
+        <source>Export movie</source>
+        <translation>Exportar película</translation>
+    </message>
+    <message>
+        <source>What changes from frame to frame</source>
+        <translation>Qué cambia de un fotograma a otro</translation>
+    </message>
+    <message>
+        <source>Shadows of one day</source>
+        <translation>Sombras de un día</translation>
+    </message>
+    <message>
+        <source>Shadows at one time through the year</source>
+        <translation>Sombras a una hora a lo largo del año</translation>
+    </message>
+    <message>
+        <source>From baseline to scenario</source>
+        <translation>De la referencia al escenario</translation>
+    </message>
+    <message>
+        <source> min of the day in each frame</source>
+        <translation> min del día en cada fotograma</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>The ground that all frames show, from above</source>
+        <translation>El suelo que muestran todos los fotogramas, desde arriba</translation>
+    </message>
+    <message>
+        <source>What changes and what its shadows reach, or the places</source>
+        <translation>Lo que cambia y lo que alcanzan sus sombras, o los lugares</translation>
+    </message>
+    <message>
+        <source>The region of the study</source>
+        <translation>La zona del estudio</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Lo que muestra la vista</translation>
+    </message>
+    <message>
+        <source>Small pictures make small files, which matters for GIF</source>
+        <translation>Imágenes pequeñas dan archivos pequeños, lo que importa en GIF</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 píxeles</translation>
+    </message>
+    <message>
+        <source> frames per second</source>
+        <translation> fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportar...</translation>
+    </message>
+    <message>
+        <source>Asks for a file: MP4 for players, GIF for pages and mail</source>
+        <translation>Pide un archivo: MP4 para reproductores, GIF para páginas y correo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpenOptions</name>
+    <message>
+        <source>Open with options</source>
+        <translation>Abrir con opciones</translation>
+    </message>
+    <message>
+        <source>Read the files with these settings</source>
+        <translation>Leer los archivos con estos ajustes</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpeningActions</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>&amp;New project from a city...</source>
+        <translation>&amp;Nuevo proyecto desde una ciudad...</translation>
+    </message>
+    <message>
+        <source>Footprints, CityJSON, meshes, terrain; several files are combined into one city</source>
+        <translation>Huellas, CityJSON, mallas, terreno; varios archivos se combinan en una ciudad</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>A project, or city files, from which a new project is created</source>
+        <translation>Un proyecto, o archivos de ciudad, con los que se crea un proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>Open &amp;with options...</source>
+        <translation>Abrir con &amp;opciones...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>For files without location, unit or heights</source>
+        <translation>Para archivos sin ubicación, unidad o alturas</translation>
+    </message>
+    <message>
+        <source>&amp;Central Park South</source>
+        <translation>&amp;Central Park South</translation>
+    </message>
+    <message>
+        <source>The park, its streets and the towers of the case study</source>
+        <translation>El parque, sus calles y las torres del caso de estudio</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Retícula</translation>
+    </message>
+    <message>
+        <source>A synthetic city of blocks and lots</source>
+        <translation>Una ciudad sintética de manzanas y parcelas</translation>
+    </message>
+    <message>
+        <source>The time zone %1 is a guess; %2 is also nearby.</source>
+        <translation>La zona horaria %1 es una suposición; %2 también está cerca.</translation>
+    </message>
+    <message>
+        <source>Open with options...</source>
+        <translation>Abrir con opciones...</translation>
+    </message>
+    <message>
+        <source>Open samp&amp;le</source>
+        <translation>Abrir eje&amp;mplo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodForm</name>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>From sunrise to sunset</source>
+        <translation>Del amanecer al ocaso</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>primera luz (-0,833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>centro del disco (0°)</translation>
+    </message>
+    <message>
+        <source>Sun as seen through the air</source>
+        <translation>Sol a través del aire</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Primer día</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Días</translation>
+    </message>
+    <message>
+        <source>After sunrise</source>
+        <translation>Después del amanecer</translation>
+    </message>
+    <message>
+        <source>Before sunset</source>
+        <translation>Antes del ocaso</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>Hours per day</source>
+        <translation>Horas al día</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zona horaria</translation>
+    </message>
+    <message>
+        <source>Sun every</source>
+        <translation>Sol cada</translation>
+    </message>
+    <message>
+        <source>Sunrise at</source>
+        <translation>Amanecer en</translation>
+    </message>
+    <message>
+        <source>Time zone and sun</source>
+        <translation>Zona horaria y sol</translation>
+    </message>
+    <message>
+        <source>First day of the period, local date in the time zone</source>
+        <translation>Primer día del periodo, fecha local en la zona horaria</translation>
+    </message>
+    <message>
+        <source>Number of days, 1 to 3660</source>
+        <translation>Número de días, 1 a 3660</translation>
+    </message>
+    <message>
+        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
+        <translation>Hora a la que empieza cada día, horas:minutos</translation>
+    </message>
+    <message>
+        <source>Hours per day, 0 to 24; 0 is a single moment</source>
+        <translation>Horas al día, 0 a 24; 0 es un solo momento</translation>
+    </message>
+    <message>
+        <source>Minutes from one position of the sun to the next, 1/60 to 240</source>
+        <translation>Minutos de una posición del sol a la siguiente, 1/60 a 240</translation>
+    </message>
+    <message>
+        <source>IANA time zone of the wall clock, daylight saving included.
+Set to that of the nearest city when a file is opened: check it near borders.</source>
+        <translation>Zona horaria IANA de la hora local, con horario de verano.
+Al abrir un archivo se toma la de la ciudad más cercana: compruébela cerca de fronteras.</translation>
+    </message>
+    <message>
+        <source>Use sunrise and sunset instead of clock times</source>
+        <translation>Usar amanecer y ocaso en lugar de horas de reloj</translation>
+    </message>
+    <message>
+        <source>The window begins this many hours after sunrise</source>
+        <translation>La franja empieza estas horas después del amanecer</translation>
+    </message>
+    <message>
+        <source>The window ends this many hours before sunset</source>
+        <translation>La franja termina estas horas antes del ocaso</translation>
+    </message>
+    <message>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <translation>Qué momento cuenta como amanecer y ocaso: la altura del centro del sol</translation>
+    </message>
+    <message>
+        <source>On: the air lifts the sun a little near the horizon (refraction).
+Off: the sun&apos;s geometric position, as some rules require</source>
+        <translation>Sí: el aire eleva un poco el sol cerca del horizonte (refracción).
+No: la posición geométrica del sol, como exigen algunas normas</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceActions</name>
+    <message>
+        <source>Read &amp;places...</source>
+        <translation>Leer &amp;lugares...</translation>
+    </message>
+    <message>
+        <source>Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons</source>
+        <translation>Parques, zonas de juego, patios... de OpenStreetMap o de un archivo de polígonos</translation>
+    </message>
+    <message>
+        <source>Draw p&amp;lace</source>
+        <translation>Dibujar l&amp;ugar</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Enter finishes, Esc cancels</source>
+        <translation>Haga clic en las esquinas sobre el suelo; Intro termina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Creates a place from the selected building&apos;s outline</source>
+        <translation>Crea un lugar con el contorno del edificio seleccionado</translation>
+    </message>
+    <message>
+        <source>P&amp;laces</source>
+        <translation>&amp;Lugares</translation>
+    </message>
+    <message>
+        <source>Shows outlines and names of places</source>
+        <translation>Muestra contornos y nombres de los lugares</translation>
+    </message>
+    <message>
+        <source>Reading places</source>
+        <translation>Leyendo lugares</translation>
+    </message>
+    <message>
+        <source>read places</source>
+        <translation>leer lugares</translation>
+    </message>
+    <message>
+        <source>draw place</source>
+        <translation>dibujar lugar</translation>
+    </message>
+    <message>
+        <source>place from building</source>
+        <translation>lugar desde edificio</translation>
+    </message>
+    <message>
+        <source>Place from b&amp;uilding outline</source>
+        <translation>Lugar desde el contorno de un &amp;edificio</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceList</name>
+    <message>
+        <source>Find a place</source>
+        <translation>Buscar un lugar</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todos</translation>
+    </message>
+    <message>
+        <source>Tick all places</source>
+        <translation>Marcar todos los lugares</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Tick no place</source>
+        <translation>No marcar ninguno</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Cribar</translation>
+    </message>
+    <message>
+        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
+        <translation>Marcar los lugares que la sombra de la propuesta puede alcanzar</translation>
+    </message>
+    <message>
+        <source>%1, %2%3</source>
+        <translation>%1, %2%3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places ticked</source>
+        <translation>%1 de %2 lugares marcados</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places can be reached; the others&apos; tooltips say why not</source>
+        <translation>%1 de %2 lugares son alcanzables; la ayuda emergente de los demás dice por qué no</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacingPanel</name>
+    <message>
+        <source>Build</source>
+        <translation>Construir</translation>
+    </message>
+    <message>
+        <source>Scale of all three axes</source>
+        <translation>Escala de los tres ejes</translation>
+    </message>
+    <message>
+        <source>Clockwise, seen from above</source>
+        <translation>En sentido horario, visto desde arriba</translation>
+    </message>
+    <message>
+        <source>Adds it to the scenario (Enter over the view)</source>
+        <translation>Lo añade al escenario (Intro sobre la vista)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Eje vertical</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>%1: click the place on the ground for its middle.</source>
+        <translation>%1: haga clic en el suelo donde irá su centro.</translation>
+    </message>
+    <message>
+        <source> (and %1 more)</source>
+        <translation> (y %1 más)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high. Another click moves it.</source>
+        <translation>%1, %2 de altura. Otro clic lo mueve.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlateField</name>
+    <message>
+        <source>Whole lot</source>
+        <translation>Parcela entera</translation>
+    </message>
+    <message>
+        <source>Share of the lot</source>
+        <translation>Parte de la parcela</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
+        <translation>Una planta menor conserva la forma de la parcela, retirada por todos los lados</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointDock</name>
+    <message>
+        <source>In the sun on %1: %2
+In the year: %3 h of %4 h
+Sky view factor: %5</source>
+        <translation>Al sol el %1: %2
+En el año: %3 h de %4 h
+Factor de visión del cielo: %5</translation>
+    </message>
+    <message>
+        <source>
+Vertical sky component: %1 %</source>
+        <translation>
+Componente vertical del cielo: %1 %</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Guardar...</translation>
+    </message>
+    <message>
+        <source>The drawing as SVG or PNG, or the minutes by month and hour as CSV</source>
+        <translation>El dibujo en SVG o PNG, o los minutos por mes y hora en CSV</translation>
+    </message>
+    <message>
+        <source>Right-click the ground, a roof or a wall and choose Sun and sky here.</source>
+        <translation>Haga clic derecho en el suelo, una cubierta o un muro y elija «Sol y cielo aquí».</translation>
+    </message>
+    <message>
+        <source>Before
+%1
+
+Scenario
+%2</source>
+        <translation>Antes
+%1
+
+Escenario
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointInspector</name>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PreferencesActions</name>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Language, colours, units, paper and start page</source>
+        <translation>Idioma, colores, unidades, papel y página de inicio</translation>
+    </message>
+    <message>
+        <source>Language and units apply when Noonmark starts again.</source>
+        <translation>El idioma y las unidades se aplican al reiniciar Noonmark.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences...</source>
+        <translation>Prefere&amp;ncias...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferencias</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and error messages stay English</source>
+        <translation>De menús, paneles y números; se aplica al reiniciar Noonmark. Archivos, láminas y mensajes de error siguen en inglés</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Light or dark; applies at once</source>
+        <translation>Claro u oscuro; se aplica enseguida</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown; applies when Noonmark starts again. Fields to type in stay in metres</source>
+        <translation>De las áreas, longitudes y alturas mostradas; se aplica al reiniciar Noonmark. Los campos de entrada siguen en metros</translation>
+    </message>
+    <message>
+        <source>Metric: metres</source>
+        <translation>Métrico: metros</translation>
+    </message>
+    <message>
+        <source>Imperial: feet</source>
+        <translation>Imperial: pies</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>Métrico e imperial</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Of sheets, until you choose another for one of them</source>
+        <translation>De las láminas, hasta que elija otro para una</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Of sheets</source>
+        <translation>De las láminas</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Show the start page when Noonmark starts</source>
+        <translation>Mostrar la página de inicio al arrancar Noonmark</translation>
+    </message>
+    <message>
+        <source>Only where no file is opened with the program. Help &gt; Start page shows it at any time</source>
+        <translation>Solo si el programa no se abre con un archivo. Ayuda &gt; Página de inicio la muestra siempre</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProgressStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop this job; the previous result stays</source>
+        <translation>Detener este trabajo; el resultado anterior se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectDock</name>
+    <message>
+        <source>remove step %1 of %2</source>
+        <translation>quitar paso %1 de %2</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>eliminar %1</translation>
+    </message>
+    <message>
+        <source>duplicate %1</source>
+        <translation>duplicar %1</translation>
+    </message>
+    <message>
+        <source>new scenario %1</source>
+        <translation>escenario nuevo %1</translation>
+    </message>
+    <message>
+        <source>change kind of %1</source>
+        <translation>cambiar tipo de %1</translation>
+    </message>
+    <message>
+        <source>roads along %1</source>
+        <translation>calles junto a %1</translation>
+    </message>
+    <message>
+        <source>R&amp;oads along it...</source>
+        <translation>&amp;Calles adyacentes...</translation>
+    </message>
+    <message>
+        <source>&amp;Rename	F2</source>
+        <translation>Cambiar no&amp;mbre	F2</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>&amp;Duplicar</translation>
+    </message>
+    <message>
+        <source>&amp;Remove step	Del</source>
+        <translation>&amp;Quitar paso	Supr</translation>
+    </message>
+    <message>
+        <source>&amp;Delete	Del</source>
+        <translation>&amp;Eliminar	Supr</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with this</source>
+        <translation>&amp;Comparar con este</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario from this</source>
+        <translation>&amp;Nuevo escenario desde este</translation>
+    </message>
+    <message>
+        <source>&amp;Starts from</source>
+        <translation>&amp;Parte de</translation>
+    </message>
+    <message>
+        <source>change base of %1</source>
+        <translation>cambiar base de %1</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study region</source>
+        <translation>&amp;Usar como zona del estudio</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Tipo</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Nuevo escenario</translation>
+    </message>
+    <message>
+        <source>&amp;Save the study&apos;s region</source>
+        <translation>&amp;Guardar la zona del estudio</translation>
+    </message>
+    <message>
+        <source>&amp;Save the study&apos;s period</source>
+        <translation>&amp;Guardar el periodo del estudio</translation>
+    </message>
+    <message>
+        <source>&amp;Save the displayed result</source>
+        <translation>&amp;Guardar el resultado mostrado</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a lot</source>
+        <translation>&amp;Dibujar una parcela</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a place</source>
+        <translation>&amp;Dibujar un lugar</translation>
+    </message>
+    <message>
+        <source>&amp;Read places from a file...</source>
+        <translation>&amp;Leer lugares de un archivo...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectSaving</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>Guardando %1</translation>
+    </message>
+    <message>
+        <source>Saving recovery file</source>
+        <translation>Guardando archivo de recuperación</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectSession</name>
+    <message>
+        <source>rename %1</source>
+        <translation>cambiar nombre de %1</translation>
+    </message>
+    <message>
+        <source>add lot %1</source>
+        <translation>añadir parcela %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RangePanel</name>
+    <message>
+        <source>Incremental shadow</source>
+        <translation>Sombra añadida</translation>
+    </message>
+    <message>
+        <source>Shadow in the scenario</source>
+        <translation>Sombra en el escenario</translation>
+    </message>
+    <message>
+        <source>Shadow in the baseline</source>
+        <translation>Sombra en la referencia</translation>
+    </message>
+    <message>
+        <source>Shadow by month</source>
+        <translation>Sombra por mes</translation>
+    </message>
+    <message>
+        <source>This rule is about single days. Rules about a range of days, such as san-francisco-295, have a chart by hour and day of the year.</source>
+        <translation>Esta norma trata de días sueltos. Las normas sobre un intervalo de días, como san-francisco-295, tienen un gráfico por hora y día del año.</translation>
+    </message>
+    <message>
+        <source>Computing...</source>
+        <translation>Calculando...</translation>
+    </message>
+    <message>
+        <source>Chart of the range</source>
+        <translation>Gráfico del intervalo</translation>
+    </message>
+    <message>
+        <source>Click a day for its timeline.</source>
+        <translation>Haga clic en un día para ver su cronología.</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow; each month counts twice, for both halves of the year.</source>
+        <translation>Área × horas en sombra; cada mes cuenta dos veces, por ambas mitades del año.</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow.</source>
+        <translation>Área × horas en sombra.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReadingForm</name>
+    <message>
+        <source>found by name</source>
+        <translation>hallado por su nombre</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>como en el archivo</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>all layers with polygons</source>
+        <translation>todas las capas con polígonos</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>como en el archivo (ejemplo: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>el más alto</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>si difiere la cota de los vecinos</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>siempre</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nunca (suelo llano)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Origin located at</source>
+        <translation>Origen situado en</translation>
+    </message>
+    <message>
+        <source>° east</source>
+        <translation>° este</translation>
+    </message>
+    <message>
+        <source>° north</source>
+        <translation>° norte</translation>
+    </message>
+    <message>
+        <source>Middle of the open city</source>
+        <translation>Centro de la ciudad abierta</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Alturas</translation>
+    </message>
+    <message>
+        <source>Height field</source>
+        <translation>Campo de altura</translation>
+    </message>
+    <message>
+        <source>Storeys field</source>
+        <translation>Campo de plantas</translation>
+    </message>
+    <message>
+        <source>Unit of heights</source>
+        <translation>Unidad de las alturas</translation>
+    </message>
+    <message>
+        <source>Height of a storey</source>
+        <translation>Altura de una planta</translation>
+    </message>
+    <message>
+        <source>Default height</source>
+        <translation>Altura por defecto</translation>
+    </message>
+    <message>
+        <source>Place and choice of data</source>
+        <translation>Ubicación y selección de datos</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Capa</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Nivel de detalle</translation>
+    </message>
+    <message>
+        <source>Maximum distance</source>
+        <translation>Distancia máxima</translation>
+    </message>
+    <message>
+        <source>Terrain from building bases</source>
+        <translation>Terreno según bases de edificios</translation>
+    </message>
+    <message>
+        <source>Meshes (OBJ, PLY, glTF)</source>
+        <translation>Mallas (OBJ, PLY, glTF)</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Eje vertical</translation>
+    </message>
+    <message>
+        <source>Unit of coordinates</source>
+        <translation>Unidad de las coordenadas</translation>
+    </message>
+    <message>
+        <source>Mesh north</source>
+        <translation>Norte de la malla</translation>
+    </message>
+    <message>
+        <source>Name of the field with the heights.
+Empty: the usual names are tried.</source>
+        <translation>Nombre del campo con las alturas.
+Vacío: se prueban los nombres habituales.</translation>
+    </message>
+    <message>
+        <source>Name of the field with the storeys above ground.
+Empty: the usual names are tried.</source>
+        <translation>Nombre del campo con las plantas sobre rasante.
+Vacío: se prueban los nombres habituales.</translation>
+    </message>
+    <message>
+        <source>Unit of heights given as plain numbers.
+As in the file: metres, unless the value or the field states otherwise.</source>
+        <translation>Unidad de las alturas dadas como simples números.
+Como en el archivo: metros, salvo que el valor o el campo indiquen otra.</translation>
+    </message>
+    <message>
+        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
+Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
+        <translation>Si no se lee terreno: obtenerlo de las cotas del suelo de los edificios.
+Por defecto: si más de uno de cada veinte pares de vecinos difiere en más de 1 m.</translation>
+    </message>
+    <message>
+        <source>For buildings with known storeys but no height, metres, 2 to 6</source>
+        <translation>Para edificios con plantas conocidas y sin altura, metros, 2 a 6</translation>
+    </message>
+    <message>
+        <source>For buildings with neither height nor storeys, metres, 1 to 1000</source>
+        <translation>Para edificios sin altura ni plantas, metros, 1 a 1000</translation>
+    </message>
+    <message>
+        <source>Read this layer only.
+Empty: all layers with polygons.</source>
+        <translation>Leer solo esta capa.
+Vacío: todas las capas con polígonos.</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of files that do not state it: EPSG:number.
+Empty: as in the file.</source>
+        <translation>Sistema de coordenadas de archivos que no lo indican: EPSG:número.
+Vacío: como en el archivo.</translation>
+    </message>
+    <message>
+        <source>CityJSON: read this level of detail, 2.2 for example.
+Empty: the highest available.</source>
+        <translation>CityJSON: leer este nivel de detalle, por ejemplo 2.2.
+Vacío: el más alto disponible.</translation>
+    </message>
+    <message>
+        <source>Objects farther from the middle of the data are left out, with a warning; metres, 100 to 200000</source>
+        <translation>Los objetos más alejados del centro de los datos se omiten, con un aviso; metros, 100 a 200000</translation>
+    </message>
+    <message>
+        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
+        <translation>Dirección del eje norte de la malla, grados en sentido horario desde el norte verdadero, -360 a 360</translation>
+    </message>
+    <message>
+        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
+Off: at the origin of the city from the other files.</source>
+        <translation>Ubicación geográfica del origen de la malla. Necesaria si la malla se abre sola.
+No: en el origen de la ciudad de los demás archivos.</translation>
+    </message>
+    <message>
+        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
+        <translation>Longitud del origen de la malla, grados, este positivo, -180 a 180</translation>
+    </message>
+    <message>
+        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
+        <translation>Latitud del origen de la malla, grados, norte positivo, -90 a 90</translation>
+    </message>
+    <message>
+        <source>Places the mesh&apos;s origin at the middle of the open city</source>
+        <translation>Sitúa el origen de la malla en el centro de la ciudad abierta</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RecentMenu</name>
+    <message>
+        <source>%1, with options</source>
+        <translation>%1, con opciones</translation>
+    </message>
+    <message>
+        <source>%1, read with %2</source>
+        <translation>%1, leído con %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RecoveryOffers</name>
+    <message>
+        <source>Noonmark closed before %1 was saved. Unsaved changes can be recovered.</source>
+        <translation>Noonmark se cerró antes de guardar %1. Los cambios sin guardar se pueden recuperar.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Older changes...</source>
+        <translation>Cambios anteriores...</translation>
+    </message>
+    <message>
+        <source>There are unsaved changes to %1 from %2. They can be recovered or deleted.</source>
+        <translation>Hay cambios sin guardar de %1 del %2. Se pueden recuperar o eliminar.</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Eliminarlos</translation>
+    </message>
+    <message>
+        <source>Noonmark closed before a project was saved. The unsaved project can be recovered.</source>
+        <translation>Noonmark se cerró antes de guardar un proyecto. El proyecto sin guardar se puede recuperar.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RegionActions</name>
+    <message>
+        <source>&amp;Draw region</source>
+        <translation>&amp;Dibujar zona</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Enter finishes, Esc cancels</source>
+        <translation>Haga clic en las esquinas sobre el suelo; Intro termina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Region from &amp;file...</source>
+        <translation>Zona desde arc&amp;hivo...</translation>
+    </message>
+    <message>
+        <source>Polygons from a file, in any coordinate system</source>
+        <translation>Polígonos de un archivo, en cualquier sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>zona</translation>
+    </message>
+    <message>
+        <source>draw %1</source>
+        <translation>dibujar %1</translation>
+    </message>
+    <message>
+        <source>save region %1</source>
+        <translation>guardar zona %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultActions</name>
+    <message>
+        <source>Save &amp;picture...</source>
+        <translation>Guardar &amp;imagen...</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>The view with its legend, as a PNG file</source>
+        <translation>La vista con su leyenda, como archivo PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>&amp;Exportar...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>The displayed result, all scenarios or the review, as PDF, picture, GeoTIFF, tables and JSON</source>
+        <translation>El resultado mostrado, todos los escenarios o la evaluación, en PDF, imagen, GeoTIFF, tablas y JSON</translation>
+    </message>
+    <message>
+        <source>&amp;Save result</source>
+        <translation>&amp;Guardar resultado</translation>
+    </message>
+    <message>
+        <source>Stores the displayed map and figures in the project</source>
+        <translation>Guarda en el proyecto el mapa y las cifras mostrados</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>Imagen guardada como %1</translation>
+    </message>
+    <message>
+        <source>Picture copied</source>
+        <translation>Imagen copiada</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>All %1 scenarios measured</source>
+        <translation>Los %1 escenarios medidos</translation>
+    </message>
+    <message>
+        <source>Review: sheets, tables and drawings</source>
+        <translation>Evaluación: láminas, tablas y dibujos</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>Puntuación de %1 con %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Estudio de %1</translation>
+    </message>
+    <message>
+        <source>Saved result %1</source>
+        <translation>Resultado guardado %1</translation>
+    </message>
+    <message>
+        <source>&amp;Export (%1)...</source>
+        <translation>&amp;Exportar (%1)...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultDisplay</name>
+    <message>
+        <source>Outdated: buildings have changed</source>
+        <translation>Desactualizado: los edificios han cambiado</translation>
+    </message>
+    <message>
+        <source>%1. Outdated: buildings have changed</source>
+        <translation>%1. Desactualizado: los edificios han cambiado</translation>
+    </message>
+    <message>
+        <source>These figures do not include the building being designed. Build it, then run.</source>
+        <translation>Estas cifras no incluyen el edificio que se diseña. Constrúyalo y calcule.</translation>
+    </message>
+    <message>
+        <source>Outdated figures: buildings have changed; %1.</source>
+        <translation>Cifras desactualizadas: los edificios han cambiado; %1.</translation>
+    </message>
+    <message>
+        <source>new figures are being computed</source>
+        <translation>se calculan cifras nuevas</translation>
+    </message>
+    <message>
+        <source>run again (Ctrl+R)</source>
+        <translation>vuelva a calcular (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Outdated figures: settings have changed; run again (Ctrl+R).</source>
+        <translation>Cifras desactualizadas: los ajustes han cambiado; vuelva a calcular (Ctrl+R).</translation>
+    </message>
+    <message>
+        <source>Outdated score: the weight table has changed; score again.</source>
+        <translation>Puntuación desactualizada: la tabla de pesos ha cambiado; vuelva a puntuar.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultsDock</name>
+    <message>
+        <source>No study yet.
+Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The figures of the study then stand here.</source>
+        <translation>Aún no hay estudio.
+Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las cifras aparecerán aquí.</translation>
+    </message>
+    <message>
+        <source>Show the study again</source>
+        <translation>Volver a mostrar el estudio</translation>
+    </message>
+    <message>
+        <source>Replaces this result by the current study or comparison</source>
+        <translation>Sustituye este resultado por el estudio o la comparación actual</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewActions</name>
+    <message>
+        <source>Re&amp;view by a rule...</source>
+        <translation>E&amp;valuar según una norma...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule of a review board on the places of the project</source>
+        <translation>Aplicar la norma de una autoridad a los lugares del proyecto</translation>
+    </message>
+    <message>
+        <source>Shows the sheets of the review, and writes them with its tables and drawings</source>
+        <translation>Muestra las láminas de la evaluación y las escribe con sus tablas y dibujos</translation>
+    </message>
+    <message>
+        <source>The review was exported to %1</source>
+        <translation>La evaluación se exportó a %1</translation>
+    </message>
+    <message>
+        <source>S&amp;heets of the review...</source>
+        <translation>Láminas de la evaluación...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewDock</name>
+    <message>
+        <source>Run review</source>
+        <translation>Evaluar</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportar...</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule on the ticked places</source>
+        <translation>Aplicar la norma a los lugares marcados</translation>
+    </message>
+    <message>
+        <source>Copies the table, with all days, as text for a spreadsheet</source>
+        <translation>Copia la tabla, con todos los días, como texto para una hoja de cálculo</translation>
+    </message>
+    <message>
+        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage)</source>
+        <translation>Escribe las láminas (PDF), la tabla (CSV), los datos (JSON) y las sombras para CAD y SIG (DXF, GeoPackage)</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Día</translation>
+    </message>
+    <message>
+        <source>Range of days</source>
+        <translation>Intervalo de días</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Norma</translation>
+    </message>
+    <message>
+        <source>The expected time of this review</source>
+        <translation>El tiempo previsto de esta evaluación</translation>
+    </message>
+    <message>
+        <source>Computing the verdicts of the building being designed...</source>
+        <translation>Calculando los dictámenes del edificio que se diseña...</translation>
+    </message>
+    <message>
+        <source>Press Run review to evaluate the rule on the ticked places.</source>
+        <translation>Pulse Evaluar para aplicar la norma a los lugares marcados.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 compared with %3. %4</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 comparado con %3. %4</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;&lt;i&gt;Follows the building being designed.&lt;/i&gt;</source>
+        <translation>&lt;br&gt;&lt;i&gt;Sigue al edificio que se diseña.&lt;/i&gt;</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Click a row of the table to see its timeline.</source>
+        <translation>Haga clic en una fila de la tabla para ver su cronología.</translation>
+    </message>
+    <message>
+        <source>The timeline of a place appears here after a review.</source>
+        <translation>La cronología de un lugar aparece aquí tras una evaluación.</translation>
+    </message>
+    <message>
+        <source>Build the tower, then run the review, to see its range of days.</source>
+        <translation>Construya la torre y evalúe para ver su intervalo de días.</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>No comprobado</translation>
+    </message>
+    <message>
+        <source>How Noonmark reads what the rule leaves open</source>
+        <translation>Cómo interpreta Noonmark lo que la norma deja abierto</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1, steps of %2 min, cells of %3 m, %4, %5&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1, pasos de %2 min, celdas de %3 m, %4, %5&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Rule files that are left out</source>
+        <translation>Archivos de normas omitidos</translation>
+    </message>
+    <message>
+        <source>&lt;h4&gt;Figures with status and source&lt;/h4&gt;</source>
+        <translation>&lt;h4&gt;Cifras con estado y fuente&lt;/h4&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewSession</name>
+    <message>
+        <source>Review</source>
+        <translation>Evaluación</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Estimando</translation>
+    </message>
+    <message>
+        <source>Screening</source>
+        <translation>Cribando</translation>
+    </message>
+    <message>
+        <source>the building being designed</source>
+        <translation>el edificio que se diseña</translation>
+    </message>
+    <message>
+        <source>Live review</source>
+        <translation>Evaluación en vivo</translation>
+    </message>
+    <message>
+        <source>Not up to date: a building is being designed. Build it, then run.</source>
+        <translation>No actualizado: se está diseñando un edificio. Constrúyalo y evalúe.</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation>No actualizado. %1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings or scenarios have changed. Run again.</source>
+        <translation>No actualizado: los edificios o escenarios han cambiado. Evalúe de nuevo.</translation>
+    </message>
+    <message>
+        <source>Not up to date: rule, places, time zone or year have changed. Run again.</source>
+        <translation>No actualizado: norma, lugares, zona horaria o año han cambiado. Evalúe de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RuleForm</name>
+    <message>
+        <source>Rule</source>
+        <translation>Norma</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Referencia</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>What the proposal is compared with. The rule asks for: %1</source>
+        <translation>Con qué se compara la propuesta. La norma pide: %1</translation>
+    </message>
+    <message>
+        <source>Displayed: %1</source>
+        <translation>Mostrado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RunForecast</name>
+    <message>
+        <source>Estimating</source>
+        <translation>Estimando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SavingActions</name>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>&amp;Guardar proyecto</translation>
+    </message>
+    <message>
+        <source>City, scenarios, lots, results and view in one file</source>
+        <translation>Ciudad, escenarios, parcelas, resultados y vista en un archivo</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as...</source>
+        <translation>Guardar proyecto &amp;como...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Guardar como...</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Save changes to %1?</source>
+        <translation>¿Guardar los cambios de %1?</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioActions</name>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Nuevo escenario</translation>
+    </message>
+    <message>
+        <source>Starts from the existing city</source>
+        <translation>Parte de la ciudad existente</translation>
+    </message>
+    <message>
+        <source>New scenario &amp;from this one</source>
+        <translation>Nuevo escenario &amp;desde este</translation>
+    </message>
+    <message>
+        <source>Starts from the displayed scenario and inherits its later changes</source>
+        <translation>Parte del escenario mostrado y hereda sus cambios posteriores</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the existing city</source>
+        <translation>&amp;Comparar con la ciudad existente</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Shows how many minutes of shadow the scenario adds or removes</source>
+        <translation>Muestra cuántos minutos de sombra añade o quita el escenario</translation>
+    </message>
+    <message>
+        <source>&amp;Measure all scenarios</source>
+        <translation>&amp;Medir todos los escenarios</translation>
+    </message>
+    <message>
+        <source>Runs the same study for each scenario, for comparison side by side</source>
+        <translation>Hace el mismo estudio para cada escenario, para compararlos</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioBar</name>
+    <message>
+        <source>The displayed scenario. Edits are added to it; on the existing city they start a new scenario</source>
+        <translation>El escenario mostrado. Los cambios se le añaden; en la ciudad existente inician un escenario nuevo</translation>
+    </message>
+    <message>
+        <source>Compare the scenario with this baseline: more or fewer minutes of shadow</source>
+        <translation>Comparar el escenario con esta referencia: más o menos minutos de sombra</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>compare with</source>
+        <translation>comparar con</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioTable</name>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>Double-click to show it</source>
+        <translation>Doble clic para mostrarlo</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Cambios</translation>
+    </message>
+    <message>
+        <source>Steps from the existing city, including those of its bases</source>
+        <translation>Pasos desde la ciudad existente, con los de sus bases</translation>
+    </message>
+    <message>
+        <source>Shadow area, m²</source>
+        <translation>Área de sombra, m²</translation>
+    </message>
+    <message>
+        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
+        <translation>Suma en los receptores de (parte del tiempo de sol en sombra × área de celda)</translation>
+    </message>
+    <message>
+        <source>Mean gross, min</source>
+        <translation>Total media, min</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and receivers</source>
+        <translation>Minutos en sombra al día, media de días y receptores</translation>
+    </message>
+    <message>
+        <source>Mean continuous, min</source>
+        <translation>Continua media, min</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>Tramo más largo en sombra de cualquier día, media de los receptores</translation>
+    </message>
+    <message>
+        <source>Not computed with the current settings: show the scenario and press Run</source>
+        <translation>No calculado con los ajustes actuales: muestre el escenario y pulse Calcular</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenariosDock</name>
+    <message>
+        <source>Only the existing city so far. Select a building and change it, or design a tower on a lot: the first change begins a scenario, which is listed here.</source>
+        <translation>Por ahora solo la ciudad existente. Seleccione y cambie un edificio, o diseñe una torre en una parcela: el primer cambio inicia un escenario, que aparece aquí.</translation>
+    </message>
+    <message>
+        <source>Measure all</source>
+        <translation>Medir todos</translation>
+    </message>
+    <message>
+        <source>Runs the study for scenarios without figures, with the current period and region</source>
+        <translation>Estudia los escenarios sin cifras, con el periodo y la zona actuales</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SearchActions</name>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Buscar</translation>
+    </message>
+    <message>
+        <source>A building by name or id, a street, a place, a lot or a position</source>
+        <translation>Un edificio por nombre o id, una calle, un lugar, una parcela o una posición</translation>
+    </message>
+    <message>
+        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
+        <translation>Nada se llama «%1». Los edificios sin nombre se encuentran por su id.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SearchField</name>
+    <message>
+        <source>Find (Ctrl+F)</source>
+        <translation>Buscar (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832</source>
+        <translation>Un edificio por nombre o id, una calle, un lugar, una parcela o una posición como 40.7536, -73.9832</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SelectionPanel</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Import mesh...</source>
+        <translation>Importar malla...</translation>
+    </message>
+    <message>
+        <source>Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground</source>
+        <translation>Añade un edificio desde OBJ, PLY, glTF o CityJSON, colocado con un clic en el suelo</translation>
+    </message>
+    <message>
+        <source>Demolish</source>
+        <translation>Derribar</translation>
+    </message>
+    <message>
+        <source>Removes the building (Delete)</source>
+        <translation>Quita el edificio (Supr)</translation>
+    </message>
+    <message>
+        <source>Replace by tower</source>
+        <translation>Sustituir por torre</translation>
+    </message>
+    <message>
+        <source>Replaces it by a tower on its lot or, if it has none, on its footprint</source>
+        <translation>Lo sustituye por una torre en su parcela o, si no tiene, en su huella</translation>
+    </message>
+    <message>
+        <source>Lot from footprint</source>
+        <translation>Parcela desde la huella</translation>
+    </message>
+    <message>
+        <source>Creates a lot from its outline on the ground</source>
+        <translation>Crea una parcela con su contorno en el suelo</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Drag the building over the ground; Esc ends the tool</source>
+        <translation>Arrastre el edificio sobre el suelo; Esc termina</translation>
+    </message>
+    <message>
+        <source>Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply</source>
+        <translation>Sobre el suelo, 0,1 a 2000 m; o arrastre la flecha del edificio. Pulse Intro para aplicar</translation>
+    </message>
+    <message>
+        <source>Clockwise about its middle. Press Enter to apply</source>
+        <translation>En sentido horario sobre su centro. Pulse Intro para aplicar</translation>
+    </message>
+    <message>
+        <source>Negative: west, south. Press Enter to apply</source>
+        <translation>Negativo: oeste, sur. Pulse Intro para aplicar</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Move east</source>
+        <translation>Mover al este</translation>
+    </message>
+    <message>
+        <source>Move north</source>
+        <translation>Mover al norte</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Same floor area on its lot:</source>
+        <translation>Misma superficie en su parcela:</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Más ancho</translation>
+    </message>
+    <message>
+        <source>Shorter, on a floor plate twice as large</source>
+        <translation>Más bajo, con una planta el doble de grande</translation>
+    </message>
+    <message>
+        <source>Widest</source>
+        <translation>Lo más ancho</translation>
+    </message>
+    <message>
+        <source>As short as the lot allows</source>
+        <translation>Tan bajo como permita la parcela</translation>
+    </message>
+    <message>
+        <source>Slimmer</source>
+        <translation>Más esbelto</translation>
+    </message>
+    <message>
+        <source>Taller, on half the floor plate</source>
+        <translation>Más alto, con media planta</translation>
+    </message>
+    <message>
+        <source>Click a building in the view to select it.</source>
+        <translation>Haga clic en un edificio de la vista para seleccionarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SetbackTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Desde altura</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>Retranqueo</translation>
+    </message>
+    <message>
+        <source>Above each height the walls are set back by the inset, from bottom to top</source>
+        <translation>Por encima de cada altura los muros se retiran esa distancia, de abajo arriba</translation>
+    </message>
+    <message>
+        <source>Add setback</source>
+        <translation>Añadir retranqueo</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SheetForm</name>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Title block (saved in the project)</source>
+        <translation>Cajetín (se guarda en el proyecto)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Scale of diagrams</source>
+        <translation>Escala de los diagramas</translation>
+    </message>
+    <message>
+        <source>A scale from 1:%1 to 1:%2 may be typed. Where a place or its shadows are larger than the paper at that scale, the diagram shows the part around the place.</source>
+        <translation>Se puede escribir una escala de 1:%1 a 1:%2. Si un lugar o sus sombras superan el papel a esa escala, el diagrama muestra la parte en torno al lugar.</translation>
+    </message>
+    <message>
+        <source>fits the page</source>
+        <translation>ajustada a la página</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>Of areas, lengths and heights</source>
+        <translation>De áreas, longitudes y alturas</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Métrico</translation>
+    </message>
+    <message>
+        <source>Imperial</source>
+        <translation>Imperial</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>Métrico e imperial</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omitido</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Sheet numbers</source>
+        <translation>Números de lámina</translation>
+    </message>
+    <message>
+        <source>example: A- for A-1, A-2...</source>
+        <translation>ejemplo: A- para A-1, A-2...</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logotipo</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG picture of at most 1 MiB</source>
+        <translation>Una imagen PNG o JPEG de 1 MiB como máximo</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Sheets without a logo</source>
+        <translation>Láminas sin logotipo</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SheetsDialog</name>
+    <message>
+        <source>Write files...</source>
+        <translation>Escribir archivos...</translation>
+    </message>
+    <message>
+        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage) to a folder</source>
+        <translation>Escribe en una carpeta las láminas (PDF), la tabla (CSV), los datos (JSON) y las sombras para CAD y SIG (DXF, GeoPackage)</translation>
+    </message>
+    <message>
+        <source>Sheets of the review</source>
+        <translation>Láminas de la evaluación</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation>Cajetín</translation>
+    </message>
+    <message>
+        <source>Laying out the sheets</source>
+        <translation>Componiendo las láminas</translation>
+    </message>
+    <message>
+        <source>Writing the files</source>
+        <translation>Escribiendo los archivos</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Escrito en %1</translation>
+    </message>
+    <message>
+        <source>Write the files of the review to folder</source>
+        <translation>Escribir los archivos de la evaluación en una carpeta</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change lays the sheets out again.</source>
+        <translation>Cancelado. Cualquier cambio vuelve a componer las láminas.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StartDialog</name>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Noonmark measures the shadows that buildings cast on a city.</source>
+        <translation>Noonmark mide las sombras que los edificios proyectan sobre una ciudad.</translation>
+    </message>
+    <message>
+        <source>Open a city or a project...</source>
+        <translation>Abrir una ciudad o un proyecto...</translation>
+    </message>
+    <message>
+        <source>Footprints, OpenStreetMap, CityJSON, meshes, terrain</source>
+        <translation>Huellas, OpenStreetMap, CityJSON, mallas, terreno</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>How to study, compare and review</source>
+        <translation>Cómo estudiar, comparar y evaluar</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Ejemplos</translation>
+    </message>
+    <message>
+        <source>Central Park South</source>
+        <translation>Central Park South</translation>
+    </message>
+    <message>
+        <source>The park, its streets and the towers of the case study</source>
+        <translation>El parque, sus calles y las torres del caso de estudio</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Retícula</translation>
+    </message>
+    <message>
+        <source>A synthetic city of blocks and lots</source>
+        <translation>Una ciudad sintética de manzanas y parcelas</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Guided tours</source>
+        <translation>Visitas guiadas</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StudyActions</name>
+    <message>
+        <source>&amp;Run</source>
+        <translation>Calcula&amp;r</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Compute the shadow in the region</source>
+        <translation>Calcular la sombra en la zona</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Ctrl+.</source>
+        <translation>Ctrl+.</translation>
+    </message>
+    <message>
+        <source>Stop the study that is running</source>
+        <translation>Detener el estudio en curso</translation>
+    </message>
+    <message>
+        <source>Show &amp;gross shadow</source>
+        <translation>Mostrar sombra t&amp;otal</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day</source>
+        <translation>Minutos en sombra al día</translation>
+    </message>
+    <message>
+        <source>Show c&amp;ontinuous shadow</source>
+        <translation>Mostrar sombra co&amp;ntinua</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow</source>
+        <translation>Tramo más largo en sombra</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>periodo</translation>
+    </message>
+    <message>
+        <source>save period %1</source>
+        <translation>guardar periodo %1</translation>
+    </message>
+    <message>
+        <source>%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, in %3.</source>
+        <translation>%1 estaba comparado con %2 al guardar el proyecto. Calcular (Ctrl+R) repite la comparación, en %3.</translation>
+    </message>
+    <message>
+        <source>A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.</source>
+        <translation>Se mostraba un estudio al guardar el proyecto. Calcular (Ctrl+R) lo repite, en %1.</translation>
+    </message>
+    <message>
+        <source>This study takes %1 (%2). The accuracy Quick takes %3 and measures its error against rays.</source>
+        <translation>Este estudio tarda %1 (%2). La precisión Rápida tarda %3 y mide su error frente a rayos.</translation>
+    </message>
+    <message>
+        <source>Run quickly</source>
+        <translation>Calcular rápido</translation>
+    </message>
+    <message>
+        <source>Run it all the same</source>
+        <translation>Calcular de todos modos</translation>
+    </message>
+    <message>
+        <source>This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.</source>
+        <translation>Este estudio tarda %1 (%2). Celdas mayores, menos días o una zona menor lo aceleran.</translation>
+    </message>
+    <message>
+        <source>Cancelled. The previous study is shown.</source>
+        <translation>Cancelado. Se muestra el estudio anterior.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No study yet.</source>
+        <translation>Cancelado. Aún no hay estudio.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StudyDock</name>
+    <message>
+        <source>Compute the minutes of shadow in every cell of the region (Ctrl+R)</source>
+        <translation>Calcular los minutos de sombra en cada celda de la zona (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Cuándo</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Dónde</translation>
+    </message>
+    <message>
+        <source>How exactly</source>
+        <translation>Con qué precisión</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>receptores</translation>
+    </message>
+    <message>
+        <source>This method works on level ground only, but %1. Choose Quick or Reference.</source>
+        <translation>Este método solo vale en suelo llano, pero %1. Elija Rápida o Referencia.</translation>
+    </message>
+    <message>
+        <source>roofs are to be measured</source>
+        <translation>se van a medir cubiertas</translation>
+    </message>
+    <message>
+        <source>this city has terrain</source>
+        <translation>esta ciudad tiene terreno</translation>
+    </message>
+    <message>
+        <source>Choose weights</source>
+        <translation>Elegir pesos</translation>
+    </message>
+    <message>
+        <source>Choose a rule</source>
+        <translation>Elegir una norma</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>Calcular de nuevo</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Run study</source>
+        <translation>Calcular</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SunShadow</name>
+    <message>
+        <source>Drawing the shadow</source>
+        <translation>Dibujando la sombra</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ThemeMenu</name>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Como el &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Colores</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeDisplay</name>
+    <message>
+        <source>&amp;Play the sun</source>
+        <translation>&amp;Reproducir el sol</translation>
+    </message>
+    <message>
+        <source>Shift+Space</source>
+        <translation>Shift+Space</translation>
+    </message>
+    <message>
+        <source>Plays or stops the sun and its shadows</source>
+        <translation>Reproduce o detiene el sol y sus sombras</translation>
+    </message>
+    <message>
+        <source>Ten minutes &amp;later</source>
+        <translation>Diez minutos &amp;después</translation>
+    </message>
+    <message>
+        <source>The sun ten minutes later</source>
+        <translation>El sol diez minutos después</translation>
+    </message>
+    <message>
+        <source>Ten minutes &amp;earlier</source>
+        <translation>Diez minutos &amp;antes</translation>
+    </message>
+    <message>
+        <source>The sun ten minutes earlier</source>
+        <translation>El sol diez minutos antes</translation>
+    </message>
+    <message>
+        <source>&amp;Next day</source>
+        <translation>Día &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>The sun at the same time of the next day</source>
+        <translation>El sol a la misma hora del día siguiente</translation>
+    </message>
+    <message>
+        <source>Previous &amp;day</source>
+        <translation>Día an&amp;terior</translation>
+    </message>
+    <message>
+        <source>The sun at the same time of the day before</source>
+        <translation>El sol a la misma hora del día anterior</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>periodo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeLooking</name>
+    <message>
+        <source>Computing %1</source>
+        <translation>Calculando %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeStrip</name>
+    <message>
+        <source>Whole period</source>
+        <translation>Todo el periodo</translation>
+    </message>
+    <message>
+        <source>One day</source>
+        <translation>Un día</translation>
+    </message>
+    <message>
+        <source>One moment</source>
+        <translation>Un momento</translation>
+    </message>
+    <message>
+        <source>What is shown: the whole period; one day of a study, from horizons cached in steps of half a degree;
+or sun and shadow at one moment, on everything</source>
+        <translation>Qué se muestra: todo el periodo; un día de un estudio, con horizontes guardados cada medio grado;
+o el sol y la sombra en un momento, sobre todo</translation>
+    </message>
+    <message>
+        <source>The date, in the year of the period. Arrows: a day; Page Up and Down: a month</source>
+        <translation>La fecha, en el año del periodo. Flechas: un día; Re Pág y Av Pág: un mes</translation>
+    </message>
+    <message>
+        <source>The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour</source>
+        <translation>La hora local; amarillo: el sol está fuera. Flechas: un minuto; Re Pág y Av Pág: una hora</translation>
+    </message>
+    <message>
+        <source>Direction of the sun, clockwise from true north, and its altitude</source>
+        <translation>Dirección del sol en sentido horario desde el norte verdadero, y su altura</translation>
+    </message>
+    <message>
+        <source>Set as period</source>
+        <translation>Usar como periodo</translation>
+    </message>
+    <message>
+        <source>Makes this day or moment the period of the study; Run then computes its figures and errors</source>
+        <translation>Convierte este día o momento en el periodo del estudio; Calcular da entonces cifras y errores</translation>
+    </message>
+    <message>
+        <source>Plays the sun and its shadows (Shift+Space)</source>
+        <translation>Reproduce el sol y sus sombras (Mayús+Espacio)</translation>
+    </message>
+    <message>
+        <source>through the day</source>
+        <translation>durante el día</translation>
+    </message>
+    <message>
+        <source>through the year</source>
+        <translation>durante el año</translation>
+    </message>
+    <message>
+        <source>Play from sunrise to sunset of one date, or one time of day through the year</source>
+        <translation>Reproducir de amanecer a ocaso de una fecha, o una hora a lo largo del año</translation>
+    </message>
+    <message>
+        <source>slowly</source>
+        <translation>lento</translation>
+    </message>
+    <message>
+        <source>steadily</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>rápido</translation>
+    </message>
+    <message>
+        <source>Half an hour, an hour and a half or four hours of the day in a second;
+of the year, as many weeks</source>
+        <translation>Media hora, hora y media o cuatro horas del día en un segundo;
+del año, otras tantas semanas</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>d MMM</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tour</name>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 de %3)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TourBubble</name>
+    <message>
+        <source>Show me</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Does this step for you</source>
+        <translation>Hace este paso por usted</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>End tour</source>
+        <translation>Terminar visita</translation>
+    </message>
+    <message>
+        <source>Help &gt; Guided tours starts it again</source>
+        <translation>Ayuda &gt; Visitas guiadas la inicia de nuevo</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TowerEditing</name>
+    <message>
+        <source>Build %1</source>
+        <translation>Construir %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::VerdictTable</name>
+    <message>
+        <source>Place and day</source>
+        <translation>Lugar y día</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Dictamen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Día</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewActions</name>
+    <message>
+        <source>Zoom to whole &amp;city</source>
+        <translation>&amp;Toda la ciudad</translation>
+    </message>
+    <message>
+        <source>&amp;North up</source>
+        <translation>&amp;Norte arriba</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>&amp;Vista superior</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;region</source>
+        <translation>&amp;Zona del estudio</translation>
+    </message>
+    <message>
+        <source>The study region seen from above</source>
+        <translation>La zona del estudio vista desde arriba</translation>
+    </message>
+    <message>
+        <source>&amp;Solid buildings</source>
+        <translation>Edificios &amp;sólidos</translation>
+    </message>
+    <message>
+        <source>Off: wireframe, so that the ground behind buildings is visible</source>
+        <translation>No: alámbricos, para ver el suelo tras los edificios</translation>
+    </message>
+    <message>
+        <source>&amp;Map on the ground</source>
+        <translation>&amp;Mapa sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Streets, paths, parks, water and trees, drawn for orientation</source>
+        <translation>Calles, caminos, parques, agua y árboles, como orientación</translation>
+    </message>
+    <message>
+        <source>&amp;Explore by shadow accrual maps</source>
+        <translation>&amp;Explorar con mapas de acumulación</translation>
+    </message>
+    <message>
+        <source>As in the paper, instead of rays: inexact at shadow edges, but hours that look alike are computed once</source>
+        <translation>Como en el artículo, en lugar de rayos: inexacto en los bordes, pero las horas parecidas se calculan una vez</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Ratón y teclas</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewPanel</name>
+    <message>
+        <source>region</source>
+        <translation>zona</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>parcela</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lugar</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewPresets</name>
+    <message>
+        <source>From the &amp;south</source>
+        <translation>Desde el &amp;sur</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>From the &amp;east</source>
+        <translation>Desde el &amp;este</translation>
+    </message>
+    <message>
+        <source>Shift+E</source>
+        <translation>Shift+E</translation>
+    </message>
+    <message>
+        <source>From the &amp;north</source>
+        <translation>Desde el &amp;norte</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>From the &amp;west</source>
+        <translation>Desde el &amp;oeste</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>From the s&amp;un</source>
+        <translation>Desde el so&amp;l</translation>
+    </message>
+    <message>
+        <source>As the sun sees the city at the date and time below the view: what is visible is sunlit</source>
+        <translation>Como ve el sol la ciudad en la fecha y hora bajo la vista: lo visible está al sol</translation>
+    </message>
+    <message>
+        <source>The same ground from this side, nearly level</source>
+        <translation>El mismo suelo desde este lado, casi a nivel</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon at this date and time. Move the time below the view.</source>
+        <translation>El sol está bajo el horizonte en esa fecha y hora. Cambie la hora bajo la vista.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WarningsDock</name>
+    <message>
+        <source>Double-click a feature or press Enter to go to its building</source>
+        <translation>Doble clic en un elemento o Intro va a su edificio</translation>
+    </message>
+    <message>
+        <source>No warnings: nothing was left out, repaired or assumed</source>
+        <translation>Sin avisos: no se omitió, reparó ni supuso nada</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WeightsDock</name>
+    <message>
+        <source>Compute score</source>
+        <translation>Calcular puntuación</translation>
+    </message>
+    <message>
+        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
+        <translation>Sombra del escenario mostrado en la zona y el periodo del estudio, ponderada con esta tabla: por mes y como mapa</translation>
+    </message>
+    <message>
+        <source>The weight table to edit and to compute scores with; rename it with F2 in the project tree</source>
+        <translation>La tabla de pesos que se edita y con la que se puntúa; cambie su nombre con F2 en el árbol del proyecto</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Adds an interval after the selected one: over days without a weight, else over half of its days</source>
+        <translation>Añade un intervalo tras el seleccionado: en días sin peso o, si no, en la mitad de los suyos</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Removes the selected interval; its time then has no weight</source>
+        <translation>Quita el intervalo seleccionado; su tiempo queda sin peso</translation>
+    </message>
+    <message>
+        <source>New table</source>
+        <translation>Tabla nueva</translation>
+    </message>
+    <message>
+        <source>Adds a table that starts with the twelve months of the paper</source>
+        <translation>Añade una tabla que parte de los doce meses del artículo</translation>
+    </message>
+    <message>
+        <source>new weight table %1</source>
+        <translation>tabla de pesos nueva %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WeightsModel</name>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>Name of the interval</source>
+        <translation>Nombre del intervalo</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Primero</translation>
+    </message>
+    <message>
+        <source>First day, every year: month and day such as 06-01, or a month such as June</source>
+        <translation>Primer día, cada año: mes y día como 06-01, o un mes como June</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Último</translation>
+    </message>
+    <message>
+        <source>Last day, included; before the first: across New Year. Such as 08-31, or a month such as August</source>
+        <translation>Último día, incluido; anterior al primero: pasa por Año Nuevo. Como 08-31, o un mes como August</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>Time of day at which it begins, wall clock: 00:00 to 24:00</source>
+        <translation>Hora a la que empieza: 00:00 a 24:00</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Time of day at which it ends: 00:00 to 24:00</source>
+        <translation>Hora a la que termina: 00:00 a 24:00</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>-1 (shadow unwanted) to 1 (shade wanted)</source>
+        <translation>-1 (sombra no deseada) a 1 (sombra deseada)</translation>
+    </message>
+    <message>
+        <source>edit weights %1</source>
+        <translation>editar pesos %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>fila %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhatForm</name>
+    <message>
+        <source>Where shadow is measured. Changes and scores are measured on the ground only.
+Shadow on facades is shown in the mode Exploration.</source>
+        <translation>Dónde se mide la sombra. Los cambios y puntuaciones se miden solo en el suelo.
+La sombra en fachadas se ve en el modo Exploración.</translation>
+    </message>
+    <message>
+        <source>Hours of shadow</source>
+        <translation>Horas de sombra</translation>
+    </message>
+    <message>
+        <source>Change by a scenario</source>
+        <translation>Cambio por un escenario</translation>
+    </message>
+    <message>
+        <source>Score of wanted shadow</source>
+        <translation>Puntuación de la sombra deseada</translation>
+    </message>
+    <message>
+        <source>Review by a rule</source>
+        <translation>Evaluación según una norma</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhenForm</name>
+    <message>
+        <source>The days that are measured. The hours stay as they are</source>
+        <translation>Los días que se miden. Las horas no cambian</translation>
+    </message>
+    <message>
+        <source>As in a rule</source>
+        <translation>Según norma</translation>
+    </message>
+    <message>
+        <source>The day and the hours of a review board&apos;s rule</source>
+        <translation>El día y las horas de la norma de una autoridad</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>días</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>periodo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhereForm</name>
+    <message>
+        <source>Place or region by name</source>
+        <translation>Lugar o zona por nombre</translation>
+    </message>
+    <message>
+        <source>A place or a region of the project. Type a part of its name.</source>
+        <translation>Un lugar o una zona del proyecto. Escriba parte de su nombre.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dibujar</translation>
+    </message>
+    <message>
+        <source>Click the corners of a polygon on the ground.
+Double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Haga clic en las esquinas de un polígono sobre el suelo.
+Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>What I see</source>
+        <translation>Lo que veo</translation>
+    </message>
+    <message>
+        <source>The ground visible in the view</source>
+        <translation>El suelo visible en la vista</translation>
+    </message>
+    <message>
+        <source>Whole city</source>
+        <translation>Toda la ciudad</translation>
+    </message>
+    <message>
+        <source>The bounding box of all buildings</source>
+        <translation>El rectángulo que abarca todos los edificios</translation>
+    </message>
+    <message>
+        <source>Around building</source>
+        <translation>En torno al edificio</translation>
+    </message>
+    <message>
+        <source>The selected building&apos;s surroundings, as far as four times its height.
+Click a building first.</source>
+        <translation>El entorno del edificio seleccionado, hasta cuatro veces su altura.
+Haga clic antes en un edificio.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Workbench</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>Recovering</source>
+        <translation>Recuperando</translation>
+    </message>
+    <message>
+        <source>recover unsaved changes</source>
+        <translation>recuperar cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Unsaved changes recovered. Save keeps them, Undo discards them.</source>
+        <translation>Cambios sin guardar recuperados. Guardar los conserva, Deshacer los descarta.</translation>
+    </message>
+    <message>
+        <source>Showing %1</source>
+        <translation>Mostrando %1</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Estimando</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>motor</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>All scenarios</source>
+        <translation>Todos los escenarios</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Guardando %1</translation>
+    </message>
+    <message>
+        <source>save result %1</source>
+        <translation>guardar resultado %1</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Exportando</translation>
+    </message>
+    <message>
+        <source>Exported to %1: %2</source>
+        <translation>Exportado a %1: %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,5146 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja" sourcelanguage="en">
+<context>
+    <name>FieldText</name>
+    <message>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
+        <translation>検討の内容: 日影の分、シナリオによる変化、望ましい影と望ましくない影のスコア、または審査機関の規定による判定。</translation>
+    </message>
+    <message>
+        <source>The rule of a review board by which the ticked places are judged. The list has the rules that come with Noonmark and those of your own.</source>
+        <translation>選んだ場所を判定する審査機関の規定。一覧には付属の規定と自作の規定があります。</translation>
+    </message>
+    <message>
+        <source>The scenario with the proposal. Displayed: whichever is chosen at the top of the window.</source>
+        <translation>計画案のシナリオ。表示中: ウィンドウ上部で選ばれているもの。</translation>
+    </message>
+    <message>
+        <source>A choice that the rule leaves to the case, such as a district or a zone.</source>
+        <translation>地区や用途地域など、規定が個別に選ばせる項目。</translation>
+    </message>
+    <message>
+        <source>How exactly the shadow is computed. The line below the list says what each choice means; its error is measured and stated beside the legend.</source>
+        <translation>日影をどれだけ正確に計算するか。一覧の下の行に意味が出ます。誤差は実測され、凡例の横に示されます。</translation>
+    </message>
+    <message>
+        <source>Shows or hides the time zone, the step of the sun and how sunrise is defined.</source>
+        <translation>タイムゾーン、太陽の間隔、日の出の定義を表示/非表示。</translation>
+    </message>
+    <message>
+        <source>Shows or hides the method and its options, for experts.</source>
+        <translation>専門家向けの方法と設定を表示/非表示。</translation>
+    </message>
+    <message>
+        <source>What the chart of a range of days shows: shadow in the scenario, in the baseline, or what the scenario adds.</source>
+        <translation>日の範囲のグラフの内容: シナリオの日影、比較基準の日影、またはシナリオによる増加。</translation>
+    </message>
+    <message>
+        <source>The places with their verdicts, and below each its days with the numbers behind it. A click shows the timeline, a double click zooms to the place.</source>
+        <translation>場所と判定、その下に日ごとの数値。クリックで時系列、ダブルクリックで場所に拡大。</translation>
+    </message>
+    <message>
+        <source>What the proposal is compared with.</source>
+        <translation>計画案の比較対象。</translation>
+    </message>
+    <message>
+        <source>Lists only the places whose name or kind contains this text.</source>
+        <translation>名称か種類にこの文字を含む場所だけを表示。</translation>
+    </message>
+    <message>
+        <source>The places that the review judges: those with a tick.</source>
+        <translation>審査する場所: 印の付いたもの。</translation>
+    </message>
+    <message>
+        <source>The size of the floor plate: as a share of the lot in per cent, or as an area in square metres.</source>
+        <translation>基準階の大きさ: 敷地に占める割合 (%)、または面積 (m²)。</translation>
+    </message>
+    <message>
+        <source>Adds a height above which the walls are set back from the edge of the plate.</source>
+        <translation>壁が後退し始める高さを追加。</translation>
+    </message>
+    <message>
+        <source>Removes the selected setback.</source>
+        <translation>選択したセットバックを削除。</translation>
+    </message>
+    <message>
+        <source>Heights, and how far the walls are set back above each, metres.</source>
+        <translation>高さと、その上での壁の後退距離、メートル。</translation>
+    </message>
+    <message>
+        <source>Ends placing; the scenario stays as it is.</source>
+        <translation>配置を中止。シナリオは変わりません。</translation>
+    </message>
+    <message>
+        <source>All that the project holds. Enter or a double click shows or uses a row, F2 renames it, Delete removes it, a right click has more.</source>
+        <translation>プロジェクトの全内容。Enter かダブルクリックで表示・使用、F2 で名前変更、Delete で削除、右クリックでその他。</translation>
+    </message>
+    <message>
+        <source>The scenarios side by side, with their figures for the same period and region. A click on a heading sorts them.</source>
+        <translation>同じ期間・範囲の数値でシナリオを並べた表。見出しのクリックで並べ替え。</translation>
+    </message>
+    <message>
+        <source>The intervals of the weight table: days of the year, hours of the day, and a weight from -1 (shadow unwanted) to 1 (shade wanted). Double-click a cell to change it.</source>
+        <translation>重み表の区間: 年の日、1 日の時刻、重み (-1 影は望ましくない から 1 影が望ましい)。ダブルクリックで変更。</translation>
+    </message>
+    <message>
+        <source>Does what the message proposes.</source>
+        <translation>メッセージの提案を行います。</translation>
+    </message>
+    <message>
+        <source>Does the other thing that the message proposes.</source>
+        <translation>メッセージのもう一つの提案を行います。</translation>
+    </message>
+    <message>
+        <source>The date that is shown, in the year of the period.</source>
+        <translation>表示する日付 (期間の年)。</translation>
+    </message>
+    <message>
+        <source>The wall-clock time that is shown, in the time zone of the study.</source>
+        <translation>表示する時刻 (検討のタイムゾーン)。</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Gross shadow</source>
+        <translation>累計日影</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>連続日影</translation>
+    </message>
+    <message>
+        <source>minutes in shadow a day</source>
+        <translation>1 日の日影の分</translation>
+    </message>
+    <message>
+        <source>longest run, minutes</source>
+        <translation>最長連続、分</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow</source>
+        <translation>累計日影の変化</translation>
+    </message>
+    <message>
+        <source>Change of continuous shadow</source>
+        <translation>連続日影の変化</translation>
+    </message>
+    <message>
+        <source>min a day</source>
+        <translation>分/日</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>scale fitted to this difference</source>
+        <translation>この差分に合わせた目盛</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>日影スコア</translation>
+    </message>
+    <message>
+        <source>weight × share of time</source>
+        <translation>重み × 時間の割合</translation>
+    </message>
+    <message>
+        <source>built over</source>
+        <translation>建物になった</translation>
+    </message>
+    <message>
+        <source>now ground</source>
+        <translation>地面になった</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>日なた</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>at this moment</source>
+        <translation>この時刻</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Read &amp;places into this project</source>
+        <translation>場所をこのプロジェクトに読み込む(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Open as another city</source>
+        <translation>別の都市として開く(&amp;O)</translation>
+    </message>
+    <message>
+        <source>%1 places were read</source>
+        <translation>%1 か所を読み込みました</translation>
+    </message>
+    <message>
+        <source>; %1 replace earlier ones</source>
+        <translation>; %1 か所は既存のものを置き換えました</translation>
+    </message>
+    <message>
+        <source>
+%1 more kinds of notes</source>
+        <translation>
+ほかに %1 種類の通知があります</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。R: 範囲。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さをメートルで入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>実測</translation>
+    </message>
+    <message>
+        <source>from its storeys</source>
+        <translation>階数から</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>仮定</translation>
+    </message>
+    <message>
+        <source>from its mesh</source>
+        <translation>メッシュから</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>設計値</translation>
+    </message>
+    <message>
+        <source>synthetic</source>
+        <translation>合成</translation>
+    </message>
+    <message>
+        <source>; mesh is open: %1 estimated</source>
+        <translation>; メッシュに隙間あり: %1 は推定</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Floor area</source>
+        <translation>床面積</translation>
+    </message>
+    <message>
+        <source>every pixel</source>
+        <translation>全画素</translation>
+    </message>
+    <message>
+        <source>a sample every %1 pixels</source>
+        <translation>%1 画素ごとに 1 点</translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation>%1, %2 m</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 days; %3</source>
+        <translation>%2 日中 %1 日; %3</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Open a project or a city</source>
+        <translation>プロジェクトまたは都市を開く</translation>
+    </message>
+    <message>
+        <source>Save project as</source>
+        <translation>プロジェクトに名前を付けて保存</translation>
+    </message>
+    <message>
+        <source>Projects (*%1)</source>
+        <translation>プロジェクト (*%1)</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>%1 は既に存在します。置き換えますか?</translation>
+    </message>
+    <message>
+        <source>Import a mesh as a building</source>
+        <translation>メッシュを建物として読み込む</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>Region from file</source>
+        <translation>ファイルから範囲</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>ポリゴン</translation>
+    </message>
+    <message>
+        <source>Read places</source>
+        <translation>場所を読み込む</translation>
+    </message>
+    <message>
+        <source>Maps and polygons</source>
+        <translation>地図とポリゴン</translation>
+    </message>
+    <message>
+        <source>Save sun and sky</source>
+        <translation>太陽と天空を保存</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)</source>
+        <translation>図 (*.svg);;画像 (*.png);;月別・時刻別の分 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>動画を書き出す</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4 *.gif)</source>
+        <translation>動画 (*.mp4 *.gif)</translation>
+    </message>
+    <message>
+        <source>Logo for the title block</source>
+        <translation>表題欄のロゴ</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>画像 (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>%1 already contains these files: %2. Replace them?</source>
+        <translation>%1 には既に次のファイルがあります: %2。置き換えますか?</translation>
+    </message>
+    <message>
+        <source>Projects, cities and terrain</source>
+        <translation>プロジェクト、都市、地形</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Footprints</source>
+        <translation>建物外形</translation>
+    </message>
+    <message>
+        <source>3D models and meshes</source>
+        <translation>3D モデルとメッシュ</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>検討</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Tower</source>
+        <translation>塔</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>審査</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;From a side</source>
+        <translation>側面から(&amp;F)</translation>
+    </message>
+    <message>
+        <source>S&amp;un</source>
+        <translation>太陽(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>パネル(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>S&amp;cenario</source>
+        <translation>シナリオ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>検討(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Graphics: OpenGL on the processor; a graphics card is faster</source>
+        <translation>グラフィックス: プロセッサ上の OpenGL。グラフィックカードの方が高速です</translation>
+    </message>
+    <message>
+        <source>Graphics: OpenGL on a graphics card</source>
+        <translation>グラフィックス: グラフィックカード上の OpenGL</translation>
+    </message>
+    <message>
+        <source>System: %1, %2</source>
+        <translation>システム: %1, %2</translation>
+    </message>
+    <message>
+        <source>this moment</source>
+        <translation>この時刻</translation>
+    </message>
+    <message>
+        <source>all %1 steps</source>
+        <translation>全 %1 ステップ</translation>
+    </message>
+    <message>
+        <source>With the proposal: exact at %1</source>
+        <translation>計画案あり: %1 で厳密</translation>
+    </message>
+    <message>
+        <source>With the proposal: exact at %1 of %2 steps</source>
+        <translation>計画案あり: %2 ステップ中 %1 で厳密</translation>
+    </message>
+    <message>
+        <source>With the proposal: %1, within 0.25° of azimuth</source>
+        <translation>計画案あり: %1、方位角 0.25° 以内</translation>
+    </message>
+    <message>
+        <source>%1; continuous shadow follows</source>
+        <translation>%1。連続日影は後で表示</translation>
+    </message>
+    <message>
+        <source>1 storey</source>
+        <translation>1 階</translation>
+    </message>
+    <message>
+        <source>%1 storeys</source>
+        <translation>%1 階</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>Gross floor area</source>
+        <translation>延べ面積</translation>
+    </message>
+    <message>
+        <source>Floor area ratio (FAR)</source>
+        <translation>容積率</translation>
+    </message>
+    <message>
+        <source>Lot coverage</source>
+        <translation>建蔽率</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>階数</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>Buildings demolished</source>
+        <translation>除却する建物</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to lot</source>
+        <translation>敷地に拡大(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to place</source>
+        <translation>場所に拡大(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study region</source>
+        <translation>検討範囲として使う(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study period</source>
+        <translation>検討期間として使う(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit and score</source>
+        <translation>編集してスコアを計算(&amp;E)</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>都市</translation>
+    </message>
+    <message>
+        <source>The existing city, from which every scenario starts</source>
+        <translation>現況の都市。すべてのシナリオの出発点</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>建物 %1 棟</translation>
+    </message>
+    <message>
+        <source>Terrain of %1 × %2 points</source>
+        <translation>地形 %1 × %2 点</translation>
+    </message>
+    <message>
+        <source>Flat ground</source>
+        <translation>平らな地面</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>%1 から</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>比較基準</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to show it</source>
+        <translation>Enter またはダブルクリックで表示</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2; press Delete to remove it</source>
+        <translation>%2 のステップ %1。Delete で削除</translation>
+    </message>
+    <message>
+        <source>Lists of changes to the city; the displayed one is bold</source>
+        <translation>都市への変更の一覧。表示中のものは太字</translation>
+    </message>
+    <message>
+        <source>The existing city. Press Enter or double-click to show it</source>
+        <translation>現況の都市。Enter またはダブルクリックで表示</translation>
+    </message>
+    <message>
+        <source>Lots</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>Ground to build on</source>
+        <translation>建てられる土地</translation>
+    </message>
+    <message>
+        <source>%1, roads: %2</source>
+        <translation>%1, 道路: %2</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to zoom to it</source>
+        <translation>Enter またはダブルクリックで拡大</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Where shadow is measured</source>
+        <translation>日影を測る所</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to use it as the study region</source>
+        <translation>Enter またはダブルクリックで検討範囲にする</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Areas whose sunlight matters: parks, playgrounds, school grounds...</source>
+        <translation>日照が重要な所: 公園、遊び場、校庭など</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to zoom to it</source>
+        <translation>%1
+Enter またはダブルクリックで拡大</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>期間</translation>
+    </message>
+    <message>
+        <source>Days and hours to study</source>
+        <translation>検討する日と時間</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to use it as the study period</source>
+        <translation>%1
+Enter またはダブルクリックで検討期間にする</translation>
+    </message>
+    <message>
+        <source>Weight tables</source>
+        <translation>重み表</translation>
+    </message>
+    <message>
+        <source>How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year</source>
+        <translation>季節ごとに影がどれだけ望ましいか (最大 1)、望ましくないか (最小 -1)</translation>
+    </message>
+    <message>
+        <source>Press Enter or double-click to edit it and compute scores with it</source>
+        <translation>Enter またはダブルクリックで編集し、スコアを計算</translation>
+    </message>
+    <message>
+        <source>Saved results</source>
+        <translation>保存した結果</translation>
+    </message>
+    <message>
+        <source>Maps and figures saved in the project</source>
+        <translation>プロジェクトに保存した図と数値</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 と %2 の比較</translation>
+    </message>
+    <message>
+        <source>%1 of %2
+Press Enter or double-click to show it again</source>
+        <translation>%2 の%1
+Enter またはダブルクリックで再表示</translation>
+    </message>
+    <message>
+        <source>%1 &gt; %2 min</source>
+        <translation>%1 &gt; %2 min</translation>
+    </message>
+    <message>
+        <source>Contribution of this new building alone: ground with over %1 min a day more gross shadow than without it</source>
+        <translation>この新築建物だけの寄与: 累計日影が 1 日に %1 分を超えて増える地面</translation>
+    </message>
+    <message>
+        <source>no change</source>
+        <translation>変化なし</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 増</translation>
+    </message>
+    <message>
+        <source>%1 less</source>
+        <translation>%1 減</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>比較対象</translation>
+    </message>
+    <message>
+        <source>%1
+with %2</source>
+        <translation>%1
+対 %2</translation>
+    </message>
+    <message>
+        <source>Minutes of the first minus minutes of the second, with the same engine, steps and cells</source>
+        <translation>同じエンジン、ステップ、セルでの前者の分から後者の分を引いた値</translation>
+    </message>
+    <message>
+        <source>Gross</source>
+        <translation>累計</translation>
+    </message>
+    <message>
+        <source>Ground whose gross shadow increases or decreases by more than this</source>
+        <translation>累計日影がこれを超えて増減する地面</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>連続</translation>
+    </message>
+    <message>
+        <source>Ground whose continuous shadow increases or decreases by more than this</source>
+        <translation>連続日影がこれを超えて増減する地面</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未集計</translation>
+    </message>
+    <message>
+        <source>The engine computed gross shadow only</source>
+        <translation>エンジンは累計日影だけを計算しました</translation>
+    </message>
+    <message>
+        <source>Any change</source>
+        <translation>変化全体</translation>
+    </message>
+    <message>
+        <source>%1 more
+%2 less</source>
+        <translation>%1 増
+%2 減</translation>
+    </message>
+    <message>
+        <source>Ground with any change of gross shadow</source>
+        <translation>累計日影が変化する地面</translation>
+    </message>
+    <message>
+        <source>Largest increase</source>
+        <translation>最大増加</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> 分/日</translation>
+    </message>
+    <message>
+        <source>The cell with the largest increase of gross shadow</source>
+        <translation>累計日影が最も増えるセル</translation>
+    </message>
+    <message>
+        <source>Largest decrease</source>
+        <translation>最大減少</translation>
+    </message>
+    <message>
+        <source>The cell with the largest decrease of gross shadow</source>
+        <translation>累計日影が最も減るセル</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>平均変化</translation>
+    </message>
+    <message>
+        <source>Mean change of gross shadow over all cells that are open ground in both</source>
+        <translation>両方で空地であるセルの累計日影の平均変化</translation>
+    </message>
+    <message>
+        <source>Shadow area</source>
+        <translation>日影面積</translation>
+    </message>
+    <message>
+        <source>Change of the sum over the cells of (share of the sunlit time in shadow × cell area)</source>
+        <translation>セルごとの (日照時間のうち影の割合 × セル面積) の合計の変化</translation>
+    </message>
+    <message>
+        <source>Built over</source>
+        <translation>建物になった</translation>
+    </message>
+    <message>
+        <source>Formerly ground, now building; not included above</source>
+        <translation>元は地面、今は建物。上には含まない</translation>
+    </message>
+    <message>
+        <source>Became ground</source>
+        <translation>地面になった</translation>
+    </message>
+    <message>
+        <source>Formerly building, now ground; not included above</source>
+        <translation>元は建物、今は地面。上には含まない</translation>
+    </message>
+    <message>
+        <source>Ground compared</source>
+        <translation>比較した地面</translation>
+    </message>
+    <message>
+        <source>Open ground in both</source>
+        <translation>両方で空地</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>期間</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>計算エンジン</translation>
+    </message>
+    <message>
+        <source>Used for both</source>
+        <translation>両方に使用</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the area, %2 % of the minutes of a cell</source>
+        <translation>レイとの誤差 (実測): 面積の %1 %、セルの分の %2 %</translation>
+    </message>
+    <message>
+        <source>Continuous shadow was not counted</source>
+        <translation>連続日影は集計していません</translation>
+    </message>
+    <message>
+        <source>So far: %1 (%2 %)</source>
+        <translation>途中: %1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 with the weights %2</source>
+        <translation>%1 (重み %2)</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>formerly ground, now built over</source>
+        <translation>元は地面、今は建物</translation>
+    </message>
+    <message>
+        <source>formerly building, now ground</source>
+        <translation>元は建物、今は地面</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>測定なし</translation>
+    </message>
+    <message>
+        <source>now in shadow</source>
+        <translation>今は日影</translation>
+    </message>
+    <message>
+        <source>now in the sun</source>
+        <translation>今は日なた</translation>
+    </message>
+    <message>
+        <source>change: gross %1 min a day</source>
+        <translation>変化: 累計 %1 分/日</translation>
+    </message>
+    <message>
+        <source>, continuous %1 min</source>
+        <translation>, 連続 %1 分</translation>
+    </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>途中: %1</translation>
+    </message>
+    <message>
+        <source>Refining: %1</source>
+        <translation>細密化中: %1</translation>
+    </message>
+    <message>
+        <source>Computing the shadow in the view...</source>
+        <translation>表示中の日影を計算しています...</translation>
+    </message>
+    <message>
+        <source>No study yet: choose a period and a region, then press Run (Ctrl+R)</source>
+        <translation>まだ検討がありません。期間と範囲を選び、計算 (Ctrl+R) を押してください</translation>
+    </message>
+    <message>
+        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
+        <translation>測定点ごとの (日照時間のうち影の割合 × セル面積) の合計</translation>
+    </message>
+    <message>
+        <source>Share of ground</source>
+        <translation>地面に占める割合</translation>
+    </message>
+    <message>
+        <source>Shadow area over the area of all receivers</source>
+        <translation>日影面積を全測定点の面積で割った値</translation>
+    </message>
+    <message>
+        <source>Mean gross</source>
+        <translation>累計日影の平均</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and receivers</source>
+        <translation>1 日の日影の分。日と測定点の平均</translation>
+    </message>
+    <message>
+        <source>Mean continuous</source>
+        <translation>連続日影の平均</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>1 日の最長連続日影。測定点の平均</translation>
+    </message>
+    <message>
+        <source>Max continuous</source>
+        <translation>連続日影の最大</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow at any receiver on any day</source>
+        <translation>いずれかの測定点・日の最長連続日影</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the receivers over the same steps</source>
+        <translation>同じステップで抽出した測定点によるレイ基準との比較</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source> M rays/s</source>
+        <translation> M レイ/秒</translation>
+    </message>
+    <message>
+        <source>%1 occlusion rays divided by the engine&apos;s time</source>
+        <translation>遮蔽レイ %1 本をエンジンの時間で割った値</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Time taken by the engine</source>
+        <translation>エンジンの計算時間</translation>
+    </message>
+    <message>
+        <source>Receivers</source>
+        <translation>測定点</translation>
+    </message>
+    <message>
+        <source>Cells in which shadow is measured</source>
+        <translation>日影を測るセル</translation>
+    </message>
+    <message>
+        <source>Steps of the sun</source>
+        <translation>太陽位置の数</translation>
+    </message>
+    <message>
+        <source>Positions of the sun above the horizon; %1 below it were left out</source>
+        <translation>地平線より上の太陽位置。下の %1 は除外</translation>
+    </message>
+    <message>
+        <source>Sunlit time</source>
+        <translation>日照時間</translation>
+    </message>
+    <message>
+        <source> min/day</source>
+        <translation> 分/日</translation>
+    </message>
+    <message>
+        <source>Mean minutes a day with the sun above the horizon: 100 % of the time</source>
+        <translation>太陽が地平線より上にある 1 日の平均分: 時間の 100 %</translation>
+    </message>
+    <message>
+        <source>score %1%2 m² a m²</source>
+        <translation>スコア %1%2 m²/m²</translation>
+    </message>
+    <message>
+        <source>%1 m² shadow, score %2</source>
+        <translation>日影 %1 m², スコア %2</translation>
+    </message>
+    <message>
+        <source>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</source>
+        <translation>日照 %1 分間の日影面積と、その月のスコアへの寄与</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Interval of the table and its weight: shadow area in its sunlit time, and weight times shadow area</source>
+        <translation>表の区間と重み: その日照時間の日影面積と、重み × 日影面積</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>日影スコア</translation>
+    </message>
+    <message>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <translation>区間ごとの 重み × 日照時間のうち影の割合 × セル面積 の合計。0 より大きいと望ましい影が上回る</translation>
+    </message>
+    <message>
+        <source>per m² of ground</source>
+        <translation>地面 1 m² あたり</translation>
+    </message>
+    <message>
+        <source>Score divided by the area of all receivers</source>
+        <translation>スコアを全測定点の面積で割った値</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>評価対象</translation>
+    </message>
+    <message>
+        <source>%1
+with the weights %2</source>
+        <translation>%1
+重み %2</translation>
+    </message>
+    <message>
+        <source>Open ground of the region</source>
+        <translation>範囲内の空地</translation>
+    </message>
+    <message>
+        <source>at an unknown date</source>
+        <translation>日付不明</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2</source>
+        <translation>%1 に保存: %2</translation>
+    </message>
+    <message>
+        <source>%1. Outdated</source>
+        <translation>%1。古い結果です</translation>
+    </message>
+    <message>
+        <source>Saved result</source>
+        <translation>保存した結果</translation>
+    </message>
+    <message>
+        <source>As saved in the project, not recomputed</source>
+        <translation>プロジェクトに保存したまま。再計算していません</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>%1
+cells of %2 m</source>
+        <translation>%1
+セル %2 m</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>名称なし</translation>
+    </message>
+    <message>
+        <source>Computed by</source>
+        <translation>計算に使用</translation>
+    </message>
+    <message>
+        <source>%1, saved %2</source>
+        <translation>%1, %2 に保存</translation>
+    </message>
+    <message>
+        <source>A result saved %1.</source>
+        <translation>%1 に保存した結果。</translation>
+    </message>
+    <message>
+        <source>Its inputs have not changed since.</source>
+        <translation>入力はその後変わっていません。</translation>
+    </message>
+    <message>
+        <source>Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the scenario; incremental shadow takes %4 (%5 %)</source>
+        <translation>理論上の合計 %1 のうち、比較基準では %2 %、シナリオでは %3 % が日影。増加日影は %4 (%5 %)</translation>
+    </message>
+    <message>
+        <source>, most on %1</source>
+        <translation>, 最大は %1</translation>
+    </message>
+    <message>
+        <source>✓ pass</source>
+        <translation>✓ 適合</translation>
+    </message>
+    <message>
+        <source>≈ borderline</source>
+        <translation>≈ 境界</translation>
+    </message>
+    <message>
+        <source>✗ fail</source>
+        <translation>✗ 不適合</translation>
+    </message>
+    <message>
+        <source>– not applicable</source>
+        <translation>– 対象外</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? 未確認</translation>
+    </message>
+    <message>
+        <source>Least sure figure: %1 (%2)</source>
+        <translation>最も不確かな数値: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>building, %1</source>
+        <translation>建物, %1</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>street</source>
+        <translation>道路</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>ほか %1 件</translation>
+    </message>
+    <message>
+        <source>park</source>
+        <translation>公園</translation>
+    </message>
+    <message>
+        <source>playground</source>
+        <translation>遊び場</translation>
+    </message>
+    <message>
+        <source>schoolyard</source>
+        <translation>校庭</translation>
+    </message>
+    <message>
+        <source>plaza</source>
+        <translation>広場</translation>
+    </message>
+    <message>
+        <source>greenstreet</source>
+        <translation>緑道</translation>
+    </message>
+    <message>
+        <source>cemetery</source>
+        <translation>墓地</translation>
+    </message>
+    <message>
+        <source>facade</source>
+        <translation>外壁面</translation>
+    </message>
+    <message>
+        <source>stained glass</source>
+        <translation>ステンドグラス</translation>
+    </message>
+    <message>
+        <source>other place</source>
+        <translation>その他の場所</translation>
+    </message>
+    <message>
+        <source>No region yet</source>
+        <translation>範囲がありません</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 百万</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 positions of the sun.</source>
+        <translation>%1 セル、太陽位置 %2。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2。</translation>
+    </message>
+    <message>
+        <source>%1 %2 Rays would take %3.</source>
+        <translation>%1 %2 レイでは %3。</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>about %1 %2</source>
+        <translation>約 %1 %2</translation>
+    </message>
+    <message>
+        <source>about a second</source>
+        <translation>約 1 秒</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+    <message>
+        <source>and %1 more, listed in study.json of an export</source>
+        <translation>ほか %1 件 (書き出しの study.json に記載)</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>速い</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>厳密</translation>
+    </message>
+    <message>
+        <source>Reference (rays)</source>
+        <translation>基準 (レイ)</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>独自の設定</translation>
+    </message>
+    <message>
+        <source>Exact where that is quick; over long periods off by 0.04 % of the time on average, and the error is measured</source>
+        <translation>短時間で済む所では厳密。長期間では時間の平均 0.04 % の誤差があり、誤差は実測されます</translation>
+    </message>
+    <message>
+        <source>The outline of every shadow at every step, without rounding</source>
+        <translation>各ステップの影の輪郭を丸めずに計算</translation>
+    </message>
+    <message>
+        <source>One ray for every cell and step: what the other ways are checked against</source>
+        <translation>セルとステップごとにレイ 1 本。他の方法の検証基準</translation>
+    </message>
+    <message>
+        <source>The method and the options chosen below</source>
+        <translation>下で選んだ方法と設定</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>今日</translation>
+    </message>
+    <message>
+        <source>21 March</source>
+        <translation>3 月 21 日</translation>
+    </message>
+    <message>
+        <source>21 June</source>
+        <translation>6 月 21 日</translation>
+    </message>
+    <message>
+        <source>21 December</source>
+        <translation>12 月 21 日</translation>
+    </message>
+    <message>
+        <source>Growing season (October to April)</source>
+        <translation>生育期 (10 月から 4 月)</translation>
+    </message>
+    <message>
+        <source>Growing season (April to October)</source>
+        <translation>生育期 (4 月から 10 月)</translation>
+    </message>
+    <message>
+        <source>Whole year</source>
+        <translation>1 年間</translation>
+    </message>
+    <message>
+        <source>Own dates</source>
+        <translation>日付を指定</translation>
+    </message>
+    <message>
+        <source>How many minutes each spot is in shadow on a mean day of the period, and the longest time without a break</source>
+        <translation>期間の平均的な 1 日に各地点が日影になる分数と、途切れない最長時間</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
+        <translation>「比較対象」で選んだ都市に対し、シナリオが増減させる日影の分</translation>
+    </message>
+    <message>
+        <source>Shadow weighed by hour and month: wanted in summer, unwanted in winter. Choose the weights in the panel Weights</source>
+        <translation>時刻と月で重み付けした影: 夏は望ましく、冬は望ましくない。重みは「重み」パネルで選択</translation>
+    </message>
+    <message>
+        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
+        <translation>公園などの場所が審査機関の規定に適合するか。規定は「審査」パネルで選択</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>地面と屋根</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>北東</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>南東</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>南西</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>北西</translation>
+    </message>
+    <message>
+        <source>Sun below the horizon</source>
+        <translation>太陽は地平線の下</translation>
+    </message>
+    <message>
+        <source>Sun %1° %2, %3° high</source>
+        <translation>太陽 %1° %2、高度 %3°</translation>
+    </message>
+    <message>
+        <source>%1 % in shadow</source>
+        <translation>%1 % が日影</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>日なた</translation>
+    </message>
+    <message>
+        <source>gross %1 min a day</source>
+        <translation>累計 %1 分/日</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>探索</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>解析</translation>
+    </message>
+    <message>
+        <source>Ray reference</source>
+        <translation>レイ基準</translation>
+    </message>
+    <message>
+        <source>Shadow on all visible surfaces: ground, roofs and facades.
+Updated when the view or the period changes, coarse at first, then pixel by pixel.</source>
+        <translation>見えるすべての面 (地面、屋根、外壁) の日影。
+視点や期間が変わると更新され、粗い表示から画素ごとに細かくなります。</translation>
+    </message>
+    <message>
+        <source>Shadow on the ground of the region, cell by cell, with figures, report and files.
+Computed by the engine of the study when you press Run.</source>
+        <translation>範囲の地面の日影をセルごとに、数値・報告書・ファイルとともに求めます。
+計算を押すと検討のエンジンで計算します。</translation>
+    </message>
+    <message>
+        <source>Like the analysis, but with one ray per cell and minute:
+the slow, exact reference for the other engines.</source>
+        <translation>解析と同じですが、セルと分ごとにレイ 1 本を使います。
+遅いが厳密な、他のエンジンの基準です。</translation>
+    </message>
+    <message>
+        <source>in the middle of the picture</source>
+        <translation>画像の中央</translation>
+    </message>
+    <message>
+        <source>%1.
+Default: %2</source>
+        <translation>%1。
+既定: %2</translation>
+    </message>
+    <message>
+        <source>%1.
+%2 to %3 %4, usually %5</source>
+        <translation>%1。
+%2 から %3 %4、通常 %5</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Y is usual in OBJ and glTF, Z in models from GIS and CAD</source>
+        <translation>OBJ と glTF では Y、GIS と CAD のモデルでは Z が普通です</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
+        <translation>ファイルに書かれていないメッシュ座標の単位</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>フィート</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>米国測量フィート</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> (階高 %1)</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>d MMMM</source>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <translation>yyyy年M月d日</translation>
+    </message>
+    <message>
+        <source>d MMMM yyyy</source>
+        <translation>yyyy年M月d日</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3 floor area, FAR %4</source>
+        <translation>%1, %2
+延べ面積 %3, 容積率 %4</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 %4</source>
+        <translation>%1 %2, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1
+%2 × %3, %4, %5 cells</source>
+        <translation>%1
+%2 × %3, %4, %5 セル</translation>
+    </message>
+    <message>
+        <source>%1   height %2   x %3 m, y %4 m</source>
+        <translation>%1   高さ %2   x %3 m, y %4 m</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, 高さ %2</translation>
+    </message>
+    <message>
+        <source>Mo&amp;de</source>
+        <translation>モード(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Guided &amp;tours</source>
+        <translation>ガイドツアー(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Architect: design a tower</source>
+        <translation>設計者: 塔を設計する</translation>
+    </message>
+    <message>
+        <source>A tower on a lot, its shadow while you shape it, and what it changes</source>
+        <translation>敷地の塔、形を変えるときの影、その影響</translation>
+    </message>
+    <message>
+        <source>The green outlines in the view are lots. Towers are designed in the panel Tower.</source>
+        <translation>表示の緑の輪郭は敷地です。塔は「塔」パネルで設計します。</translation>
+    </message>
+    <message>
+        <source>The list above has the lots of the project. Design tower puts a first tower on the one chosen.</source>
+        <translation>上の一覧はプロジェクトの敷地です。「塔を設計」で選んだ敷地に最初の塔を置きます。</translation>
+    </message>
+    <message>
+        <source>Type 70 storeys, or drag the arrow on the tower. Its shadow follows, and so do height and floor area.</source>
+        <translation>70 階と入力するか、塔の矢印をドラッグします。影、高さ、延べ面積が追従します。</translation>
+    </message>
+    <message>
+        <source>Build puts the tower into a new scenario. One undo takes it back.</source>
+        <translation>「建設」で塔が新しいシナリオに入ります。元に戻すのは 1 回です。</translation>
+    </message>
+    <message>
+        <source>Brown ground gains shadow, blue loses it. The panel Results has the figures.</source>
+        <translation>茶色は影が増え、青は減る地面です。数値は「結果」パネルにあります。</translation>
+    </message>
+    <message>
+        <source>File &gt; Export writes the comparison as PDF, picture, tables and data. That is the end of this tour.</source>
+        <translation>「ファイル &gt; 書き出す」で比較を PDF、画像、表、データにします。このツアーは以上です。</translation>
+    </message>
+    <message>
+        <source>Planner: weigh shade over a year</source>
+        <translation>計画担当: 1 年の影を評価する</translation>
+    </message>
+    <message>
+        <source>Shadow of a whole year, one moment of it, and a score of wanted and unwanted shadow</source>
+        <translation>1 年間の影、その一時点、望ましい影と望ましくない影のスコア</translation>
+    </message>
+    <message>
+        <source>A study answers four questions. The first is what to measure: choose Hours of shadow.</source>
+        <translation>検討は四つの問いに答えます。最初は何を測るか: 「日影時間」を選びます。</translation>
+    </message>
+    <message>
+        <source>The second is when: choose the whole year.</source>
+        <translation>二つ目はいつか: 1 年間を選びます。</translation>
+    </message>
+    <message>
+        <source>Cells of 10 m are enough for a first look; smaller ones take longer.</source>
+        <translation>最初は 10 m のセルで十分です。小さくすると時間がかかります。</translation>
+    </message>
+    <message>
+        <source>The line above the button says how long a study will take, before it runs. Start it.</source>
+        <translation>ボタンの上の行に計算時間が前もって出ます。始めましょう。</translation>
+    </message>
+    <message>
+        <source>The map shows the whole year. Choose One moment to see sun and shadow at a date and time.</source>
+        <translation>図は 1 年間を示します。「一時点」を選ぶと、ある日時の太陽と影を表示します。</translation>
+    </message>
+    <message>
+        <source>Shade is welcome in summer and unwelcome in winter. The panel Weights says how much, month by month.</source>
+        <translation>影は夏は歓迎され、冬は嫌われます。「重み」パネルで月ごとに程度を示します。</translation>
+    </message>
+    <message>
+        <source>Compute score adds up the year by these weights. Above zero, wanted shade outweighs unwanted shadow.</source>
+        <translation>「スコアを計算」でこの重みで 1 年を合計します。0 より大きいと望ましい影が上回ります。</translation>
+    </message>
+    <message>
+        <source>File &gt; Export writes the score by month as tables, charts and maps for GIS. That is the end of this tour.</source>
+        <translation>「ファイル &gt; 書き出す」で月別スコアを表、グラフ、GIS 用の図にします。このツアーは以上です。</translation>
+    </message>
+    <message>
+        <source>Review board: judge a proposal</source>
+        <translation>審査機関: 計画案を判定する</translation>
+    </message>
+    <message>
+        <source>A place whose sunlight matters, a proposal, and the verdicts of a rule</source>
+        <translation>日照が重要な場所、計画案、規定による判定</translation>
+    </message>
+    <message>
+        <source>A review needs places whose sunlight matters. Choose Study &gt; Draw place and click the corners of a lawn in the park; Enter finishes.</source>
+        <translation>審査には日照が重要な場所が必要です。「検討 &gt; 場所を描く」を選び、公園の芝生の角をクリックし、Enter で終えます。</translation>
+    </message>
+    <message>
+        <source>It also needs a proposal. Here we design one; usually the project has it already.</source>
+        <translation>計画案も必要です。ここでは設計しますが、普通はプロジェクトに入っています。</translation>
+    </message>
+    <message>
+        <source>Design tower puts a tower on the lot chosen in the list.</source>
+        <translation>「塔を設計」で一覧の敷地に塔を置きます。</translation>
+    </message>
+    <message>
+        <source>Build makes it a scenario, which can be compared with the existing city.</source>
+        <translation>「建設」でシナリオになり、現況の都市と比較できます。</translation>
+    </message>
+    <message>
+        <source>Study &gt; Review by a rule opens the panel Review.</source>
+        <translation>「検討 &gt; 規定による審査」で「審査」パネルが開きます。</translation>
+    </message>
+    <message>
+        <source>Choose the rule of the board, here CEQR of New York. Its tool tip says what it asks and how sure its figures are.</source>
+        <translation>審査機関の規定を選びます。ここではニューヨークの CEQR です。ツールチップに内容と数値の確かさがあります。</translation>
+    </message>
+    <message>
+        <source>Run review judges every ticked place on the days of the rule.</source>
+        <translation>「審査する」で選んだ場所を規定の日について判定します。</translation>
+    </message>
+    <message>
+        <source>The table has the verdicts and the numbers behind them. Export shows the sheets and writes them with all data. That is the end of this tour.</source>
+        <translation>表に判定と根拠の数値があります。「書き出す」で図面を表示し、全データとともに書き出します。このツアーは以上です。</translation>
+    </message>
+    <message>
+        <source>Scenario &gt; Compare with the existing city asks what the tower changes. Where that takes longer, the button Compare of the panel Study starts it.</source>
+        <translation>「シナリオ &gt; 現況の都市と比較」で塔による変化を調べます。時間がかかる場合は「検討」パネルの「比較」ボタンで始めます。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::AccuracyForm</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>How the shadow is computed; the ray reference is the standard for the errors of the others</source>
+        <translation>日影の計算方法。他の方法の誤差はレイ基準で測ります</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::AccuracySection</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells</source>
+        <translation>地面のセルの一辺、メートル、0.25 から 10。半分にするとセルは 4 倍</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>論文の通り</translation>
+    </message>
+    <message>
+        <source>Exploration by shadow accrual maps, analysis by inverse accrual maps through the direction graph,
+as published. Approximate: the legend states the measured error</source>
+        <translation>探索は影累積マップ、解析は方向グラフを通した逆累積マップ。
+論文の通りの近似で、凡例に実測誤差を示します</translation>
+    </message>
+    <message>
+        <source>Method and options</source>
+        <translation>方法と設定</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>セルの大きさ</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>cell size</source>
+        <translation>セルの大きさ</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <translation>精度</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BookView</name>
+    <message>
+        <source>Previous page</source>
+        <translation>前のページ</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>次のページ</translation>
+    </message>
+    <message>
+        <source>Goes to a chapter; the PDF has them as bookmarks</source>
+        <translation>章へ移動。PDF ではしおりになります</translation>
+    </message>
+    <message>
+        <source>How large the page is shown</source>
+        <translation>ページの表示倍率</translation>
+    </message>
+    <message>
+        <source>Whole page</source>
+        <translation>ページ全体</translation>
+    </message>
+    <message>
+        <source>Page width</source>
+        <translation>ページ幅</translation>
+    </message>
+    <message>
+        <source>%1 dots per inch</source>
+        <translation>%1 dpi</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>/ %1</translation>
+    </message>
+    <message>
+        <source>Painting the page</source>
+        <translation>ページを描画中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BuildingEditing</name>
+    <message>
+        <source>%1, %2
+%3 floor area</source>
+        <translation>%1, %2
+延べ面積 %3</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContextMenu</name>
+    <message>
+        <source>Select</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>Replace by tower</source>
+        <translation>塔に置き換え</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Demolish</source>
+        <translation>除却</translation>
+    </message>
+    <message>
+        <source>Study its surroundings</source>
+        <translation>周辺を検討</translation>
+    </message>
+    <message>
+        <source>Make its outline a place</source>
+        <translation>外形を場所にする</translation>
+    </message>
+    <message>
+        <source>Study this place</source>
+        <translation>この場所を検討</translation>
+    </message>
+    <message>
+        <source>Zoom to it</source>
+        <translation>拡大</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>ここ</translation>
+    </message>
+    <message>
+        <source>Sun and sky here</source>
+        <translation>ここの太陽と天空</translation>
+    </message>
+    <message>
+        <source>Draw lot</source>
+        <translation>敷地を描く</translation>
+    </message>
+    <message>
+        <source>Draw place</source>
+        <translation>場所を描く</translation>
+    </message>
+    <message>
+        <source>Draw region</source>
+        <translation>範囲を描く</translation>
+    </message>
+    <message>
+        <source>Copy position: %1</source>
+        <translation>位置をコピー: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CopyActions</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>コピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The table or text last clicked, else the picture of the view</source>
+        <translation>最後にクリックした表または文字。なければ表示の画像</translation>
+    </message>
+    <message>
+        <source>The figures of the dock Results, as a table</source>
+        <translation>「結果」の数値を表としてコピー</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The view with title, legend, scale and north</source>
+        <translation>題名、凡例、縮尺、方位付きの表示</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>%1 copied</source>
+        <translation>%1をコピーしました</translation>
+    </message>
+    <message>
+        <source>Copy fi&amp;gures</source>
+        <translation>数値をコピー(&amp;G)</translation>
+    </message>
+    <message>
+        <source>C&amp;opy picture</source>
+        <translation>画像をコピー(&amp;O)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::DayPanel</name>
+    <message>
+        <source>Any day, in the hours of the rule</source>
+        <translation>規定の時間帯の任意の日</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>時系列</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2)。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditActions</name>
+    <message>
+        <source>%1 is not a building of the displayed city</source>
+        <translation>%1 は表示中の都市の建物ではありません</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditPreview</name>
+    <message>
+        <source>%1. Shape of %2 s ago</source>
+        <translation>%1。%2 秒前の形</translation>
+    </message>
+    <message>
+        <source>The live shadow was cancelled; it returns with the next design</source>
+        <translation>ライブ日影を中止しました。次の設計で再開します</translation>
+    </message>
+    <message>
+        <source>No live shadow. %1</source>
+        <translation>ライブ日影なし。%1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditTools</name>
+    <message>
+        <source>Draw &amp;lot</source>
+        <translation>敷地を描く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels</source>
+        <translation>地面の角をクリック。Shift: 直角。Enter で終了、Esc で中止</translation>
+    </message>
+    <message>
+        <source>&amp;Demolish</source>
+        <translation>除却(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Removes the selected building</source>
+        <translation>選択した建物を取り除く</translation>
+    </message>
+    <message>
+        <source>Replace by &amp;tower</source>
+        <translation>塔に置き換え(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Replaces the selected building by a tower on its lot or footprint</source>
+        <translation>選択した建物を、その敷地または外形の上の塔に置き換える</translation>
+    </message>
+    <message>
+        <source>&amp;Move building</source>
+        <translation>建物を移動(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Drag the selected building over the ground</source>
+        <translation>選択した建物を地面の上でドラッグ</translation>
+    </message>
+    <message>
+        <source>Creates a lot from the selected building&apos;s outline</source>
+        <translation>選択した建物の外形から敷地を作る</translation>
+    </message>
+    <message>
+        <source>&amp;Import mesh...</source>
+        <translation>メッシュを読み込む(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>Adds a building from a mesh file, placed by a click</source>
+        <translation>メッシュファイルの建物をクリックした位置に加える</translation>
+    </message>
+    <message>
+        <source>Drag the building over the ground. Esc ends the tool.</source>
+        <translation>建物を地面の上でドラッグ。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <translation>敷地の角をクリック。Shift: 直前の辺に直角。ダブルクリックか Enter で終了。</translation>
+    </message>
+    <message>
+        <source>Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
+        <translation>矢印をドラッグするか高さをメートルで入力。Shift: 階に合わせない。Enter で建設、Esc で中止。</translation>
+    </message>
+    <message>
+        <source>Lot from foot&amp;print</source>
+        <translation>外形から敷地(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Exploration</name>
+    <message>
+        <source>Exploring</source>
+        <translation>探索中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ExportDialog</name>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Large screen</source>
+        <translation>大画面</translation>
+    </message>
+    <message>
+        <source>A4 in print</source>
+        <translation>A4 印刷</translation>
+    </message>
+    <message>
+        <source>A3 in print</source>
+        <translation>A3 印刷</translation>
+    </message>
+    <message>
+        <source>A1 in print</source>
+        <translation>A1 印刷</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source> pixels wide</source>
+        <translation> 画素幅</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Table of all cells</source>
+        <translation>全セルの表</translation>
+    </message>
+    <message>
+        <source>A line of text for each cell: large for a large region</source>
+        <translation>セルごとに 1 行。広い範囲では大きくなります</translation>
+    </message>
+    <message>
+        <source>Sheets with a title block</source>
+        <translation>表題欄付きの図面</translation>
+    </message>
+    <message>
+        <source>A PDF with maps, figures, charts and method on several pages</source>
+        <translation>図、数値、グラフ、方法を数ページにまとめた PDF</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>横</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>a folder; it is created if missing</source>
+        <translation>フォルダー。なければ作ります</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>参照...</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Export to folder</source>
+        <translation>フォルダーに書き出す</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>The sheets are shown first</source>
+        <translation>先に図面を表示します</translation>
+    </message>
+    <message>
+        <source>Show the sheets</source>
+        <translation>図面を表示</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ExtrudeHandle</name>
+    <message>
+        <source>Height: %1 m  (Enter)</source>
+        <translation>高さ: %1 m  (Enter)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FieldHelp</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 から %2</translation>
+    </message>
+    <message>
+        <source>More in the guide (F1)</source>
+        <translation>ガイドを見る (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>ユーザーガイド</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HelpActions</name>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>ユーザーガイド(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The guide, at the page about the panel in use</source>
+        <translation>使用中のパネルについてのページを開く</translation>
+    </message>
+    <message>
+        <source>&amp;Start page</source>
+        <translation>スタートページ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Samples and recent projects</source>
+        <translation>サンプルと最近のプロジェクト</translation>
+    </message>
+    <message>
+        <source>&amp;About Noonmark</source>
+        <translation>Noonmark について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version, libraries and processor</source>
+        <translation>バージョン、ライブラリ、プロセッサ</translation>
+    </message>
+    <message>
+        <source>About Noonmark</source>
+        <translation>Noonmark について</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this?</source>
+        <translation>これは何?(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Explains the field that is clicked next; in a field, Shift+F1</source>
+        <translation>次にクリックした欄を説明します</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LegendStrip</name>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source>Scale: automatic</source>
+        <translation>目盛: 自動</translation>
+    </message>
+    <message>
+        <source>The ends of the colour scale of a difference.
+Lock it to compare pictures of several proposals; 0: automatic, fitted to each difference.</source>
+        <translation>差分の色目盛の両端。
+複数の案の図を比べるときは固定します。0: 自動で差分ごとに合わせる。</translation>
+    </message>
+    <message>
+        <source>What is displayed.
+Gross shadow: minutes in shadow per day, mean over the days.
+Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
+        <translation>表示する量。
+累計日影: 1 日の日影の分、日の平均。
+連続日影: 1 日のうち途切れない最長の日影、分。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LiveFollower</name>
+    <message>
+        <source>Live shadow</source>
+        <translation>ライブ日影</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LotRoadsDialog</name>
+    <message>
+        <source>North</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>Northeast</source>
+        <translation>北東</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>Southeast</source>
+        <translation>南東</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>Southwest</source>
+        <translation>南西</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>Northwest</source>
+        <translation>北西</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>no road</source>
+        <translation>道路なし</translation>
+    </message>
+    <message>
+        <source>Roads along %1</source>
+        <translation>%1 に接する道路</translation>
+    </message>
+    <message>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <translation>各辺に接する道路、水面、線路の幅はいくらですか? 日本の日影規制のような敷地の規定では、敷地境界線をその分外側へ移します。各方位は、その方向から 45 度以内を向く最も外側の辺に適用されます。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MainWindow</name>
+    <message>
+        <source>Mode</source>
+        <translation>モード</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>as in the paper</source>
+        <translation>論文の通り</translation>
+    </message>
+    <message>
+        <source>Choose a scenario at the top first. A change to a building begins one: click a building, and drag its arrow or replace it by a tower (Ctrl+T).</source>
+        <translation>先に上部でシナリオを選んでください。建物を変更すると始まります。建物をクリックして矢印をドラッグするか、塔に置き換えます (Ctrl+T)。</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>%1 として保存しました</translation>
+    </message>
+    <message>
+        <source>%1[*] - Noonmark</source>
+        <translation>%1[*] - Noonmark</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MapLayer</name>
+    <message>
+        <source>Painting the map</source>
+        <translation>地図を描画中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingForm</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Podium</source>
+        <translation>基壇</translation>
+    </message>
+    <message>
+        <source>All storeys, including the podium: 1 to 500</source>
+        <translation>基壇を含む全階数: 1 から 500</translation>
+    </message>
+    <message>
+        <source>Floor to floor: 2 to 10 m</source>
+        <translation>階高: 2 から 10 m</translation>
+    </message>
+    <message>
+        <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
+        <translation>1 階分から 2000 m。塔の矢印をドラッグするか、表示の上で数字を入力しても可</translation>
+    </message>
+    <message>
+        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
+        <translation>塔の中心まわりの時計回りの回転。敷地からはみ出せません</translation>
+    </message>
+    <message>
+        <source>Fewer than all storeys</source>
+        <translation>全階数より少ない数</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>階数</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>基準階</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>Total height</source>
+        <translation>全高</translation>
+    </message>
+    <message>
+        <source>Floor plate</source>
+        <translation>基準階面積</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>回転</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingPanel</name>
+    <message>
+        <source>Name and id of the new building</source>
+        <translation>新しい建物の名称と ID</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>The project&apos;s lots</source>
+        <translation>プロジェクトの敷地</translation>
+    </message>
+    <message>
+        <source>Design tower</source>
+        <translation>塔を設計</translation>
+    </message>
+    <message>
+        <source>Designs a tower on this lot; building it demolishes the buildings on the lot</source>
+        <translation>この敷地に塔を設計。建設すると敷地の建物は除却されます</translation>
+    </message>
+    <message>
+        <source>Draw lot</source>
+        <translation>敷地を描く</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground (Shift: at right angles to the last side).
+Double click, Enter or right click finishes, Backspace removes the last corner.</source>
+        <translation>地面の角をクリック (Shift: 直前の辺に直角)。
+ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し。</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>建設</translation>
+    </message>
+    <message>
+        <source>Adds the tower to the scenario, as one undo step (Enter over the view)</source>
+        <translation>塔をシナリオに加える。取り消しは 1 回 (表示の上で Enter)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Leaves the scenario unchanged (Esc over the view)</source>
+        <translation>シナリオを変えない (表示の上で Esc)</translation>
+    </message>
+    <message>
+        <source>No lots yet: draw one</source>
+        <translation>敷地がありません: 描いてください</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MeshPlacing</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 を読み込み中</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 を読み込む</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MessageBar</name>
+    <message>
+        <source>Shows or hides the other lines of this message</source>
+        <translation>このメッセージの残りの行を表示/非表示</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>このメッセージを閉じる</translation>
+    </message>
+    <message>
+        <source>1 more line</source>
+        <translation>あと 1 行</translation>
+    </message>
+    <message>
+        <source>%1 more lines</source>
+        <translation>あと %1 行</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>少なく</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ModeSwitch</name>
+    <message>
+        <source>engine</source>
+        <translation>エンジン</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MonthChart</name>
+    <message>
+        <source>Shadow area by month, m²</source>
+        <translation>月別の日影面積, m²</translation>
+    </message>
+    <message>
+        <source>Score by month, m²</source>
+        <translation>月別スコア, m²</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieActions</name>
+    <message>
+        <source>Export &amp;movie...</source>
+        <translation>動画を書き出す(&amp;M)...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>The shadows of a day, of a year, or of the change by a scenario, as MP4 or GIF</source>
+        <translation>1 日、1 年、またはシナリオによる変化の影を MP4 か GIF に</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 と %2 の比較</translation>
+    </message>
+    <message>
+        <source>Shadow: %1</source>
+        <translation>日影: %1</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>動画</translation>
+    </message>
+    <message>
+        <source>Movie of %1 frames saved as %2</source>
+        <translation>%1 コマの動画を %2 として保存しました</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieDialog</name>
+    <message>
+        <source>Export movie</source>
+        <translation>動画を書き出す</translation>
+    </message>
+    <message>
+        <source>What changes from frame to frame</source>
+        <translation>コマごとに変わるもの</translation>
+    </message>
+    <message>
+        <source>Shadows of one day</source>
+        <translation>1 日の影</translation>
+    </message>
+    <message>
+        <source>Shadows at one time through the year</source>
+        <translation>同じ時刻の 1 年の影</translation>
+    </message>
+    <message>
+        <source>From baseline to scenario</source>
+        <translation>比較基準からシナリオへ</translation>
+    </message>
+    <message>
+        <source> min of the day in each frame</source>
+        <translation> 分/コマ</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>動画</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>The ground that all frames show, from above</source>
+        <translation>全コマに写る地面 (上から)</translation>
+    </message>
+    <message>
+        <source>What changes and what its shadows reach, or the places</source>
+        <translation>変わる所とその影の届く所、または場所</translation>
+    </message>
+    <message>
+        <source>The region of the study</source>
+        <translation>検討範囲</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>表示中の範囲</translation>
+    </message>
+    <message>
+        <source>Small pictures make small files, which matters for GIF</source>
+        <translation>小さい画像はファイルも小さく、GIF では重要です</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 画素</translation>
+    </message>
+    <message>
+        <source> frames per second</source>
+        <translation> コマ/秒</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>題名</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>書き出す...</translation>
+    </message>
+    <message>
+        <source>Asks for a file: MP4 for players, GIF for pages and mail</source>
+        <translation>ファイルを指定: MP4 は再生ソフト、GIF はウェブやメール向け</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpenOptions</name>
+    <message>
+        <source>Open with options</source>
+        <translation>設定して開く</translation>
+    </message>
+    <message>
+        <source>Read the files with these settings</source>
+        <translation>この設定でファイルを読み込む</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpeningActions</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近のファイルを開く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;New project from a city...</source>
+        <translation>都市から新規プロジェクト(&amp;N)...</translation>
+    </message>
+    <message>
+        <source>Footprints, CityJSON, meshes, terrain; several files are combined into one city</source>
+        <translation>建物外形、CityJSON、メッシュ、地形。複数のファイルは 1 つの都市にまとめます</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>開く(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>A project, or city files, from which a new project is created</source>
+        <translation>プロジェクト、または新規プロジェクトの元になる都市ファイル</translation>
+    </message>
+    <message>
+        <source>Open &amp;with options...</source>
+        <translation>設定して開く(&amp;W)...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>For files without location, unit or heights</source>
+        <translation>位置、単位、高さのないファイル用</translation>
+    </message>
+    <message>
+        <source>&amp;Central Park South</source>
+        <translation>&amp;Central Park South</translation>
+    </message>
+    <message>
+        <source>The park, its streets and the towers of the case study</source>
+        <translation>公園と街路、事例研究の塔</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>格子(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A synthetic city of blocks and lots</source>
+        <translation>街区と敷地からなる合成都市</translation>
+    </message>
+    <message>
+        <source>The time zone %1 is a guess; %2 is also nearby.</source>
+        <translation>タイムゾーン %1 は推定です。%2 も近くにあります。</translation>
+    </message>
+    <message>
+        <source>Open with options...</source>
+        <translation>設定して開く...</translation>
+    </message>
+    <message>
+        <source>Open samp&amp;le</source>
+        <translation>サンプルを開く(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodForm</name>
+    <message>
+        <source> h</source>
+        <translation> 時間</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source>From sunrise to sunset</source>
+        <translation>日の出から日没まで</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>上縁が出る時 (-0.833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>中心が出る時 (0°)</translation>
+    </message>
+    <message>
+        <source>Sun as seen through the air</source>
+        <translation>大気を通して見た太陽</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>初日</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>日数</translation>
+    </message>
+    <message>
+        <source>After sunrise</source>
+        <translation>日の出後</translation>
+    </message>
+    <message>
+        <source>Before sunset</source>
+        <translation>日没前</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Hours per day</source>
+        <translation>1 日の時間数</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>タイムゾーン</translation>
+    </message>
+    <message>
+        <source>Sun every</source>
+        <translation>太陽の間隔</translation>
+    </message>
+    <message>
+        <source>Sunrise at</source>
+        <translation>日の出の定義</translation>
+    </message>
+    <message>
+        <source>Time zone and sun</source>
+        <translation>タイムゾーンと太陽</translation>
+    </message>
+    <message>
+        <source>First day of the period, local date in the time zone</source>
+        <translation>期間の初日、タイムゾーンの日付</translation>
+    </message>
+    <message>
+        <source>Number of days, 1 to 3660</source>
+        <translation>日数、1 から 3660</translation>
+    </message>
+    <message>
+        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
+        <translation>毎日の開始時刻、時:分</translation>
+    </message>
+    <message>
+        <source>Hours per day, 0 to 24; 0 is a single moment</source>
+        <translation>1 日の時間数、0 から 24。0 は一時点</translation>
+    </message>
+    <message>
+        <source>Minutes from one position of the sun to the next, 1/60 to 240</source>
+        <translation>太陽位置の間隔、分、1/60 から 240</translation>
+    </message>
+    <message>
+        <source>IANA time zone of the wall clock, daylight saving included.
+Set to that of the nearest city when a file is opened: check it near borders.</source>
+        <translation>時刻の IANA タイムゾーン。夏時間を含みます。
+ファイルを開くと最寄りの都市のものになります。境界付近では確認してください。</translation>
+    </message>
+    <message>
+        <source>Use sunrise and sunset instead of clock times</source>
+        <translation>時刻の代わりに日の出と日没を使う</translation>
+    </message>
+    <message>
+        <source>The window begins this many hours after sunrise</source>
+        <translation>日の出からこの時間後に始まる</translation>
+    </message>
+    <message>
+        <source>The window ends this many hours before sunset</source>
+        <translation>日没のこの時間前に終わる</translation>
+    </message>
+    <message>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <translation>日の出・日没とみなす時点: 太陽中心の高度</translation>
+    </message>
+    <message>
+        <source>On: the air lifts the sun a little near the horizon (refraction).
+Off: the sun&apos;s geometric position, as some rules require</source>
+        <translation>オン: 大気が地平線近くの太陽を少し持ち上げます (大気差)。
+オフ: 太陽の幾何学的位置。これを求める規定もあります</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceActions</name>
+    <message>
+        <source>Read &amp;places...</source>
+        <translation>場所を読み込む(&amp;P)...</translation>
+    </message>
+    <message>
+        <source>Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons</source>
+        <translation>公園、遊び場、校庭などを OpenStreetMap やポリゴンのファイルから</translation>
+    </message>
+    <message>
+        <source>Draw p&amp;lace</source>
+        <translation>場所を描く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Enter finishes, Esc cancels</source>
+        <translation>地面の角をクリック。Enter で終了、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Creates a place from the selected building&apos;s outline</source>
+        <translation>選択した建物の外形から場所を作る</translation>
+    </message>
+    <message>
+        <source>P&amp;laces</source>
+        <translation>場所(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shows outlines and names of places</source>
+        <translation>場所の外形と名称を表示</translation>
+    </message>
+    <message>
+        <source>Reading places</source>
+        <translation>場所を読み込み中</translation>
+    </message>
+    <message>
+        <source>read places</source>
+        <translation>場所の読み込み</translation>
+    </message>
+    <message>
+        <source>draw place</source>
+        <translation>場所の作図</translation>
+    </message>
+    <message>
+        <source>place from building</source>
+        <translation>建物から場所</translation>
+    </message>
+    <message>
+        <source>Place from b&amp;uilding outline</source>
+        <translation>建物外形から場所(&amp;U)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceList</name>
+    <message>
+        <source>Find a place</source>
+        <translation>場所を探す</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Tick all places</source>
+        <translation>すべての場所を選ぶ</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Tick no place</source>
+        <translation>場所の選択を外す</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>絞り込み</translation>
+    </message>
+    <message>
+        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
+        <translation>計画案の影が届きうる場所を選ぶ</translation>
+    </message>
+    <message>
+        <source>%1, %2%3</source>
+        <translation>%1, %2%3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places ticked</source>
+        <translation>%2 か所中 %1 か所を選択</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places can be reached; the others&apos; tooltips say why not</source>
+        <translation>%2 か所中 %1 か所に影が届きえます。他の理由はツールチップに</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacingPanel</name>
+    <message>
+        <source>Build</source>
+        <translation>建設</translation>
+    </message>
+    <message>
+        <source>Scale of all three axes</source>
+        <translation>3 軸の縮尺</translation>
+    </message>
+    <message>
+        <source>Clockwise, seen from above</source>
+        <translation>上から見て時計回り</translation>
+    </message>
+    <message>
+        <source>Adds it to the scenario (Enter over the view)</source>
+        <translation>シナリオに加える (表示の上で Enter)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>上向きの軸</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>%1: click the place on the ground for its middle.</source>
+        <translation>%1: 中心を置く地面をクリック。</translation>
+    </message>
+    <message>
+        <source> (and %1 more)</source>
+        <translation> (ほか %1 件)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high. Another click moves it.</source>
+        <translation>%1、高さ %2。もう一度クリックすると移動。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlateField</name>
+    <message>
+        <source>Whole lot</source>
+        <translation>敷地全体</translation>
+    </message>
+    <message>
+        <source>Share of the lot</source>
+        <translation>敷地に占める割合</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
+        <translation>小さい階は敷地の形を保ち、全辺で後退します</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointDock</name>
+    <message>
+        <source>In the sun on %1: %2
+In the year: %3 h of %4 h
+Sky view factor: %5</source>
+        <translation>%1 の日照: %2
+年間: %4 時間中 %3 時間
+天空率: %5</translation>
+    </message>
+    <message>
+        <source>
+Vertical sky component: %1 %</source>
+        <translation>
+鉛直天空光成分: %1 %</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>The drawing as SVG or PNG, or the minutes by month and hour as CSV</source>
+        <translation>図は SVG か PNG、月別・時刻別の分は CSV</translation>
+    </message>
+    <message>
+        <source>Right-click the ground, a roof or a wall and choose Sun and sky here.</source>
+        <translation>地面、屋根、壁を右クリックし、「ここの太陽と天空」を選んでください。</translation>
+    </message>
+    <message>
+        <source>Before
+%1
+
+Scenario
+%2</source>
+        <translation>変更前
+%1
+
+シナリオ
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointInspector</name>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PreferencesActions</name>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Language, colours, units, paper and start page</source>
+        <translation>言語、配色、単位、用紙、スタートページ</translation>
+    </message>
+    <message>
+        <source>Language and units apply when Noonmark starts again.</source>
+        <translation>言語と単位は次回の起動時に適用されます。</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences...</source>
+        <translation>環境設定(&amp;E)...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>環境設定</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and error messages stay English</source>
+        <translation>メニュー、パネル、数値の言語。次回の起動時に適用。ファイル、図面、エラーは英語のままです</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>配色</translation>
+    </message>
+    <message>
+        <source>Light or dark; applies at once</source>
+        <translation>明るい/暗い。すぐに適用</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>明るい</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>暗い</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown; applies when Noonmark starts again. Fields to type in stay in metres</source>
+        <translation>表示する面積、長さ、高さの単位。次回の起動時に適用。入力欄はメートルのままです</translation>
+    </message>
+    <message>
+        <source>Metric: metres</source>
+        <translation>メートル法: メートル</translation>
+    </message>
+    <message>
+        <source>Imperial: feet</source>
+        <translation>ヤード・ポンド法: フィート</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>両方</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>Of sheets, until you choose another for one of them</source>
+        <translation>図面の用紙。個別に選ぶまで使います</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Of sheets</source>
+        <translation>図面の向き</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>縦</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>横</translation>
+    </message>
+    <message>
+        <source>Show the start page when Noonmark starts</source>
+        <translation>起動時にスタートページを表示</translation>
+    </message>
+    <message>
+        <source>Only where no file is opened with the program. Help &gt; Start page shows it at any time</source>
+        <translation>ファイルを開かずに起動したときだけ。ヘルプ &gt; スタートページ でいつでも表示できます</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProgressStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop this job; the previous result stays</source>
+        <translation>この処理を中止。前の結果は残ります</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectDock</name>
+    <message>
+        <source>remove step %1 of %2</source>
+        <translation>%2 のステップ %1 を削除</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>%1 を削除</translation>
+    </message>
+    <message>
+        <source>duplicate %1</source>
+        <translation>%1 を複製</translation>
+    </message>
+    <message>
+        <source>new scenario %1</source>
+        <translation>新しいシナリオ %1</translation>
+    </message>
+    <message>
+        <source>change kind of %1</source>
+        <translation>%1 の種類を変更</translation>
+    </message>
+    <message>
+        <source>roads along %1</source>
+        <translation>%1 の道路</translation>
+    </message>
+    <message>
+        <source>R&amp;oads along it...</source>
+        <translation>接する道路(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>&amp;Rename	F2</source>
+        <translation>名前を変更(&amp;R)	F2</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>複製(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove step	Del</source>
+        <translation>ステップを削除(&amp;R)	Del</translation>
+    </message>
+    <message>
+        <source>&amp;Delete	Del</source>
+        <translation>削除(&amp;D)	Del</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with this</source>
+        <translation>これと比較(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario from this</source>
+        <translation>これから新しいシナリオ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Starts from</source>
+        <translation>出発点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>change base of %1</source>
+        <translation>%1 の出発点を変更</translation>
+    </message>
+    <message>
+        <source>&amp;Use as study region</source>
+        <translation>検討範囲として使う(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>種類(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>新しいシナリオ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Save the study&apos;s region</source>
+        <translation>検討範囲を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Save the study&apos;s period</source>
+        <translation>検討期間を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Save the displayed result</source>
+        <translation>表示中の結果を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a lot</source>
+        <translation>敷地を描く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a place</source>
+        <translation>場所を描く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Read places from a file...</source>
+        <translation>ファイルから場所を読み込む(&amp;R)...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectSaving</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 を保存中</translation>
+    </message>
+    <message>
+        <source>Saving recovery file</source>
+        <translation>復元ファイルを保存中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ProjectSession</name>
+    <message>
+        <source>rename %1</source>
+        <translation>%1 の名前を変更</translation>
+    </message>
+    <message>
+        <source>add lot %1</source>
+        <translation>敷地 %1 を追加</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RangePanel</name>
+    <message>
+        <source>Incremental shadow</source>
+        <translation>増加日影</translation>
+    </message>
+    <message>
+        <source>Shadow in the scenario</source>
+        <translation>シナリオの日影</translation>
+    </message>
+    <message>
+        <source>Shadow in the baseline</source>
+        <translation>比較基準の日影</translation>
+    </message>
+    <message>
+        <source>Shadow by month</source>
+        <translation>月別の日影</translation>
+    </message>
+    <message>
+        <source>This rule is about single days. Rules about a range of days, such as san-francisco-295, have a chart by hour and day of the year.</source>
+        <translation>この規定は個々の日についてのものです。san-francisco-295 のように日の範囲についての規定には、時刻と日のグラフがあります。</translation>
+    </message>
+    <message>
+        <source>Computing...</source>
+        <translation>計算中...</translation>
+    </message>
+    <message>
+        <source>Chart of the range</source>
+        <translation>範囲のグラフ</translation>
+    </message>
+    <message>
+        <source>Click a day for its timeline.</source>
+        <translation>日をクリックすると時系列を表示。</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow; each month counts twice, for both halves of the year.</source>
+        <translation>面積 × 日影時間。年の前半と後半のため各月を 2 回数えます。</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow.</source>
+        <translation>面積 × 日影時間。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReadingForm</name>
+    <message>
+        <source>found by name</source>
+        <translation>名称で検出</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>ファイルの通り</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>all layers with polygons</source>
+        <translation>ポリゴンのある全レイヤー</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>ファイルの通り (例: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>最も高いもの</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>隣接する地盤高が異なる場合</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>常に</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>しない (平らな地面)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Origin located at</source>
+        <translation>原点の位置</translation>
+    </message>
+    <message>
+        <source>° east</source>
+        <translation>° 東</translation>
+    </message>
+    <message>
+        <source>° north</source>
+        <translation>° 北</translation>
+    </message>
+    <message>
+        <source>Middle of the open city</source>
+        <translation>開いている都市の中央</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Height field</source>
+        <translation>高さの項目</translation>
+    </message>
+    <message>
+        <source>Storeys field</source>
+        <translation>階数の項目</translation>
+    </message>
+    <message>
+        <source>Unit of heights</source>
+        <translation>高さの単位</translation>
+    </message>
+    <message>
+        <source>Height of a storey</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>Default height</source>
+        <translation>既定の高さ</translation>
+    </message>
+    <message>
+        <source>Place and choice of data</source>
+        <translation>位置とデータの選択</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>詳細度</translation>
+    </message>
+    <message>
+        <source>Maximum distance</source>
+        <translation>最大距離</translation>
+    </message>
+    <message>
+        <source>Terrain from building bases</source>
+        <translation>建物の基部から地形</translation>
+    </message>
+    <message>
+        <source>Meshes (OBJ, PLY, glTF)</source>
+        <translation>メッシュ (OBJ, PLY, glTF)</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>上向きの軸</translation>
+    </message>
+    <message>
+        <source>Unit of coordinates</source>
+        <translation>座標の単位</translation>
+    </message>
+    <message>
+        <source>Mesh north</source>
+        <translation>メッシュの北</translation>
+    </message>
+    <message>
+        <source>Name of the field with the heights.
+Empty: the usual names are tried.</source>
+        <translation>高さの項目名。
+空欄: 一般的な名称を試します。</translation>
+    </message>
+    <message>
+        <source>Name of the field with the storeys above ground.
+Empty: the usual names are tried.</source>
+        <translation>地上階数の項目名。
+空欄: 一般的な名称を試します。</translation>
+    </message>
+    <message>
+        <source>Unit of heights given as plain numbers.
+As in the file: metres, unless the value or the field states otherwise.</source>
+        <translation>単位のない高さの単位。
+ファイルの通り: 値や項目に指定がなければメートル。</translation>
+    </message>
+    <message>
+        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
+Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
+        <translation>地形を読み込まない場合、建物の地盤高から作ります。
+既定: 隣り合う組の 20 分の 1 以上で 1 m を超える差があるとき。</translation>
+    </message>
+    <message>
+        <source>For buildings with known storeys but no height, metres, 2 to 6</source>
+        <translation>階数はあるが高さのない建物用、メートル、2 から 6</translation>
+    </message>
+    <message>
+        <source>For buildings with neither height nor storeys, metres, 1 to 1000</source>
+        <translation>高さも階数もない建物用、メートル、1 から 1000</translation>
+    </message>
+    <message>
+        <source>Read this layer only.
+Empty: all layers with polygons.</source>
+        <translation>このレイヤーだけを読み込みます。
+空欄: ポリゴンのある全レイヤー。</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of files that do not state it: EPSG:number.
+Empty: as in the file.</source>
+        <translation>座標系のないファイルの座標系: EPSG:番号。
+空欄: ファイルの通り。</translation>
+    </message>
+    <message>
+        <source>CityJSON: read this level of detail, 2.2 for example.
+Empty: the highest available.</source>
+        <translation>CityJSON: この詳細度を読み込みます (例 2.2)。
+空欄: 最も高いもの。</translation>
+    </message>
+    <message>
+        <source>Objects farther from the middle of the data are left out, with a warning; metres, 100 to 200000</source>
+        <translation>データの中央からこれより遠いものは警告を出して除きます。メートル、100 から 200000</translation>
+    </message>
+    <message>
+        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
+        <translation>メッシュの北軸の向き、真北から時計回りの度、-360 から 360</translation>
+    </message>
+    <message>
+        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
+Off: at the origin of the city from the other files.</source>
+        <translation>メッシュ原点の地理的位置。メッシュだけを開くとき必要です。
+オフ: 他のファイルの都市の原点。</translation>
+    </message>
+    <message>
+        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
+        <translation>メッシュ原点の経度、度、東が正、-180 から 180</translation>
+    </message>
+    <message>
+        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
+        <translation>メッシュ原点の緯度、度、北が正、-90 から 90</translation>
+    </message>
+    <message>
+        <source>Places the mesh&apos;s origin at the middle of the open city</source>
+        <translation>メッシュ原点を開いている都市の中央に置く</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RecentMenu</name>
+    <message>
+        <source>%1, with options</source>
+        <translation>%1 (設定付き)</translation>
+    </message>
+    <message>
+        <source>%1, read with %2</source>
+        <translation>%1 (%2 で読み込み)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RecoveryOffers</name>
+    <message>
+        <source>Noonmark closed before %1 was saved. Unsaved changes can be recovered.</source>
+        <translation>%1 を保存する前に Noonmark が終了しました。未保存の変更を復元できます。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Older changes...</source>
+        <translation>以前の変更...</translation>
+    </message>
+    <message>
+        <source>There are unsaved changes to %1 from %2. They can be recovered or deleted.</source>
+        <translation>%2 の %1 に未保存の変更があります。復元または削除できます。</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Noonmark closed before a project was saved. The unsaved project can be recovered.</source>
+        <translation>プロジェクトを保存する前に Noonmark が終了しました。未保存のプロジェクトを復元できます。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RegionActions</name>
+    <message>
+        <source>&amp;Draw region</source>
+        <translation>範囲を描く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground; Enter finishes, Esc cancels</source>
+        <translation>地面の角をクリック。Enter で終了、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Region from &amp;file...</source>
+        <translation>ファイルから範囲(&amp;F)...</translation>
+    </message>
+    <message>
+        <source>Polygons from a file, in any coordinate system</source>
+        <translation>任意の座標系のファイルのポリゴン</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>draw %1</source>
+        <translation>%1 を描く</translation>
+    </message>
+    <message>
+        <source>save region %1</source>
+        <translation>範囲 %1 を保存</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultActions</name>
+    <message>
+        <source>Save &amp;picture...</source>
+        <translation>画像を保存(&amp;P)...</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>The view with its legend, as a PNG file</source>
+        <translation>凡例付きの表示を PNG ファイルに</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>書き出す(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>The displayed result, all scenarios or the review, as PDF, picture, GeoTIFF, tables and JSON</source>
+        <translation>表示中の結果、全シナリオ、または審査を PDF、画像、GeoTIFF、表、JSON に</translation>
+    </message>
+    <message>
+        <source>&amp;Save result</source>
+        <translation>結果を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Stores the displayed map and figures in the project</source>
+        <translation>表示中の図と数値をプロジェクトに保存</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>画像を %1 として保存しました</translation>
+    </message>
+    <message>
+        <source>Picture copied</source>
+        <translation>画像をコピーしました</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 と %2 の比較</translation>
+    </message>
+    <message>
+        <source>All %1 scenarios measured</source>
+        <translation>測定した全 %1 シナリオ</translation>
+    </message>
+    <message>
+        <source>Review: sheets, tables and drawings</source>
+        <translation>審査: 図面、表、作図</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>%1 のスコア (%2)</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>%1 の検討</translation>
+    </message>
+    <message>
+        <source>Saved result %1</source>
+        <translation>保存した結果 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Export (%1)...</source>
+        <translation>書き出す (%1)(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultDisplay</name>
+    <message>
+        <source>Outdated: buildings have changed</source>
+        <translation>古い結果: 建物が変わりました</translation>
+    </message>
+    <message>
+        <source>%1. Outdated: buildings have changed</source>
+        <translation>%1。古い結果: 建物が変わりました</translation>
+    </message>
+    <message>
+        <source>These figures do not include the building being designed. Build it, then run.</source>
+        <translation>これらの数値は設計中の建物を含みません。建設してから計算してください。</translation>
+    </message>
+    <message>
+        <source>Outdated figures: buildings have changed; %1.</source>
+        <translation>古い数値: 建物が変わりました。%1。</translation>
+    </message>
+    <message>
+        <source>new figures are being computed</source>
+        <translation>新しい数値を計算中</translation>
+    </message>
+    <message>
+        <source>run again (Ctrl+R)</source>
+        <translation>再計算してください (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Outdated figures: settings have changed; run again (Ctrl+R).</source>
+        <translation>古い数値: 設定が変わりました。再計算してください (Ctrl+R)。</translation>
+    </message>
+    <message>
+        <source>Outdated score: the weight table has changed; score again.</source>
+        <translation>古いスコア: 重み表が変わりました。再計算してください。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultsDock</name>
+    <message>
+        <source>No study yet.
+Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The figures of the study then stand here.</source>
+        <translation>まだ検討がありません。
+「検討」パネルで対象、時期、場所を選び、計算 (Ctrl+R) を押してください。数値はここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Show the study again</source>
+        <translation>検討を再表示</translation>
+    </message>
+    <message>
+        <source>Replaces this result by the current study or comparison</source>
+        <translation>この結果を現在の検討または比較に替える</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewActions</name>
+    <message>
+        <source>Re&amp;view by a rule...</source>
+        <translation>規定による審査(&amp;V)...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule of a review board on the places of the project</source>
+        <translation>審査機関の規定をプロジェクトの場所に適用</translation>
+    </message>
+    <message>
+        <source>Shows the sheets of the review, and writes them with its tables and drawings</source>
+        <translation>審査の図面を表示し、表や作図とともに書き出します</translation>
+    </message>
+    <message>
+        <source>The review was exported to %1</source>
+        <translation>審査を %1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>S&amp;heets of the review...</source>
+        <translation>審査の図面(&amp;H)...</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewDock</name>
+    <message>
+        <source>Run review</source>
+        <translation>審査する</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>書き出す...</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule on the ticked places</source>
+        <translation>選んだ場所に規定を適用</translation>
+    </message>
+    <message>
+        <source>Copies the table, with all days, as text for a spreadsheet</source>
+        <translation>全日の表を表計算用の文字としてコピー</translation>
+    </message>
+    <message>
+        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage)</source>
+        <translation>図面 (PDF)、表 (CSV)、データ (JSON)、CAD と GIS 用の影 (DXF, GeoPackage) を書き出す</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>Range of days</source>
+        <translation>日の範囲</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>規定</translation>
+    </message>
+    <message>
+        <source>The expected time of this review</source>
+        <translation>この審査にかかる予想時間</translation>
+    </message>
+    <message>
+        <source>Computing the verdicts of the building being designed...</source>
+        <translation>設計中の建物の判定を計算しています...</translation>
+    </message>
+    <message>
+        <source>Press Run review to evaluate the rule on the ticked places.</source>
+        <translation>「審査する」を押すと、選んだ場所に規定を適用します。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 compared with %3. %4</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 と %3 の比較。%4</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;&lt;i&gt;Follows the building being designed.&lt;/i&gt;</source>
+        <translation>&lt;br&gt;&lt;i&gt;設計中の建物に追従します。&lt;/i&gt;</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2。</translation>
+    </message>
+    <message>
+        <source>Click a row of the table to see its timeline.</source>
+        <translation>表の行をクリックすると時系列を表示。</translation>
+    </message>
+    <message>
+        <source>The timeline of a place appears here after a review.</source>
+        <translation>場所の時系列は審査の後に表示されます。</translation>
+    </message>
+    <message>
+        <source>Build the tower, then run the review, to see its range of days.</source>
+        <translation>塔を建設して審査すると日の範囲が表示されます。</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>How Noonmark reads what the rule leaves open</source>
+        <translation>規定にない点の Noonmark の解釈</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1, steps of %2 min, cells of %3 m, %4, %5&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1, ステップ %2 分, セル %3 m, %4, %5&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Rule files that are left out</source>
+        <translation>除外した規定ファイル</translation>
+    </message>
+    <message>
+        <source>&lt;h4&gt;Figures with status and source&lt;/h4&gt;</source>
+        <translation>&lt;h4&gt;数値の状態と出典&lt;/h4&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewSession</name>
+    <message>
+        <source>Review</source>
+        <translation>審査</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>見積もり中</translation>
+    </message>
+    <message>
+        <source>Screening</source>
+        <translation>絞り込み中</translation>
+    </message>
+    <message>
+        <source>the building being designed</source>
+        <translation>設計中の建物</translation>
+    </message>
+    <message>
+        <source>Live review</source>
+        <translation>ライブ審査</translation>
+    </message>
+    <message>
+        <source>Not up to date: a building is being designed. Build it, then run.</source>
+        <translation>最新ではありません: 建物を設計中です。建設してから審査してください。</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation>最新ではありません。%1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings or scenarios have changed. Run again.</source>
+        <translation>最新ではありません: 建物かシナリオが変わりました。再審査してください。</translation>
+    </message>
+    <message>
+        <source>Not up to date: rule, places, time zone or year have changed. Run again.</source>
+        <translation>最新ではありません: 規定、場所、タイムゾーン、年のいずれかが変わりました。再審査してください。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RuleForm</name>
+    <message>
+        <source>Rule</source>
+        <translation>規定</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>比較基準</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>What the proposal is compared with. The rule asks for: %1</source>
+        <translation>計画案の比較対象。規定の要求: %1</translation>
+    </message>
+    <message>
+        <source>Displayed: %1</source>
+        <translation>表示中: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::RunForecast</name>
+    <message>
+        <source>Estimating</source>
+        <translation>見積もり中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SavingActions</name>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>プロジェクトを保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>City, scenarios, lots, results and view in one file</source>
+        <translation>都市、シナリオ、敷地、結果、視点を 1 つのファイルに</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as...</source>
+        <translation>名前を付けて保存(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>%1 として保存しました</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>名前を付けて保存...</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存の変更</translation>
+    </message>
+    <message>
+        <source>Save changes to %1?</source>
+        <translation>%1 の変更を保存しますか?</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioActions</name>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>新しいシナリオ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Starts from the existing city</source>
+        <translation>現況の都市から始めます</translation>
+    </message>
+    <message>
+        <source>New scenario &amp;from this one</source>
+        <translation>このシナリオから新規作成(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Starts from the displayed scenario and inherits its later changes</source>
+        <translation>表示中のシナリオから始め、その後の変更も引き継ぎます</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the existing city</source>
+        <translation>現況の都市と比較(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Shows how many minutes of shadow the scenario adds or removes</source>
+        <translation>シナリオが増減させる日影の分を表示</translation>
+    </message>
+    <message>
+        <source>&amp;Measure all scenarios</source>
+        <translation>全シナリオを測定(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Runs the same study for each scenario, for comparison side by side</source>
+        <translation>各シナリオに同じ検討を行い、並べて比較</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioBar</name>
+    <message>
+        <source>The displayed scenario. Edits are added to it; on the existing city they start a new scenario</source>
+        <translation>表示中のシナリオ。変更はここに加わり、現況の都市では新しいシナリオになります</translation>
+    </message>
+    <message>
+        <source>Compare the scenario with this baseline: more or fewer minutes of shadow</source>
+        <translation>シナリオをこの基準と比較: 日影の分の増減</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>compare with</source>
+        <translation>比較対象</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioTable</name>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Double-click to show it</source>
+        <translation>ダブルクリックで表示</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>Steps from the existing city, including those of its bases</source>
+        <translation>現況の都市からのステップ (元のシナリオを含む)</translation>
+    </message>
+    <message>
+        <source>Shadow area, m²</source>
+        <translation>日影面積, m²</translation>
+    </message>
+    <message>
+        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
+        <translation>測定点ごとの (日照時間のうち影の割合 × セル面積) の合計</translation>
+    </message>
+    <message>
+        <source>Mean gross, min</source>
+        <translation>平均累計, 分</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and receivers</source>
+        <translation>1 日の日影の分。日と測定点の平均</translation>
+    </message>
+    <message>
+        <source>Mean continuous, min</source>
+        <translation>平均連続, 分</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>1 日の最長連続日影。測定点の平均</translation>
+    </message>
+    <message>
+        <source>Not computed with the current settings: show the scenario and press Run</source>
+        <translation>現在の設定では未計算: シナリオを表示して計算を押してください</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenariosDock</name>
+    <message>
+        <source>Only the existing city so far. Select a building and change it, or design a tower on a lot: the first change begins a scenario, which is listed here.</source>
+        <translation>まだ現況の都市だけです。建物を選んで変更するか敷地に塔を設計すると、最初の変更でシナリオが始まり、ここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Measure all</source>
+        <translation>すべて測定</translation>
+    </message>
+    <message>
+        <source>Runs the study for scenarios without figures, with the current period and region</source>
+        <translation>数値のないシナリオを現在の期間と範囲で検討</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SearchActions</name>
+    <message>
+        <source>&amp;Find</source>
+        <translation>検索(&amp;F)</translation>
+    </message>
+    <message>
+        <source>A building by name or id, a street, a place, a lot or a position</source>
+        <translation>名称や ID による建物、道路、場所, 敷地、位置</translation>
+    </message>
+    <message>
+        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
+        <translation>「%1」はありません。名称のない建物は ID で検索できます。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SearchField</name>
+    <message>
+        <source>Find (Ctrl+F)</source>
+        <translation>検索 (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832</source>
+        <translation>名称や ID による建物、道路、場所、敷地、または 40.7536, -73.9832 のような位置</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SelectionPanel</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Import mesh...</source>
+        <translation>メッシュを読み込む...</translation>
+    </message>
+    <message>
+        <source>Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground</source>
+        <translation>OBJ、PLY、glTF、CityJSON の建物を地面のクリック位置に加える</translation>
+    </message>
+    <message>
+        <source>Demolish</source>
+        <translation>除却</translation>
+    </message>
+    <message>
+        <source>Removes the building (Delete)</source>
+        <translation>建物を取り除く (Delete)</translation>
+    </message>
+    <message>
+        <source>Replace by tower</source>
+        <translation>塔に置き換え</translation>
+    </message>
+    <message>
+        <source>Replaces it by a tower on its lot or, if it has none, on its footprint</source>
+        <translation>敷地の上、なければ外形の上の塔に置き換える</translation>
+    </message>
+    <message>
+        <source>Lot from footprint</source>
+        <translation>外形から敷地</translation>
+    </message>
+    <message>
+        <source>Creates a lot from its outline on the ground</source>
+        <translation>地面の外形から敷地を作る</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Drag the building over the ground; Esc ends the tool</source>
+        <translation>建物を地面の上でドラッグ。Esc で終了</translation>
+    </message>
+    <message>
+        <source>Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply</source>
+        <translation>地上から 0.1 から 2000 m。建物の矢印をドラッグしても可。Enter で適用</translation>
+    </message>
+    <message>
+        <source>Clockwise about its middle. Press Enter to apply</source>
+        <translation>中心まわりに時計回り。Enter で適用</translation>
+    </message>
+    <message>
+        <source>Negative: west, south. Press Enter to apply</source>
+        <translation>負: 西、南。Enter で適用</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Move east</source>
+        <translation>東へ移動</translation>
+    </message>
+    <message>
+        <source>Move north</source>
+        <translation>北へ移動</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Same floor area on its lot:</source>
+        <translation>敷地に同じ延べ面積で:</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>広く</translation>
+    </message>
+    <message>
+        <source>Shorter, on a floor plate twice as large</source>
+        <translation>基準階を 2 倍にして低く</translation>
+    </message>
+    <message>
+        <source>Widest</source>
+        <translation>最大幅</translation>
+    </message>
+    <message>
+        <source>As short as the lot allows</source>
+        <translation>敷地が許す限り低く</translation>
+    </message>
+    <message>
+        <source>Slimmer</source>
+        <translation>細く</translation>
+    </message>
+    <message>
+        <source>Taller, on half the floor plate</source>
+        <translation>基準階を半分にして高く</translation>
+    </message>
+    <message>
+        <source>Click a building in the view to select it.</source>
+        <translation>表示の建物をクリックして選択。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SetbackTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>この高さから</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>後退</translation>
+    </message>
+    <message>
+        <source>Above each height the walls are set back by the inset, from bottom to top</source>
+        <translation>各高さより上で壁がその分後退します。下から順に</translation>
+    </message>
+    <message>
+        <source>Add setback</source>
+        <translation>セットバックを追加</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SheetForm</name>
+    <message>
+        <source>Page</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>Title block (saved in the project)</source>
+        <translation>表題欄 (プロジェクトに保存)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>縦</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>横</translation>
+    </message>
+    <message>
+        <source>Scale of diagrams</source>
+        <translation>図の縮尺</translation>
+    </message>
+    <message>
+        <source>A scale from 1:%1 to 1:%2 may be typed. Where a place or its shadows are larger than the paper at that scale, the diagram shows the part around the place.</source>
+        <translation>1:%1 から 1:%2 の縮尺を入力できます。場所や影が用紙より大きいときは、その周りだけを示します。</translation>
+    </message>
+    <message>
+        <source>fits the page</source>
+        <translation>ページに合わせる</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Of areas, lengths and heights</source>
+        <translation>面積、長さ、高さの単位</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>メートル法</translation>
+    </message>
+    <message>
+        <source>Imperial</source>
+        <translation>ヤード・ポンド法</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>両方</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>記載しない</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作成者</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>発注者</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Sheet numbers</source>
+        <translation>図面番号</translation>
+    </message>
+    <message>
+        <source>example: A- for A-1, A-2...</source>
+        <translation>例: A-1, A-2... なら A-</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>ロゴ</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>選択...</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG picture of at most 1 MiB</source>
+        <translation>1 MiB 以下の PNG か JPEG 画像</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Sheets without a logo</source>
+        <translation>ロゴなしの図面</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SheetsDialog</name>
+    <message>
+        <source>Write files...</source>
+        <translation>ファイルに書き出す...</translation>
+    </message>
+    <message>
+        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage) to a folder</source>
+        <translation>図面 (PDF)、表 (CSV)、データ (JSON)、CAD と GIS 用の影 (DXF, GeoPackage) をフォルダーに書き出す</translation>
+    </message>
+    <message>
+        <source>Sheets of the review</source>
+        <translation>審査の図面</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation>表題欄</translation>
+    </message>
+    <message>
+        <source>Laying out the sheets</source>
+        <translation>図面を配置中</translation>
+    </message>
+    <message>
+        <source>Writing the files</source>
+        <translation>ファイルを書き出し中</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>%1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Write the files of the review to folder</source>
+        <translation>審査のファイルをフォルダーに書き出す</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change lays the sheets out again.</source>
+        <translation>中止しました。変更すると配置し直します。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StartDialog</name>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Noonmark measures the shadows that buildings cast on a city.</source>
+        <translation>Noonmark は建物が都市に落とす影を測ります。</translation>
+    </message>
+    <message>
+        <source>Open a city or a project...</source>
+        <translation>都市またはプロジェクトを開く...</translation>
+    </message>
+    <message>
+        <source>Footprints, OpenStreetMap, CityJSON, meshes, terrain</source>
+        <translation>建物外形、OpenStreetMap、CityJSON、メッシュ、地形</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>ユーザーガイド</translation>
+    </message>
+    <message>
+        <source>How to study, compare and review</source>
+        <translation>検討、比較、審査のしかた</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>サンプル</translation>
+    </message>
+    <message>
+        <source>Central Park South</source>
+        <translation>Central Park South</translation>
+    </message>
+    <message>
+        <source>The park, its streets and the towers of the case study</source>
+        <translation>公園と街路、事例研究の塔</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>格子</translation>
+    </message>
+    <message>
+        <source>A synthetic city of blocks and lots</source>
+        <translation>街区と敷地からなる合成都市</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近のファイル</translation>
+    </message>
+    <message>
+        <source>Guided tours</source>
+        <translation>ガイドツアー</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StudyActions</name>
+    <message>
+        <source>&amp;Run</source>
+        <translation>計算(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Compute the shadow in the region</source>
+        <translation>範囲の日影を計算</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+.</source>
+        <translation>Ctrl+.</translation>
+    </message>
+    <message>
+        <source>Stop the study that is running</source>
+        <translation>実行中の検討を止める</translation>
+    </message>
+    <message>
+        <source>Show &amp;gross shadow</source>
+        <translation>累計日影を表示(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day</source>
+        <translation>1 日の日影の分</translation>
+    </message>
+    <message>
+        <source>Show c&amp;ontinuous shadow</source>
+        <translation>連続日影を表示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow</source>
+        <translation>途切れない最長の日影</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>期間</translation>
+    </message>
+    <message>
+        <source>save period %1</source>
+        <translation>期間 %1 を保存</translation>
+    </message>
+    <message>
+        <source>%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, in %3.</source>
+        <translation>保存時に %1 を %2 と比較していました。計算 (Ctrl+R) で %3 かけて再現します。</translation>
+    </message>
+    <message>
+        <source>A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.</source>
+        <translation>保存時に検討を表示していました。計算 (Ctrl+R) で %1 かけて再計算します。</translation>
+    </message>
+    <message>
+        <source>This study takes %1 (%2). The accuracy Quick takes %3 and measures its error against rays.</source>
+        <translation>この検討には %1 (%2) かかります。精度「速い」なら %3 で、レイとの誤差も測ります。</translation>
+    </message>
+    <message>
+        <source>Run quickly</source>
+        <translation>速く計算</translation>
+    </message>
+    <message>
+        <source>Run it all the same</source>
+        <translation>このまま計算</translation>
+    </message>
+    <message>
+        <source>This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.</source>
+        <translation>この検討には %1 (%2) かかります。セルを大きく、日数を少なく、範囲を小さくすると速くなります。</translation>
+    </message>
+    <message>
+        <source>Cancelled. The previous study is shown.</source>
+        <translation>中止しました。前の検討を表示しています。</translation>
+    </message>
+    <message>
+        <source>Cancelled. No study yet.</source>
+        <translation>中止しました。まだ検討がありません。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::StudyDock</name>
+    <message>
+        <source>Compute the minutes of shadow in every cell of the region (Ctrl+R)</source>
+        <translation>範囲の各セルの日影の分を計算 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>時期</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>How exactly</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>測定点</translation>
+    </message>
+    <message>
+        <source>This method works on level ground only, but %1. Choose Quick or Reference.</source>
+        <translation>この方法は平らな地面だけですが、%1。「速い」か「基準」を選んでください。</translation>
+    </message>
+    <message>
+        <source>roofs are to be measured</source>
+        <translation>屋根を測ります</translation>
+    </message>
+    <message>
+        <source>this city has terrain</source>
+        <translation>この都市には地形があります</translation>
+    </message>
+    <message>
+        <source>Choose weights</source>
+        <translation>重みを選ぶ</translation>
+    </message>
+    <message>
+        <source>Choose a rule</source>
+        <translation>規定を選ぶ</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>再計算</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Run study</source>
+        <translation>計算</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SunShadow</name>
+    <message>
+        <source>Drawing the shadow</source>
+        <translation>影を描画中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ThemeMenu</name>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>システムに合わせる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>明るい(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>暗い(&amp;D)</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>配色(&amp;O)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeDisplay</name>
+    <message>
+        <source>&amp;Play the sun</source>
+        <translation>太陽を再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shift+Space</source>
+        <translation>Shift+Space</translation>
+    </message>
+    <message>
+        <source>Plays or stops the sun and its shadows</source>
+        <translation>太陽と影を再生または停止</translation>
+    </message>
+    <message>
+        <source>Ten minutes &amp;later</source>
+        <translation>10 分後(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The sun ten minutes later</source>
+        <translation>10 分後の太陽</translation>
+    </message>
+    <message>
+        <source>Ten minutes &amp;earlier</source>
+        <translation>10 分前(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The sun ten minutes earlier</source>
+        <translation>10 分前の太陽</translation>
+    </message>
+    <message>
+        <source>&amp;Next day</source>
+        <translation>翌日(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The sun at the same time of the next day</source>
+        <translation>翌日の同時刻の太陽</translation>
+    </message>
+    <message>
+        <source>Previous &amp;day</source>
+        <translation>前日(&amp;D)</translation>
+    </message>
+    <message>
+        <source>The sun at the same time of the day before</source>
+        <translation>前日の同時刻の太陽</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>期間</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeLooking</name>
+    <message>
+        <source>Computing %1</source>
+        <translation>%1 を計算中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TimeStrip</name>
+    <message>
+        <source>Whole period</source>
+        <translation>期間全体</translation>
+    </message>
+    <message>
+        <source>One day</source>
+        <translation>1 日</translation>
+    </message>
+    <message>
+        <source>One moment</source>
+        <translation>一時点</translation>
+    </message>
+    <message>
+        <source>What is shown: the whole period; one day of a study, from horizons cached in steps of half a degree;
+or sun and shadow at one moment, on everything</source>
+        <translation>表示するもの: 期間全体、0.5 度刻みの地平線による検討の 1 日、
+または一時点の太陽と影 (すべての面)</translation>
+    </message>
+    <message>
+        <source>The date, in the year of the period. Arrows: a day; Page Up and Down: a month</source>
+        <translation>期間の年の日付。矢印: 1 日、Page Up/Down: 1 か月</translation>
+    </message>
+    <message>
+        <source>The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour</source>
+        <translation>時刻。黄色: 太陽が出ている。矢印: 1 分、Page Up/Down: 1 時間</translation>
+    </message>
+    <message>
+        <source>Direction of the sun, clockwise from true north, and its altitude</source>
+        <translation>真北から時計回りの太陽の方位と高度</translation>
+    </message>
+    <message>
+        <source>Set as period</source>
+        <translation>期間にする</translation>
+    </message>
+    <message>
+        <source>Makes this day or moment the period of the study; Run then computes its figures and errors</source>
+        <translation>この日や時点を検討期間にします。計算すると数値と誤差が得られます</translation>
+    </message>
+    <message>
+        <source>Plays the sun and its shadows (Shift+Space)</source>
+        <translation>太陽と影を再生 (Shift+Space)</translation>
+    </message>
+    <message>
+        <source>through the day</source>
+        <translation>1 日を通して</translation>
+    </message>
+    <message>
+        <source>through the year</source>
+        <translation>1 年を通して</translation>
+    </message>
+    <message>
+        <source>Play from sunrise to sunset of one date, or one time of day through the year</source>
+        <translation>ある日の日の出から日没まで、または同じ時刻を 1 年間再生</translation>
+    </message>
+    <message>
+        <source>slowly</source>
+        <translation>ゆっくり</translation>
+    </message>
+    <message>
+        <source>steadily</source>
+        <translation>普通</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>速く</translation>
+    </message>
+    <message>
+        <source>Half an hour, an hour and a half or four hours of the day in a second;
+of the year, as many weeks</source>
+        <translation>1 秒で 1 日の 0.5、1.5、4 時間。
+1 年では同じ数の週</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>M/d</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tour</name>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2/%3)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TourBubble</name>
+    <message>
+        <source>Show me</source>
+        <translation>やって見せる</translation>
+    </message>
+    <message>
+        <source>Does this step for you</source>
+        <translation>このステップを代わりに行います</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>End tour</source>
+        <translation>ツアーを終える</translation>
+    </message>
+    <message>
+        <source>Help &gt; Guided tours starts it again</source>
+        <translation>ヘルプ &gt; ガイドツアー で再開できます</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TowerEditing</name>
+    <message>
+        <source>Build %1</source>
+        <translation>%1 を建設</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::VerdictTable</name>
+    <message>
+        <source>Place and day</source>
+        <translation>場所と日</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>日</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewActions</name>
+    <message>
+        <source>Zoom to whole &amp;city</source>
+        <translation>都市全体(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;North up</source>
+        <translation>北を上に(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>平面(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;region</source>
+        <translation>範囲に拡大(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The study region seen from above</source>
+        <translation>検討範囲を上から</translation>
+    </message>
+    <message>
+        <source>&amp;Solid buildings</source>
+        <translation>建物を面で表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Off: wireframe, so that the ground behind buildings is visible</source>
+        <translation>オフ: ワイヤーフレーム。建物の後ろの地面が見えます</translation>
+    </message>
+    <message>
+        <source>&amp;Map on the ground</source>
+        <translation>地面に地図(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Streets, paths, parks, water and trees, drawn for orientation</source>
+        <translation>道路、小道、公園、水面、樹木 (位置の目安)</translation>
+    </message>
+    <message>
+        <source>&amp;Explore by shadow accrual maps</source>
+        <translation>影累積マップで探索(&amp;E)</translation>
+    </message>
+    <message>
+        <source>As in the paper, instead of rays: inexact at shadow edges, but hours that look alike are computed once</source>
+        <translation>論文の通り、レイの代わりに。影の縁は不正確ですが、似た時刻は 1 回だけ計算します</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>マウスとキー(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewPanel</name>
+    <message>
+        <source>region</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>場所</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ViewPresets</name>
+    <message>
+        <source>From the &amp;south</source>
+        <translation>南から(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>From the &amp;east</source>
+        <translation>東から(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Shift+E</source>
+        <translation>Shift+E</translation>
+    </message>
+    <message>
+        <source>From the &amp;north</source>
+        <translation>北から(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>From the &amp;west</source>
+        <translation>西から(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>From the s&amp;un</source>
+        <translation>太陽から(&amp;U)</translation>
+    </message>
+    <message>
+        <source>As the sun sees the city at the date and time below the view: what is visible is sunlit</source>
+        <translation>下に示す日時に太陽から見た都市: 見える所が日なたです</translation>
+    </message>
+    <message>
+        <source>The same ground from this side, nearly level</source>
+        <translation>同じ地面をこの側から、ほぼ水平に</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon at this date and time. Move the time below the view.</source>
+        <translation>この日時には太陽が地平線の下です。下の時刻を変えてください。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WarningsDock</name>
+    <message>
+        <source>Double-click a feature or press Enter to go to its building</source>
+        <translation>ダブルクリックか Enter でその建物へ移動</translation>
+    </message>
+    <message>
+        <source>No warnings: nothing was left out, repaired or assumed</source>
+        <translation>警告なし: 除外、修復、仮定はありません</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WeightsDock</name>
+    <message>
+        <source>Compute score</source>
+        <translation>スコアを計算</translation>
+    </message>
+    <message>
+        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
+        <translation>表示中のシナリオの検討範囲・期間の影をこの表で重み付け: 月別と図</translation>
+    </message>
+    <message>
+        <source>The weight table to edit and to compute scores with; rename it with F2 in the project tree</source>
+        <translation>編集しスコアに使う重み表。名前の変更はプロジェクトで F2</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Adds an interval after the selected one: over days without a weight, else over half of its days</source>
+        <translation>選択した区間の後に追加: 重みのない日、なければその半分の日</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Removes the selected interval; its time then has no weight</source>
+        <translation>選択した区間を削除。その時間は重みなしになります</translation>
+    </message>
+    <message>
+        <source>New table</source>
+        <translation>新しい表</translation>
+    </message>
+    <message>
+        <source>Adds a table that starts with the twelve months of the paper</source>
+        <translation>論文の 12 か月から始まる表を追加</translation>
+    </message>
+    <message>
+        <source>new weight table %1</source>
+        <translation>新しい重み表 %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WeightsModel</name>
+    <message>
+        <source>Interval</source>
+        <translation>区間</translation>
+    </message>
+    <message>
+        <source>Name of the interval</source>
+        <translation>区間の名称</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>開始日</translation>
+    </message>
+    <message>
+        <source>First day, every year: month and day such as 06-01, or a month such as June</source>
+        <translation>毎年の開始日: 06-01 のような月日、または June のような月</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>終了日</translation>
+    </message>
+    <message>
+        <source>Last day, included; before the first: across New Year. Such as 08-31, or a month such as August</source>
+        <translation>終了日 (含む)。開始日より前なら年をまたぎます。08-31 のような月日、または August のような月</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Time of day at which it begins, wall clock: 00:00 to 24:00</source>
+        <translation>開始時刻: 00:00 から 24:00</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Time of day at which it ends: 00:00 to 24:00</source>
+        <translation>終了時刻: 00:00 から 24:00</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>-1 (shadow unwanted) to 1 (shade wanted)</source>
+        <translation>-1 (影は望ましくない) から 1 (影が望ましい)</translation>
+    </message>
+    <message>
+        <source>edit weights %1</source>
+        <translation>重み %1 を編集</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>行 %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhatForm</name>
+    <message>
+        <source>Where shadow is measured. Changes and scores are measured on the ground only.
+Shadow on facades is shown in the mode Exploration.</source>
+        <translation>日影を測る所。変化とスコアは地面だけで測ります。
+外壁の影は「探索」モードで表示。</translation>
+    </message>
+    <message>
+        <source>Hours of shadow</source>
+        <translation>日影時間</translation>
+    </message>
+    <message>
+        <source>Change by a scenario</source>
+        <translation>シナリオによる変化</translation>
+    </message>
+    <message>
+        <source>Score of wanted shadow</source>
+        <translation>望ましい影のスコア</translation>
+    </message>
+    <message>
+        <source>Review by a rule</source>
+        <translation>規定による審査</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhenForm</name>
+    <message>
+        <source>The days that are measured. The hours stay as they are</source>
+        <translation>測定する日。時間帯は変わりません</translation>
+    </message>
+    <message>
+        <source>As in a rule</source>
+        <translation>規定の通り</translation>
+    </message>
+    <message>
+        <source>The day and the hours of a review board&apos;s rule</source>
+        <translation>審査機関の規定の日と時間帯</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 から %2</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>期間</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WhereForm</name>
+    <message>
+        <source>Place or region by name</source>
+        <translation>場所または範囲の名称</translation>
+    </message>
+    <message>
+        <source>A place or a region of the project. Type a part of its name.</source>
+        <translation>プロジェクトの場所か範囲。名称の一部を入力。</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>描く</translation>
+    </message>
+    <message>
+        <source>Click the corners of a polygon on the ground.
+Double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>地面の多角形の角をクリック。
+ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止。</translation>
+    </message>
+    <message>
+        <source>What I see</source>
+        <translation>表示中の所</translation>
+    </message>
+    <message>
+        <source>The ground visible in the view</source>
+        <translation>表示中の地面</translation>
+    </message>
+    <message>
+        <source>Whole city</source>
+        <translation>都市全体</translation>
+    </message>
+    <message>
+        <source>The bounding box of all buildings</source>
+        <translation>全建物を囲む長方形</translation>
+    </message>
+    <message>
+        <source>Around building</source>
+        <translation>建物の周り</translation>
+    </message>
+    <message>
+        <source>The selected building&apos;s surroundings, as far as four times its height.
+Click a building first.</source>
+        <translation>選択した建物の周り、高さの 4 倍まで。
+先に建物をクリックしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Workbench</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 を開いています</translation>
+    </message>
+    <message>
+        <source>Recovering</source>
+        <translation>復元中</translation>
+    </message>
+    <message>
+        <source>recover unsaved changes</source>
+        <translation>未保存の変更を復元</translation>
+    </message>
+    <message>
+        <source>Unsaved changes recovered. Save keeps them, Undo discards them.</source>
+        <translation>未保存の変更を復元しました。保存すると残り、元に戻すと破棄します。</translation>
+    </message>
+    <message>
+        <source>Showing %1</source>
+        <translation>%1 を表示中</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>無題</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>見積もり中</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>エンジン</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>検討</translation>
+    </message>
+    <message>
+        <source>All scenarios</source>
+        <translation>全シナリオ</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>スコア</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 を保存中</translation>
+    </message>
+    <message>
+        <source>save result %1</source>
+        <translation>結果 %1 を保存</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>書き出し中</translation>
+    </message>
+    <message>
+        <source>Exported to %1: %2</source>
+        <translation>%1 に書き出しました: %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+</TS>

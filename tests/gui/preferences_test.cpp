@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QPushButton>
+
+#include "app/window/help/start_settings.h"
+#include "app/window/looks/language.h"
+#include "app/window/looks/theme.h"
+#include "app/window/looks/units.h"
+#include "app/window/preferences/preferences_dialog.h"
+#include "app/window/sheets/page_settings.h"
+#include "app/window/widgets/number_words.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+struct PreferencesWindow : test::ProjectWindow {
+    QPalette before = QApplication::palette();
+    void TearDown() override {
+        QApplication::setPalette(before);
+        applyUnits(UnitSystem::metric);
+    }
+    PreferencesDialog* openDialog() {
+        window->preferences().action()->trigger();
+        return window->findChild<PreferencesDialog*>();
+    }
+    static void choose(const PreferencesDialog& dialog, const char* name, int value) {
+        auto* list = dialog.findChild<QComboBox*>(QLatin1String(name));
+        ASSERT_NE(list, nullptr) << name;
+        list->setCurrentIndex(list->findData(value));
+        EXPECT_EQ(list->currentData().toInt(), value) << name;
+    }
+    static void press(const PreferencesDialog& dialog, QDialogButtonBox::StandardButton button) {
+        dialog.findChild<QDialogButtonBox*>()->button(button)->click();
+    }
+};
+
+TEST_F(PreferencesWindow, AreSavedByTheFunctionsThatReadThem) {
+    auto* dialog = openDialog();
+    ASSERT_NE(dialog, nullptr);
+    choose(*dialog, "preferredLanguage", int(Language::japanese));
+    choose(*dialog, "preferredColours", int(ThemeChoice::dark));
+    choose(*dialog, "preferredUnits", int(UnitSystem::imperial));
+    choose(*dialog, "preferredPaper", int(Paper::a3));
+    choose(*dialog, "preferredOrientation", 1);
+    dialog->findChild<QCheckBox*>(QStringLiteral("preferredStart"))->setChecked(false);
+    press(*dialog, QDialogButtonBox::Ok);
+    EXPECT_EQ(readLanguage(settings), Language::japanese);
+    EXPECT_EQ(readThemeChoice(settings), ThemeChoice::dark);
+    EXPECT_EQ(themeInUse(), Theme::dark) << "colours apply at once";
+    EXPECT_EQ(readUnits(settings), UnitSystem::imperial);
+    EXPECT_EQ(readPageSetup(settings), (PageSetup{Paper::a3, true}));
+    EXPECT_FALSE(readShowStart(settings));
+    EXPECT_TRUE(message().contains(QStringLiteral("starts again"))) << message().toStdString();
+}
+
+TEST_F(PreferencesWindow, ACancelledDialogChangesNothing) {
+    auto* dialog = openDialog();
+    ASSERT_NE(dialog, nullptr);
+    const auto theme = themeInUse();
+    choose(*dialog, "preferredColours", int(ThemeChoice::dark));
+    choose(*dialog, "preferredLanguage", int(Language::german));
+    press(*dialog, QDialogButtonBox::Cancel);
+    EXPECT_EQ(readLanguage(settings), Language::system);
+    EXPECT_EQ(themeInUse(), theme);
+    EXPECT_TRUE(readShowStart(settings)) << "at first it is shown";
+}
+
+TEST_F(PreferencesWindow, LengthsAndAreasAreShownInTheChosenUnits) {
+    EXPECT_EQ(describeLength(100), QStringLiteral("100.0 m"));
+    applyUnits(UnitSystem::imperial);
+    EXPECT_EQ(describeLength(100), QStringLiteral("328.1 ft"));
+    EXPECT_EQ(describeFloorArea(1000), QStringLiteral("10,764 sq ft"));
+    applyUnits(UnitSystem::both);
+    EXPECT_EQ(describeLength(100, 0), QStringLiteral("100 m (328 ft)"));
+}
+
+}  // namespace
+}  // namespace noonmark

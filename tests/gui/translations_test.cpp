@@ -1,0 +1,252 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+#include <clocale>
+#include <map>
+
+#include "app/window/looks/language.h"
+#include "app/window/widgets/number_words.h"
+#include "tests/gui/answers_window.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark {
+namespace {
+
+using test::AnswersWindow;
+using test::waitFor;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr Language translated[] = {Language::german, Language::spanish, Language::japanese};
+constexpr double leastFinishedPct = 99;
+
+struct Message {
+    QString context, source, text;
+    bool finished = false;
+};
+
+std::string codeOf(Language language) {
+    for (const LanguageEntry& entry : languages)
+        if (entry.language == language) return entry.code;
+    return {};
+}
+
+/// The messages of a .ts file. Fails the test where the XML is not well formed.
+std::vector<Message> readMessages(Language language) {
+    QFile file(QString::fromStdString(
+        tests::sourceFile("resources/translations/noonmark_" + codeOf(language) + ".ts").string()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+    QXmlStreamReader xml(&file);
+    std::vector<Message> messages;
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == u"name") context = xml.readElementText();
+        if (xml.name() == u"message") messages.push_back({context, {}, {}, false});
+        if (xml.name() == u"source") messages.back().source = xml.readElementText();
+        if (xml.name() != u"translation") continue;
+        messages.back().finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
+        messages.back().text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    return messages;
+}
+
+QStringList placeholdersOf(const QString& text) {
+    static const QRegularExpression placeholder(QStringLiteral("%(L?\\d|n)"));
+    QStringList found;
+    for (auto at = placeholder.globalMatch(text); at.hasNext();) found << at.next().captured();
+    found.sort();
+    return found;
+}
+
+QString spacesAround(const QString& text) {
+    static const QRegularExpression start(QStringLiteral("^ *")), end(QStringLiteral(" *$"));
+    return start.match(text).captured() + QLatin1Char('|') + end.match(text).captured();
+}
+
+/// Restores English, which other tests expect.
+struct Languages : ::testing::Test {
+    void use(Language language) { applyLanguage(language, *qApp); }
+    ~Languages() override { use(Language::english); }
+};
+
+TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
+    for (const Language language : translated) {
+        const std::vector<Message> messages = readMessages(language);
+        ASSERT_GT(messages.size(), 1000U) << codeOf(language);
+        int finished = 0;
+        for (const Message& message : messages) {
+            if (!message.finished) continue;
+            ++finished;
+            const std::string where = codeOf(language) + ": " + message.source.toStdString();
+            EXPECT_FALSE(message.text.isEmpty()) << where;
+            EXPECT_EQ(placeholdersOf(message.text), placeholdersOf(message.source)) << where;
+            EXPECT_EQ(message.text.count(QStringLiteral(";;")), message.source.count(QStringLiteral(";;")))
+                << where << ": filters of a file dialog";
+            EXPECT_EQ(spacesAround(message.text), spacesAround(message.source)) << where;
+        }
+        EXPECT_GE(100.0 * finished / double(messages.size()), leastFinishedPct) << codeOf(language);
+    }
+}
+
+TEST_F(Languages, KeysOfActionsAreTheSameInEveryLanguage) {
+    static const QRegularExpression keys(QStringLiteral("^((Ctrl|Shift|Alt)\\+)+\\S+$"));
+    for (const Language language : translated)
+        for (const Message& message : readMessages(language))
+            if (keys.match(message.source).hasMatch()) {
+                EXPECT_EQ(message.text, message.source);
+            }
+}
+
+TEST_F(Languages, TheFirstLanguageOfTheSystemThatThereIsCounts) {
+    const QStringList austrian{QStringLiteral("de-AT"), QStringLiteral("en-US")};
+    EXPECT_EQ(findTranslation(Language::system, austrian), QStringLiteral("de"));
+    EXPECT_EQ(findTranslation(Language::japanese, austrian), QStringLiteral("ja"));
+    EXPECT_EQ(findTranslation(Language::system, {QStringLiteral("fr-FR"), QStringLiteral("es")}),
+              QStringLiteral("es"));
+    EXPECT_EQ(findTranslation(Language::system, {QStringLiteral("en-GB"), QStringLiteral("de")}),
+              QStringLiteral("en"))
+        << "an Englishman who also reads German";
+    EXPECT_EQ(findTranslation(Language::system, {QStringLiteral("C")}), QStringLiteral("en"));
+    EXPECT_EQ(chooseLocale(QStringLiteral("de"), QLocale(QStringLiteral("de_CH"))).name(),
+              QStringLiteral("de_CH"));
+    EXPECT_EQ(chooseLocale(QStringLiteral("es"), QLocale(QStringLiteral("de_CH"))).language(),
+              QLocale::Spanish);
+}
+
+TEST_F(Languages, TheChoiceOutlivesTheWindow) {
+    const QTemporaryDir folder;
+    QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
+    EXPECT_EQ(readLanguage(settings), Language::system);
+    for (const LanguageEntry& entry : languages) {
+        saveLanguage(entry.language, settings);
+        EXPECT_EQ(readLanguage(settings), entry.language);
+    }
+    settings.setValue(QStringLiteral("language"), QStringLiteral("tlh"));
+    EXPECT_EQ(readLanguage(settings), Language::system);
+}
+
+TEST_F(Languages, NumbersAreWrittenAsTheLanguageWritesThem) {
+    use(Language::english);
+    EXPECT_EQ(groupDigits(1234.5, 1), QStringLiteral("1,234.5"));
+    EXPECT_EQ(formatAmount(61234.50, 2), QStringLiteral("61,234.5"));
+    EXPECT_EQ(groupDigits(-0.04, 1), QStringLiteral("0.0"));
+    const QString texts[] = {QStringLiteral("1,204 m² (0.25 %)"), QStringLiteral("2026-06-21 14:30"),
+                             QStringLiteral("12.5 ha")};
+    for (const QString& text : texts) EXPECT_EQ(localiseNumbers(text), text);
+    use(Language::german);
+    EXPECT_EQ(groupDigits(1234.5, 1), QStringLiteral("1.234,5"));
+    EXPECT_EQ(formatAmount(61234.50, 2), QStringLiteral("61.234,5"));
+    EXPECT_EQ(formatCount(1234567), QStringLiteral("1.234.567"));
+    EXPECT_EQ(localiseNumbers(texts[0]), QStringLiteral("1.204 m² (0,25 %)"));
+    EXPECT_EQ(localiseNumbers(texts[1]), texts[1]) << "dates and times stay";
+    EXPECT_EQ(localiseNumbers(texts[2]), QStringLiteral("12,5 ha"));
+    EXPECT_STREQ(std::localeconv()->decimal_point, ".") << "of C functions, which read and write files";
+}
+
+std::map<QChar, QStringList> mnemonicsOf(const QList<QAction*>& actions) {
+    std::map<QChar, QStringList> found;
+    static const QRegularExpression mnemonic(QStringLiteral("&([^&\\s])"));
+    for (const QAction* action : actions) {
+        if (action->isSeparator()) continue;
+        const auto match = mnemonic.match(QString(action->text()).remove(QStringLiteral("&&")));
+        if (match.hasMatch()) found[match.captured(1).at(0).toUpper()] << action->text();
+    }
+    return found;
+}
+
+void expectDistinct(const QList<QAction*>& actions, const std::string& language) {
+    for (const auto& [key, texts] : mnemonicsOf(actions))
+        EXPECT_EQ(texts.size(), 1) << language << ": " << texts.join(QStringLiteral(", ")).toStdString();
+}
+
+struct TranslatedWindow : AnswersWindow {
+    void reopen(Language language) {
+        applyLanguage(language, *qApp);
+        window = std::make_unique<MainWindow>(settings);
+    }
+    void TearDown() override { applyLanguage(Language::english, *qApp); }
+
+    QByteArray exported(const char* name) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
+        return file.readAll();
+    }
+};
+
+TEST_F(TranslatedWindow, LettersOfMenusDoNotClashInAnyLanguage) {
+    for (const LanguageEntry& entry : languages) {
+        if (entry.ownName == nullptr) continue;
+        reopen(entry.language);
+        expectDistinct(window->menuBar()->actions(), entry.code);
+        for (const QMenu* menu : window->menuBar()->findChildren<QMenu*>())
+            expectDistinct(menu->actions(), entry.code);
+    }
+}
+
+QStringList textsOf(const MainWindow& window) {
+    QStringList texts;
+    for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+        texts << menu->title();
+        for (const QAction* action : menu->actions())
+            if (!action->isSeparator()) texts << action->text() << action->toolTip();
+    }
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) texts << dock->windowTitle();
+    texts.removeDuplicates();
+    texts.removeAll(QString());
+    return texts;
+}
+
+TEST_F(TranslatedWindow, MenusToolsAndDocksSpeakTheLanguage) {
+    reopen(Language::english);
+    const QStringList english = textsOf(*window);
+    ASSERT_GT(english.size(), 80);
+    for (const Language language : translated) {
+        reopen(language);
+        int same = 0;
+        for (const QString& text : textsOf(*window)) same += english.contains(text) ? 1 : 0;
+        EXPECT_LE(same, 6) << codeOf(language) << " (names such as Central Park South stay)";
+    }
+}
+
+// Without how long each file took to write, which no second run repeats.
+std::string withoutTimes(const QByteArray& json) {
+    QString text = QString::fromUtf8(json);
+    static const QRegularExpression times(QStringLiteral("\"[a-z]+\\.[a-z]+\": [0-9.e-]+,?"));
+    return text.remove(times).toStdString();
+}
+
+TEST_F(TranslatedWindow, FilesAreTheSameInEveryLanguage) {
+    study();
+    const auto write = [&](const char* name, Language language) {
+        applyLanguage(language, *qApp);
+        ExportChoice choice;
+        choice.cells = true;
+        workbench().exportShown(folder.filePath(QLatin1String(name)).toStdString(), choice);
+        ASSERT_TRUE(waitFor([this] { return !workbench().writing().busy(); }));
+    };
+    write("english", Language::english);
+    write("german", Language::german);
+    const QDir english(folder.filePath(QStringLiteral("english")));
+    int compared = 0;
+    for (const QString& name : english.entryList({QStringLiteral("*.csv"), QStringLiteral("*.json")})) {
+        const QByteArray first = exported(("english/" + name).toUtf8()),
+                         second = exported(("german/" + name).toUtf8());
+        EXPECT_EQ(withoutTimes(first), withoutTimes(second)) << name.toStdString();
+        EXPECT_TRUE(first.contains('.')) << name.toStdString() << ": decimal points";
+        ++compared;
+    }
+    EXPECT_GE(compared, 2);
+}
+
+}  // namespace
+}  // namespace noonmark
