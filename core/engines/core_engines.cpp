@@ -62,7 +62,7 @@ EngineOption deviceOption() {
             63,
             -1,
             OptionKind::wholeNumber,
-            "Which OpenCL device draws, as 'noonmark-cli devices' counts them; -1: the processor itself"};
+            "Which OpenCL device draws, counted from 0; -1: the processor itself"};
 }
 
 EngineEntry rayReference() {

@@ -2,6 +2,185 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Engine</name>
+    <message>
+        <source>Ray reference</source>
+        <translation>Strahlreferenz</translation>
+    </message>
+    <message>
+        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <translation>Ein Strahl je Messpunkt und Schritt, mit Embree verfolgt: die Wahrheit, an der die anderen gemessen werden</translation>
+    </message>
+    <message>
+        <source>Projected shadows</source>
+        <translation>Projizierte Schatten</translation>
+    </message>
+    <message>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <translation>Der Schatten jedes Gebäudes bei jedem Schritt als Polygon gefüllt: genau und schnell auf ebenem Boden</translation>
+    </message>
+    <message>
+        <source>Horizon sweep</source>
+        <translation>Horizontverfahren</translation>
+    </message>
+    <message>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <translation>Die Neigung des Horizonts jedes Messpunkts, Azimut für Azimut: ein Jahr in Augenblicken, auch auf Gelände und Dächern</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map</source>
+        <translation>Schattenakkumulationskarte</translation>
+    </message>
+    <message>
+        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
+        <translation>Eine Tiefenkarte je Schritt einer Stunde, aus einer einmal gesetzten Stadt; ähnliche Stunden werden einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Inverse accrual map</source>
+        <translation>Inverse Akkumulationskarte</translation>
+    </message>
+    <message>
+        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
+        <translation>Schattenwerfer an beiden Enden jeder Stunde, ihre Schatten dazwischen geradlinig bewegt; ähnliche Stunden werden einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Ray reference through the direction graph</source>
+        <translation>Strahlreferenz über den Richtungsgraphen</translation>
+    </message>
+    <message>
+        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
+        <translation>Strahlen, ähnliche Stunden nur einmal verfolgt: was der Graph allein zum Fehler beiträgt</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
+        <translation>Projizierte Schatten, Horizontverfahren oder Strahlen: das genaue, wo es schnell ist; das Ergebnis nennt welches und warum</translation>
+    </message>
+    <message>
+        <source>Shadow maps (OpenGL)</source>
+        <translation>Schattenkarten (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
+        <translation>Zeichnet eine Tiefenkarte je Schritt und prüft jede Zelle daran: das Verfahren, mit dem der Artikel vergleicht</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map (OpenGL)</source>
+        <translation>Schattenakkumulationskarte (OpenGL)</translation>
+    </message>
+    <message>
+        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
+        <translation>Ein Zeichenvorgang der Grafikkarte füllt die Tiefenkarten aller Schritte einer Stunde</translation>
+    </message>
+    <message>
+        <source>Error target</source>
+        <translation>Zielfehler</translation>
+    </message>
+    <message>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <translation>Mittlerer Fehler des Gesamtschattens einer Zelle, vom Zeitraum: die Azimutklassen sind so breit, wie er zulässt; der halbe Fehler dauert doppelt so lange</translation>
+    </message>
+    <message>
+        <source>Azimuth bin</source>
+        <translation>Azimutklasse</translation>
+    </message>
+    <message>
+        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
+        <translation>Sonnenstände mit geringerem Azimutabstand teilen einen Horizont; 0: wie es der Zielfehler verlangt</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>Dauerschatten</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
+        <translation>Auch der längste ununterbrochene Schatten wird gezählt; ohne ihn nur der Gesamtschatten, in etwa der halben Zeit</translation>
+    </message>
+    <message>
+        <source>Check runs</source>
+        <translation>Dauer prüfen</translation>
+    </message>
+    <message>
+        <source>Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few minutes too, in several times the time; without it, rays decide only what neighbouring bins leave in doubt</source>
+        <translation>Strahlen prüfen jede längste Dauer, damit auch schmale Lücken gefunden werden, in mehrfacher Zeit; ohne dies entscheiden Strahlen nur, was benachbarte Klassen offen lassen</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>Kartengröße</translation>
+    </message>
+    <message>
+        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
+        <translation>Texel je Seite der Tiefenkarte über dem Gebiet; nicht mehr als Zellen</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>How high above the ground something must be to shade it</source>
+        <translation>Wie hoch über dem Boden etwas sein muss, um ihn zu verschatten</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervall</translation>
+    </message>
+    <message>
+        <source>How long the sun is taken to move in a straight line</source>
+        <translation>Wie lange die Sonne als geradlinig bewegt gilt</translation>
+    </message>
+    <message>
+        <source>Direction bound</source>
+        <translation>Richtungsschranke</translation>
+    </message>
+    <message>
+        <source>Hours whose sun is less than this apart are computed once</source>
+        <translation>Stunden, deren Sonne weniger auseinander liegt, werden einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Source levels</source>
+        <translation>Quellebenen</translation>
+    </message>
+    <message>
+        <source>How many occluders, nearest first, are followed from each cell</source>
+        <translation>Wie viele Schattenwerfer, die nächsten zuerst, je Zelle verfolgt werden</translation>
+    </message>
+    <message>
+        <source>Sources by rays</source>
+        <translation>Quellen mit Strahlen</translation>
+    </message>
+    <message>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <translation>Embree findet die Schattenwerfer an den Intervallenden; sonst gefüllte Polygone, was schneller ist</translation>
+    </message>
+    <message>
+        <source>Nearest hit</source>
+        <translation>Nächster Treffer</translation>
+    </message>
+    <message>
+        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
+        <translation>Schattenwerfer, die näher an einer Zelle sind, werden ausgelassen (Artikel: 1 m)</translation>
+    </message>
+    <message>
+        <source>OpenCL device</source>
+        <translation>OpenCL-Gerät</translation>
+    </message>
+    <message>
+        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
+        <translation>Welches OpenCL-Gerät zeichnet, ab 0 gezählt; -1: der Prozessor selbst</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
     <name>FieldText</name>
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
@@ -169,6 +348,14 @@
     <message>
         <source>at this moment</source>
         <translation>zu diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>scale locked: %1</source>
+        <translation>Skala fest: %1</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>größte %1</translation>
     </message>
 </context>
 <context>
@@ -1519,6 +1706,10 @@ Vorgabe: %2</translation>
         <source>Guided &amp;tours</source>
         <translation>&amp;Führungen</translation>
     </message>
+    <message>
+        <source>none: the processor</source>
+        <translation>keines: der Prozessor</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -1637,6 +1828,14 @@ Vorgabe: %2</translation>
     <message>
         <source>Scenario &gt; Compare with the existing city asks what the tower changes. Where that takes longer, the button Compare of the panel Study starts it.</source>
         <translation>Szenario &gt; Mit dem Bestand vergleichen fragt, was der Turm ändert. Wo das länger dauert, startet es der Knopf Vergleichen im Feld Untersuchung.</translation>
+    </message>
+    <message>
+        <source>Play and the two sliders move the sun. Whole period returns to the year.</source>
+        <translation>Abspielen und die zwei Regler bewegen die Sonne. Ganzer Zeitraum kehrt zum Jahr zurück.</translation>
+    </message>
+    <message>
+        <source>Give it 90 storeys, so that its shadow reaches the lawn.</source>
+        <translation>Ihm 90 Geschosse geben, damit sein Schatten die Wiese erreicht.</translation>
     </message>
 </context>
 <context>

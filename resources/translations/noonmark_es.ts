@@ -2,6 +2,185 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>Engine</name>
+    <message>
+        <source>Ray reference</source>
+        <translation>Referencia por rayos</translation>
+    </message>
+    <message>
+        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <translation>Un rayo por receptor y paso, trazado con Embree: la verdad con la que se miden los demás</translation>
+    </message>
+    <message>
+        <source>Projected shadows</source>
+        <translation>Sombras proyectadas</translation>
+    </message>
+    <message>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <translation>La sombra de cada edificio rellenada como polígonos en cada paso: exacto y rápido en suelo llano</translation>
+    </message>
+    <message>
+        <source>Horizon sweep</source>
+        <translation>Barrido de horizontes</translation>
+    </message>
+    <message>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <translation>La pendiente del horizonte de cada receptor, acimut a acimut: un año en un momento, también en terreno y cubiertas</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map</source>
+        <translation>Mapa de acumulación de sombra</translation>
+    </message>
+    <message>
+        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
+        <translation>Un mapa de profundidad por cada paso de una hora, dibujado con la ciudad colocada una vez; las horas parecidas se calculan una vez</translation>
+    </message>
+    <message>
+        <source>Inverse accrual map</source>
+        <translation>Mapa de acumulación inverso</translation>
+    </message>
+    <message>
+        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
+        <translation>Obstáculos en ambos extremos de cada hora, sus sombras movidas en línea recta entre ellos; las horas parecidas se calculan una vez</translation>
+    </message>
+    <message>
+        <source>Ray reference through the direction graph</source>
+        <translation>Referencia por rayos mediante el grafo de direcciones</translation>
+    </message>
+    <message>
+        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
+        <translation>Rayos, con las horas parecidas trazadas una vez: qué hace solo el grafo con el error</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
+        <translation>Sombras proyectadas, barrido de horizontes o rayos: el exacto donde es rápido, y el resultado dice cuál y por qué</translation>
+    </message>
+    <message>
+        <source>Shadow maps (OpenGL)</source>
+        <translation>Mapas de sombra (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
+        <translation>Dibuja un mapa de profundidad por paso y comprueba cada celda: el método con que compara el artículo</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map (OpenGL)</source>
+        <translation>Mapa de acumulación de sombra (OpenGL)</translation>
+    </message>
+    <message>
+        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
+        <translation>Un solo dibujo en la tarjeta gráfica llena los mapas de profundidad de todos los pasos de una hora</translation>
+    </message>
+    <message>
+        <source>Error target</source>
+        <translation>Error objetivo</translation>
+    </message>
+    <message>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <translation>Error medio de la sombra total de una celda, del periodo: los intervalos de acimut son tan anchos como permite; la mitad tarda el doble</translation>
+    </message>
+    <message>
+        <source>Azimuth bin</source>
+        <translation>Intervalo de acimut</translation>
+    </message>
+    <message>
+        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
+        <translation>Los soles con menos separación de acimut comparten un horizonte; 0: según el error objetivo</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>Sombra continua</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
+        <translation>También se cuenta la sombra ininterrumpida más larga; sin ella, solo la total, en la mitad del tiempo</translation>
+    </message>
+    <message>
+        <source>Check runs</source>
+        <translation>Comprobar tramos</translation>
+    </message>
+    <message>
+        <source>Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few minutes too, in several times the time; without it, rays decide only what neighbouring bins leave in doubt</source>
+        <translation>Los rayos recorren cada tramo más largo para hallar huecos estrechos, con varias veces más tiempo; sin ello solo deciden lo que los intervalos vecinos dejan en duda</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>Tamaño del mapa</translation>
+    </message>
+    <message>
+        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
+        <translation>Téxeles por lado del mapa de profundidad sobre la zona; no más que celdas</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Desfase</translation>
+    </message>
+    <message>
+        <source>How high above the ground something must be to shade it</source>
+        <translation>A qué altura sobre el suelo debe estar algo para darle sombra</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>How long the sun is taken to move in a straight line</source>
+        <translation>Cuánto tiempo se supone que el sol se mueve en línea recta</translation>
+    </message>
+    <message>
+        <source>Direction bound</source>
+        <translation>Límite de dirección</translation>
+    </message>
+    <message>
+        <source>Hours whose sun is less than this apart are computed once</source>
+        <translation>Las horas cuyo sol dista menos se calculan una vez</translation>
+    </message>
+    <message>
+        <source>Source levels</source>
+        <translation>Niveles de origen</translation>
+    </message>
+    <message>
+        <source>How many occluders, nearest first, are followed from each cell</source>
+        <translation>Cuántos obstáculos, primero los más cercanos, se siguen desde cada celda</translation>
+    </message>
+    <message>
+        <source>Sources by rays</source>
+        <translation>Orígenes por rayos</translation>
+    </message>
+    <message>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <translation>Embree halla los obstáculos en los extremos del intervalo; si no, polígonos rellenos, más rápido</translation>
+    </message>
+    <message>
+        <source>Nearest hit</source>
+        <translation>Impacto más cercano</translation>
+    </message>
+    <message>
+        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
+        <translation>Se omiten los obstáculos más cercanos a una celda (el artículo: 1 m)</translation>
+    </message>
+    <message>
+        <source>OpenCL device</source>
+        <translation>Dispositivo OpenCL</translation>
+    </message>
+    <message>
+        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
+        <translation>Qué dispositivo OpenCL dibuja, contado desde 0; -1: el propio procesador</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+</context>
+<context>
     <name>FieldText</name>
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
@@ -169,6 +348,14 @@
     <message>
         <source>at this moment</source>
         <translation>en este momento</translation>
+    </message>
+    <message>
+        <source>scale locked: %1</source>
+        <translation>escala fija: %1</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>mayor %1</translation>
     </message>
 </context>
 <context>
@@ -1519,6 +1706,10 @@ Por defecto: %2</translation>
         <source>Guided &amp;tours</source>
         <translation>&amp;Visitas guiadas</translation>
     </message>
+    <message>
+        <source>none: the processor</source>
+        <translation>ninguno: el procesador</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -1637,6 +1828,14 @@ Por defecto: %2</translation>
     <message>
         <source>Scenario &gt; Compare with the existing city asks what the tower changes. Where that takes longer, the button Compare of the panel Study starts it.</source>
         <translation>Escenario &gt; Comparar con la ciudad existente pregunta qué cambia la torre. Si tarda más, lo inicia el botón Comparar del panel Estudio.</translation>
+    </message>
+    <message>
+        <source>Play and the two sliders move the sun. Whole period returns to the year.</source>
+        <translation>Reproducir y los dos deslizadores mueven el sol. Todo el periodo vuelve al año.</translation>
+    </message>
+    <message>
+        <source>Give it 90 storeys, so that its shadow reaches the lawn.</source>
+        <translation>Déle 90 plantas para que su sombra alcance el césped.</translation>
     </message>
 </context>
 <context>

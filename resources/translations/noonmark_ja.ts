@@ -2,6 +2,185 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>Engine</name>
+    <message>
+        <source>Ray reference</source>
+        <translation>レイ基準</translation>
+    </message>
+    <message>
+        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <translation>測定点とステップごとに Embree で追跡するレイ 1 本: 他を測る基準</translation>
+    </message>
+    <message>
+        <source>Projected shadows</source>
+        <translation>投影した影</translation>
+    </message>
+    <message>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <translation>各ステップで各建物の影を多角形として塗る: 平らな地面で厳密かつ高速</translation>
+    </message>
+    <message>
+        <source>Horizon sweep</source>
+        <translation>地平線掃引</translation>
+    </message>
+    <message>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <translation>各測定点の地平線の傾きを方位ごとに: 1 年も短時間、地形や屋根でも</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map</source>
+        <translation>影累積マップ</translation>
+    </message>
+    <message>
+        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
+        <translation>1 時間の各ステップの深度マップを一度置いた都市から描く。似た時刻は 1 回だけ計算</translation>
+    </message>
+    <message>
+        <source>Inverse accrual map</source>
+        <translation>逆累積マップ</translation>
+    </message>
+    <message>
+        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
+        <translation>各時間の両端の遮蔽物を求め、その間は影を直線で動かす。似た時刻は 1 回だけ計算</translation>
+    </message>
+    <message>
+        <source>Ray reference through the direction graph</source>
+        <translation>方向グラフによるレイ基準</translation>
+    </message>
+    <message>
+        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
+        <translation>似た時刻を 1 回だけ追跡するレイ: グラフだけによる誤差</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
+        <translation>投影した影、地平線掃引、レイのうち、短時間で済む所では厳密なもの。結果にどれか理由とともに示します</translation>
+    </message>
+    <message>
+        <source>Shadow maps (OpenGL)</source>
+        <translation>シャドウマップ (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
+        <translation>ステップごとに深度マップを描き全セルを調べる: 論文の比較対象の方法</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map (OpenGL)</source>
+        <translation>影累積マップ (OpenGL)</translation>
+    </message>
+    <message>
+        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
+        <translation>1 回の描画で 1 時間の全ステップの深度マップを作る</translation>
+    </message>
+    <message>
+        <source>Error target</source>
+        <translation>目標誤差</translation>
+    </message>
+    <message>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <translation>セルの累計日影の平均誤差 (期間に対する割合): 方位の刻みはこれが許す幅になります。半分にすると時間は 2 倍</translation>
+    </message>
+    <message>
+        <source>Azimuth bin</source>
+        <translation>方位の刻み</translation>
+    </message>
+    <message>
+        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
+        <translation>方位差がこれより小さい太陽は同じ地平線を使う。0: 目標誤差に従う</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>連続日影</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
+        <translation>途切れない最長の影も数える。なしなら累計日影だけで約半分の時間</translation>
+    </message>
+    <message>
+        <source>Check runs</source>
+        <translation>連続の検査</translation>
+    </message>
+    <message>
+        <source>Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few minutes too, in several times the time; without it, rays decide only what neighbouring bins leave in doubt</source>
+        <translation>最長連続をすべてレイで確かめ、刻みより狭い切れ目も見つける (数倍の時間)。なしなら隣の刻みで決まらない所だけレイで判定</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>マップの大きさ</translation>
+    </message>
+    <message>
+        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
+        <translation>範囲に広げる深度マップの一辺のテクセル数。セル数を超えない</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>バイアス</translation>
+    </message>
+    <message>
+        <source>How high above the ground something must be to shade it</source>
+        <translation>地面より何 m 高いと影を落とすとみなすか</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>区間</translation>
+    </message>
+    <message>
+        <source>How long the sun is taken to move in a straight line</source>
+        <translation>太陽が直線で動くとみなす時間</translation>
+    </message>
+    <message>
+        <source>Direction bound</source>
+        <translation>方向の許容差</translation>
+    </message>
+    <message>
+        <source>Hours whose sun is less than this apart are computed once</source>
+        <translation>太陽の差がこれより小さい時刻は 1 回だけ計算</translation>
+    </message>
+    <message>
+        <source>Source levels</source>
+        <translation>遮蔽物の段数</translation>
+    </message>
+    <message>
+        <source>How many occluders, nearest first, are followed from each cell</source>
+        <translation>各セルから近い順に追う遮蔽物の数</translation>
+    </message>
+    <message>
+        <source>Sources by rays</source>
+        <translation>レイで遮蔽物を探す</translation>
+    </message>
+    <message>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <translation>区間の両端の遮蔽物を Embree で探す。なしなら多角形の塗りで、より速い</translation>
+    </message>
+    <message>
+        <source>Nearest hit</source>
+        <translation>最短の命中</translation>
+    </message>
+    <message>
+        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
+        <translation>これよりセルに近い遮蔽物は除く (論文: 1 m)</translation>
+    </message>
+    <message>
+        <source>OpenCL device</source>
+        <translation>OpenCL デバイス</translation>
+    </message>
+    <message>
+        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
+        <translation>描画する OpenCL デバイス (0 から数える)。-1: プロセッサ</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+</context>
+<context>
     <name>FieldText</name>
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
@@ -169,6 +348,14 @@
     <message>
         <source>at this moment</source>
         <translation>この時刻</translation>
+    </message>
+    <message>
+        <source>scale locked: %1</source>
+        <translation>目盛固定: %1</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>最大 %1</translation>
     </message>
 </context>
 <context>
@@ -1519,6 +1706,10 @@ Default: %2</source>
         <source>Guided &amp;tours</source>
         <translation>ガイドツアー(&amp;T)</translation>
     </message>
+    <message>
+        <source>none: the processor</source>
+        <translation>なし: プロセッサ</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -1637,6 +1828,14 @@ Default: %2</source>
     <message>
         <source>Scenario &gt; Compare with the existing city asks what the tower changes. Where that takes longer, the button Compare of the panel Study starts it.</source>
         <translation>「シナリオ &gt; 現況の都市と比較」で塔による変化を調べます。時間がかかる場合は「検討」パネルの「比較」ボタンで始めます。</translation>
+    </message>
+    <message>
+        <source>Play and the two sliders move the sun. Whole period returns to the year.</source>
+        <translation>再生と 2 本のスライダーで太陽が動きます。「期間全体」で 1 年に戻ります。</translation>
+    </message>
+    <message>
+        <source>Give it 90 storeys, so that its shadow reaches the lawn.</source>
+        <translation>影が芝生に届くように 90 階にします。</translation>
     </message>
 </context>
 <context>

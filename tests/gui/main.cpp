@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 
 #include "app/window/frame/appearance.h"
+#include "app/window/looks/language.h"
 
 /// Widgets and the 3D view need a display; ctest runs this under Xvfb.
 int main(int argc, char** argv) {
@@ -11,6 +12,8 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);  // tests leave no files in the user's folders
     noonmark::applyAppearance(application);
+    // Tests expect English, whatever the system speaks.
+    noonmark::applyLanguage(noonmark::Language::english, application);
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -148,7 +148,7 @@ TEST(VisibleGround, LookingAwayThereIsNone) {
 TEST(RegionWords, SayAreaAndCells) {
     Region region = makeRegionFromLocalBox({{0, 0}, {590, 580}});
     region.name = "park";
-    EXPECT_EQ(describeRegion(region, 2), QStringLiteral("Park\n590 × 580 m, 34.2 ha, 85,550 cells"));
+    EXPECT_EQ(describeRegion(region, 2), QStringLiteral("Park\n590 m × 580 m, 34.2 ha, 85,550 cells"));
     EXPECT_EQ(describeRegion({}, 2), QStringLiteral("No region yet"));
 }
 

@@ -74,7 +74,7 @@ TEST_F(PreferencesWindow, LengthsAndAreasAreShownInTheChosenUnits) {
     EXPECT_EQ(describeLength(100), QStringLiteral("100.0 m"));
     applyUnits(UnitSystem::imperial);
     EXPECT_EQ(describeLength(100), QStringLiteral("328.1 ft"));
-    EXPECT_EQ(describeFloorArea(1000), QStringLiteral("10,764 sq ft"));
+    EXPECT_EQ(describeSmallArea(1000), QStringLiteral("10,764 sq ft"));
     applyUnits(UnitSystem::both);
     EXPECT_EQ(describeLength(100, 0), QStringLiteral("100 m (328 ft)"));
 }

@@ -68,7 +68,8 @@ TEST_F(TourWindow, ThePlannersTourEndsWithAScoreOfAYear) {
 TEST_F(TourWindow, TheReviewBoardsTourEndsWithVerdicts) {
     walk(2);
     ASSERT_TRUE(window->review().shown());
-    EXPECT_EQ(window->review().shown()->study.places.size(), 1U);
+    ASSERT_EQ(window->review().shown()->study.places.size(), 1U);
+    EXPECT_GT(window->review().shown()->study.places[0].totals.incrementalM2h, 0) << "the shadow reaches it";
 }
 
 TEST_F(TourWindow, AStepIsDoneWhenTheUserDoesIt) {

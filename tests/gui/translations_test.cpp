@@ -12,6 +12,7 @@
 #include <clocale>
 #include <map>
 
+#include "app/input/all_engines.h"
 #include "app/window/looks/language.h"
 #include "app/window/widgets/number_words.h"
 #include "tests/gui/answers_window.h"
@@ -151,6 +152,26 @@ TEST_F(Languages, NumbersAreWrittenAsTheLanguageWritesThem) {
     EXPECT_EQ(localiseNumbers(texts[1]), texts[1]) << "dates and times stay";
     EXPECT_EQ(localiseNumbers(texts[2]), QStringLiteral("12,5 ha"));
     EXPECT_STREQ(std::localeconv()->decimal_point, ".") << "of C functions, which read and write files";
+}
+
+TEST_F(Languages, EnginesAndTheirOptionsHaveWordsInEveryLanguage) {
+    for (const Language language : translated) {
+        QStringList words;
+        for (const Message& message : readMessages(language))
+            if (message.context == QStringLiteral("Engine")) words << message.source;
+        const auto expectWord = [&](std::string_view english) {
+            EXPECT_TRUE(words.contains(QString::fromStdString(std::string(english))))
+                << codeOf(language) << ": " << english;
+        };
+        for (const EngineEntry& engine : allEngines()) {
+            expectWord(engine.info.name);
+            expectWord(engine.info.about);
+            for (const EngineOption& option : engine.info.options) {
+                expectWord(option.name);
+                expectWord(option.about);
+            }
+        }
+    }
 }
 
 std::map<QChar, QStringList> mnemonicsOf(const QList<QAction*>& actions) {

@@ -168,7 +168,7 @@ void BuildingEditing::previewHeight(double heightM) {
     context_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
     context_.handle.tell(tr("%1, %2\n%3 floor area")
                              .arg(describeLength(facts.heightM), describeStoreys(facts.storeys),
-                                  describeFloorArea(facts.grossFloorM2)));
+                                  describeSmallArea(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {

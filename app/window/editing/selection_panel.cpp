@@ -42,7 +42,7 @@ QString makeRows(const BuildingFacts& facts) {
                QStringLiteral("%1 (%2)").arg(describeLength(facts.heightM), facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), describeArea(facts.planM2)) +
-           row(QObject::tr("Floor area"), describeFloorArea(facts.grossFloorM2) + storeys +
+           row(QObject::tr("Floor area"), describeSmallArea(facts.grossFloorM2) + storeys +
                                               QObject::tr(" of %1").arg(describeLength(usualStoreyM)) +
                                               describeEstimate(facts.estimatedStoreys)) +
            QStringLiteral("</table>");

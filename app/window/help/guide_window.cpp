@@ -67,7 +67,8 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), pages_(new QListWid
         auto* item = new QListWidgetItem(page.title, pages_);
         item->setData(Qt::UserRole, page.name);
     }
-    pages_->setFixedWidth(190);
+    pages_->setFixedWidth(250);
+    pages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_->setOpenLinks(false);
     auto* back = new QToolButton;
     back->setText(tr("Back"));
@@ -84,7 +85,7 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), pages_(new QListWid
             [this](const QListWidgetItem* item) { showPage(item->data(Qt::UserRole).toString()); });
     connect(text_, &QTextBrowser::sourceChanged, this, &GuideWindow::follow);
     connect(text_, &QTextBrowser::anchorClicked, this, &GuideWindow::open);
-    resize(980, 720);
+    resize(1040, 720);
 }
 
 void GuideWindow::showPage(const QString& name, const QString& section) {

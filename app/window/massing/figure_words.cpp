@@ -15,7 +15,7 @@ QString describeStoreys(int storeys) {
 QString describeFigures(const MassingFigures& figures) {
     return QObject::tr("%1, %2\n%3 floor area, FAR %4")
         .arg(describeLength(figures.heightM), describeStoreys(figures.storeys),
-             describeFloorArea(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
+             describeSmallArea(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
 }
 
 QString describeMove(glm::dvec2 byM) {

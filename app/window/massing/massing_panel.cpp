@@ -25,7 +25,7 @@ QString makeRows(const MassingFigures& figures, std::size_t demolished) {
             .arg(name, value);
     };
     return QStringLiteral("<table>") +
-           row(QObject::tr("Gross floor area"), describeFloorArea(figures.grossFloorM2)) +
+           row(QObject::tr("Gross floor area"), describeSmallArea(figures.grossFloorM2)) +
            row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
            row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
            row(QObject::tr("Height"), describeLength(figures.heightM)) +

@@ -15,6 +15,10 @@ QString describeSigned(double value, int decimals, const QString& unit) {
     return (value > 0 ? QStringLiteral("+") : QString()) + formatAmount(value, decimals) + unit;
 }
 
+QString describeSignedArea(double areaM2) {
+    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeSmallArea(areaM2);
+}
+
 // Rows of one measure, one per threshold.
 void addThresholds(std::vector<ResultRow>& rows, const ComparisonFigures& figures, const QString& name,
                    ChangeFigures ImpactFigures::*measure, const QString& meaning) {
@@ -72,7 +76,7 @@ std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures) {
                     describeSigned(all.gross.meanMin, 2, QObject::tr(" min a day")),
                     QObject::tr("Mean change of gross shadow over all cells that are open ground in both")});
     rows.push_back(
-        {QObject::tr("Shadow area"), describeSigned(all.shadowAreaChangeM2, 0, QStringLiteral(" m²")),
+        {QObject::tr("Shadow area"), describeSignedArea(all.shadowAreaChangeM2),
          QObject::tr(
              "Change of the sum over the cells of (share of the sunlit time in shadow × cell area)")});
     rows.push_back({QObject::tr("Built over"), describeArea(all.becameBuildingM2),

@@ -11,7 +11,7 @@ namespace noonmark {
 /// changes, cells that stopped or started being receivers, and the contribution of each new building.
 std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures);
 
-/// "1,234 m² more" and "56 m² less" on a line each, or "nowhere".
+/// "1,234 m² more" and "56 m² less" on a line each, or "no change".
 QString describeChangedArea(const ChangeFigures& figures);
 
 }  // namespace noonmark

@@ -23,7 +23,7 @@ ResultRow minutes(const QString& name, double value, const QString& meaning) {
 std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
     const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
     std::vector<ResultRow> rows{
-        {QObject::tr("Shadow area"), formatAmount(s.shadowAreaM2, 0) + QStringLiteral(" m²"),
+        {QObject::tr("Shadow area"), describeSmallArea(s.shadowAreaM2),
          QObject::tr("Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
         {QObject::tr("Share of ground"), formatAmount(share) + QStringLiteral(" %"),
          QObject::tr("Shadow area over the area of all receivers")}};

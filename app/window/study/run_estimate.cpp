@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/input/all_engines.h"
+#include "app/window/widgets/engine_words.h"
 #include "core/engines/auto_engine.h"
 #include "core/receivers/roof_receivers.h"
 
@@ -33,7 +34,7 @@ double viaGraph(std::string_view engine, double raySeconds, double hours) {
 QString nameOfEngine(std::string_view key) {
     const EngineEntry* entry = findEngine(allEngines(), key);
     if (!entry) return {};
-    return QString::fromUtf8(entry->info.name.data(), qsizetype(entry->info.name.size()));
+    return translateEngineWord(entry->info.name);
 }
 
 QString describeCells(double cells) {

@@ -7,7 +7,9 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "app/window/widgets/engine_words.h"
 #include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -18,13 +20,11 @@ QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsiz
 QString tipOf(const EngineOption& option) {
     if (option.kind == OptionKind::yesNo)
         return QObject::tr("%1.\nDefault: %2")
-            .arg(text(option.about), text(formatOptionValue(option, option.usual)));
+            .arg(translateEngineWord(option.about),
+                 translateEngineWord(formatOptionValue(option, option.usual)));
     return QObject::tr("%1.\n%2 to %3 %4, usually %5")
-        .arg(text(option.about))
-        .arg(option.lowest)
-        .arg(option.highest)
-        .arg(text(option.unit))
-        .arg(option.usual);
+        .arg(translateEngineWord(option.about), formatShort(option.lowest, 6), formatShort(option.highest, 6),
+             text(option.unit), formatShort(option.usual, 6));
 }
 
 // As many decimals as the option's own values have.
@@ -49,6 +49,8 @@ QDoubleSpinBox* numberFieldOf(const EngineOption& option) {
                                                           : option.usual / 10;
     QDoubleSpinBox* box = numberField(option.lowest, option.highest, decimalsOf(option), step, unit);
     if (byItself) box->setSpecialValueText(QObject::tr("automatic"));
+    if (option.usual == -1 && option.lowest == -1)
+        box->setSpecialValueText(QObject::tr("none: the processor"));
     return box;
 }
 
@@ -75,8 +77,8 @@ void AccuracyForm::fillEngines() {
     engine_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     engine_->setMinimumContentsLength(18);
     for (const auto& [engine, make] : engines_) {
-        engine_->addItem(text(engine.name), text(engine.key));
-        engine_->setItemData(engine_->count() - 1, text(engine.about), Qt::ToolTipRole);
+        engine_->addItem(translateEngineWord(engine.name), text(engine.key));
+        engine_->setItemData(engine_->count() - 1, translateEngineWord(engine.about), Qt::ToolTipRole);
     }
 }
 
@@ -94,16 +96,16 @@ void AccuracyForm::makeFields(const EngineInfo& engine) {
 }
 
 void AccuracyForm::addField(const EngineOption& option) {
-    const auto tell = [this, name = text(option.name)] { Q_EMIT edited(name); };
+    const auto tell = [this, name = translateEngineWord(option.name)] { Q_EMIT edited(name); };
     if (option.kind == OptionKind::yesNo) {
-        auto* box = new QCheckBox(text(option.name));
+        auto* box = new QCheckBox(translateEngineWord(option.name));
         fields_.push_back({option, box, nullptr, box});
         form_->addRow(box);
         connect(box, &QCheckBox::toggled, this, tell);
     } else {
         QDoubleSpinBox* box = numberFieldOf(option);
         fields_.push_back({option, box, box, nullptr});
-        form_->addRow(text(option.name), box);
+        form_->addRow(translateEngineWord(option.name), box);
         connect(box, &QDoubleSpinBox::valueChanged, this, tell);
     }
     const QSignalBlocker quiet(this);

@@ -19,6 +19,8 @@ namespace {
     QT_TRANSLATE_NOOP("Legend", "min a day"),
     QT_TRANSLATE_NOOP("Legend", "min"),
     QT_TRANSLATE_NOOP("Legend", "scale fitted to this difference"),
+    QT_TRANSLATE_NOOP("Legend", "scale locked: %1"),
+    QT_TRANSLATE_NOOP("Legend", "largest %1"),
     QT_TRANSLATE_NOOP("Legend", "Shadow"),
     QT_TRANSLATE_NOOP("Legend", "at this moment"),
     QT_TRANSLATE_NOOP("Legend", "Shadow score"),
@@ -29,10 +31,18 @@ namespace {
     QT_TRANSLATE_NOOP("Legend", "in shadow"),
 };
 
+// Words before a number: "largest 12".
+QString translatePart(const QString& part) {
+    for (const QString& words : {QStringLiteral("scale locked: "), QStringLiteral("largest ")})
+        if (part.startsWith(words))
+            return translateLegendWord(words + QStringLiteral("%1")).arg(part.mid(words.size()));
+    return translateLegendWord(part);
+}
+
 // A unit has parts between commas: "min a day, scale fitted to this difference, largest 12".
 QString translateParts(const QString& unit) {
     QStringList parts = unit.split(QStringLiteral(", "));
-    for (QString& part : parts) part = localiseNumbers(translateLegendWord(part));
+    for (QString& part : parts) part = localiseNumbers(translatePart(part));
     return parts.join(QStringLiteral(", "));
 }
 

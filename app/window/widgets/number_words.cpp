@@ -36,7 +36,7 @@ QString describeArea(double squareMetres) {
     return localiseNumbers(QString::fromStdString(formatArea(squareMetres, unitsInUse())));
 }
 
-QString describeFloorArea(double squareMetres) {
+QString describeSmallArea(double squareMetres) {
     return localiseNumbers(QString::fromStdString(formatSmallArea(squareMetres, unitsInUse())));
 }
 

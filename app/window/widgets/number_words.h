@@ -14,7 +14,7 @@ QString formatShort(double number, int digits);         ///< significant digits:
 
 QString describeLength(double metres, int decimals = 1);  ///< "124.3 m", "407.8 ft"
 QString describeArea(double squareMetres);                ///< "1,204 m²"; from 10 ha on "12.5 ha"
-QString describeFloorArea(double squareMetres);           ///< "125,204 m²": never in hectares or acres
+QString describeSmallArea(double squareMetres);           ///< "125,204 m²": never in hectares or acres
 
 /// A text of core or report with its numbers, "1,204.5", written as the window's language does. Dates, times
 /// and version numbers stay.

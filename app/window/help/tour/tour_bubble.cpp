@@ -14,6 +14,7 @@ namespace {
 constexpr int frameWidth = 3;
 constexpr int gap = 10;
 constexpr int textWidth = 300;
+constexpr int barsPx = 70;  // menus and toolbar at the top, which the text must not cover
 
 }  // namespace
 
@@ -78,14 +79,15 @@ void TourBubble::tell(const QString& title, const QString& text, Onward onward) 
     show();
 }
 
-// Right of the control, else left, else below it; inside the window.
+// Right of the control, else left, else below it, as of menus and tools; inside the window.
 void TourBubble::put(const QRect& control) {
     const QRect room = window_.rect().adjusted(gap, gap, -gap, -gap);
     QPoint at = room.center() - rect().center();
     if (!control.isEmpty()) {
         at = {control.right() + gap, control.top()};
         if (at.x() + width() > room.right()) at.setX(control.left() - gap - width());
-        if (at.x() < room.left()) at = {control.left(), control.bottom() + gap};
+        const bool isInBars = control.bottom() < barsPx;
+        if (at.x() < room.left() || isInBars) at = {control.left(), control.bottom() + gap};
     }
     at.setX(qBound(room.left(), at.x(), std::max(room.left(), room.right() - width())));
     at.setY(qBound(room.top(), at.y(), std::max(room.top(), room.bottom() - height())));

@@ -54,6 +54,8 @@ const TourPlan plans[] = {
        QT_TRANSLATE_NOOP(
            "Tour",
            "The map shows the whole year. Choose One moment to see sun and shadow at a date and time.")},
+      {"lookSpan", TourDeed::choose, "0", TourGoal::deed,
+       QT_TRANSLATE_NOOP("Tour", "Play and the two sliders move the sun. Whole period returns to the year.")},
       {"weightsDock", TourDeed::show, nullptr, TourGoal::deed,
        QT_TRANSLATE_NOOP(
            "Tour",
@@ -82,6 +84,8 @@ const TourPlan plans[] = {
            "Tour", "It also needs a proposal. Here we design one; usually the project has it already.")},
       {"designTower", TourDeed::click, nullptr, TourGoal::deed,
        QT_TRANSLATE_NOOP("Tour", "Design tower puts a tower on the lot chosen in the list.")},
+      {"storeys", TourDeed::set, "90", TourGoal::deed,
+       QT_TRANSLATE_NOOP("Tour", "Give it 90 storeys, so that its shadow reaches the lawn.")},
       {"applyMassing", TourDeed::click, nullptr, TourGoal::tower,
        QT_TRANSLATE_NOOP("Tour", "Build makes it a scenario, which can be compared with the existing city.")},
       {"reviewByRule", TourDeed::trigger, nullptr, TourGoal::deed,
