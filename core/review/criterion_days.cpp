@@ -73,6 +73,10 @@ Measured measureAreaHours(const DayShadow& day, Quantity quantity, bool former) 
     return around(cellSteps * hours, largestCells(day, quantity, former) * hours);
 }
 
+RunCounts runsOf(const SpotRuns& runs, std::size_t cell) {
+    return {runs.total[cell], runs.longest[cell], runs.longestRuns[cell], runs.count[cell]};
+}
+
 /// Minutes and runs of the worst spot: most shadow, or least sun.
 Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool former) {
     const SpotRuns runs =
@@ -83,31 +87,18 @@ Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool
     if (steps.empty()) return {};
     const auto worst = criterion.quantity == Quantity::sun ? std::ranges::min_element(steps)
                                                            : std::ranges::max_element(steps);
-    const std::uint32_t count = runs.count[std::size_t(worst - steps.begin())];
-    const auto most = criterion.measure == Measure::spotTotal ? count : std::uint32_t(criterion.runs);
-    return around(*worst * day.stepMin(), std::min(count, most) * day.runErrorMin());
-}
-
-/// Whether a spot has what the condition asks for, with its minutes changed by `sign` times their error.
-bool meets(const SpotCondition& spot, const SpotRuns& runs, std::size_t cell, const DayShadow& day,
-           int sign) {
-    constexpr double rounding = 1e-6;
-    const std::uint32_t count = runs.count[cell];
-    const double error = sign * day.runErrorMin();
-    const double longest = runs.longest[cell] * day.stepMin() + (count > 0 ? error : 0) + rounding;
-    const double total = runs.total[cell] * day.stepMin() + count * error + rounding;
-    if ((spot.unbroken ? longest : total) >= spot.minutes) return true;
-    if (spot.brokenMinutes <= 0 || total < spot.brokenMinutes || longest < spot.partMinutes) return false;
-    return spot.mostParts == 0 || int(count) <= spot.mostParts;
+    return measureSpot(criterion, runsOf(runs, std::size_t(worst - steps.begin())),
+                       {day.stepMin(), day.runErrorMin()});
 }
 
 Measured measureShare(const Criterion& criterion, const DayShadow& day, bool former) {
     const SpotRuns runs = countRuns(day.shadow(), criterion.quantity, former, {1, criterion.dropShorterMin});
+    const RunError error{day.stepMin(), day.runErrorMin()};
     std::array<std::size_t, 3> meeting{};
     const std::size_t cells = runs.total.size();
     for (std::size_t cell = 0; cell < cells; ++cell)
         for (std::size_t bound = 0; bound < meeting.size(); ++bound)
-            meeting[bound] += meets(criterion.spot, runs, cell, day, int(bound) - 1) ? 1 : 0;
+            meeting[bound] += meets(criterion.spot, runsOf(runs, cell), error, int(bound) - 1) ? 1 : 0;
     if (cells == 0) return {};
     const auto share = [&](double count) { return std::clamp(count / double(cells), 0.0, 1.0); };
     // A cell on the edge of the place may be in or out; where all or no cells meet the condition it changes
@@ -119,13 +110,6 @@ Measured measureShare(const Criterion& criterion, const DayShadow& day, bool for
 
 Measured measureMinutes(const DayShadow& day, const StepCount& count) {
     return around(double(count.steps) * day.stepMin(), double(count.runs) * day.runErrorMin());
-}
-
-bool isInSeason(const Criterion& criterion, CivilDate date) {
-    if (!criterion.season) return true;
-    const std::chrono::month_day day{date.month(), date.day()};
-    const auto& [first, last] = *criterion.season;
-    return first <= last ? day >= first && day <= last : day >= first || day <= last;
 }
 
 bool comparesFormer(const Criterion& criterion) {
@@ -174,17 +158,32 @@ Measured measureDay(const Criterion& criterion, const DayShadow& day, bool forme
             return cells == 0 ? Measured{} : around(largestCells(day, quantity, former) / cells, 1 / cells);
         case Measure::areaHours:
             return measureAreaHours(day, quantity, former);
+        case Measure::skyComponent:  // of windows
+        case Measure::probableSun:
+            return {};
     }
     return {};
 }
 
-Verdict CriterionDays::judge(const Measured& value, const std::optional<Measured>& former) const {
-    Verdict verdict = criterion_->limits.empty() ? Verdict::notApplicable : Verdict::fail;
-    for (const Limit& limit : criterion_->limits) {
-        const Measured compared = limit.ofFormer ? ratioOf(value, former.value_or(Measured{})) : value;
-        verdict = betterOf(verdict, compareWith(limit.comparison, limit.value, compared));
+Verdict judgeLimits(const Criterion& criterion, const Measured& value,
+                    const std::optional<Measured>& former) {
+    Verdict verdict = Verdict::notApplicable;
+    for (const Limit& limit : criterion.limits) {
+        if (limit.ofFormer && !former) continue;
+        const Measured compared = limit.isLoss     ? lossOf(value, *former)
+                                  : limit.ofFormer ? ratioOf(value, *former)
+                                                   : value;
+        const Verdict one = compareWith(limit.comparison, limit.value, compared);
+        verdict = verdict == Verdict::notApplicable ? one : betterOf(verdict, one);
     }
     return verdict;
+}
+
+bool isInSeason(const Criterion& criterion, CivilDate date) {
+    if (!criterion.season) return true;
+    const std::chrono::month_day day{date.month(), date.day()};
+    const auto& [first, last] = *criterion.season;
+    return first <= last ? day >= first && day <= last : day >= first || day <= last;
 }
 
 bool CriterionDays::decidesMore(Verdict verdict, double value) const {
@@ -195,16 +194,15 @@ bool CriterionDays::decidesMore(Verdict verdict, double value) const {
     return value != found_.value->value && worse == wantsWorst;
 }
 
-void CriterionDays::takeDay(const DayShadow& day, const Measured& value,
-                            const std::optional<Measured>& former) {
-    const Verdict verdict = judge(value, former);
+void CriterionDays::takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former) {
+    const Verdict verdict = judgeLimits(*criterion_, value, former);
     found_.failingDays += verdict == Verdict::fail ? 1 : 0;
     found_.borderlineDays += verdict == Verdict::borderline ? 1 : 0;
     if (!decidesMore(verdict, value.value)) return;
     found_.verdict = verdict;
     found_.value = value;
     found_.former = former;
-    found_.day = day.shadow().day;
+    found_.day = day;
 }
 
 std::optional<double> CriterionDays::add(const DayShadow& day, double weight) {
@@ -212,13 +210,21 @@ std::optional<double> CriterionDays::add(const DayShadow& day, double weight) {
     const Measured value = measureDay(*criterion_, day, false);
     std::optional<Measured> former;
     if (comparesFormer(*criterion_)) former = measureDay(*criterion_, day, true);
+    add(day.shadow().day, value, former, weight);
+    return value.value;
+}
+
+void CriterionDays::add(CivilDate day, const Measured& value, const std::optional<Measured>& former,
+                        double weight) {
     ++found_.days;
     weights_ += weight;
     addWeighted(sum_, value, weight);
-    if (former) addWeighted(formerSum_, *former, weight);
+    if (former) {
+        hasFormer_ = true;
+        addWeighted(formerSum_, *former, weight);
+    }
     if (combination_ == DayCombination::every || combination_ == DayCombination::chosen)
         takeDay(day, value, former);
-    return value.value;
 }
 
 CriterionResult CriterionDays::result() const {
@@ -227,8 +233,8 @@ CriterionResult CriterionDays::result() const {
     if (result.days == 0 || result.value) return result;
     const double by = combination_ == DayCombination::average ? weights_ : 1;
     result.value = divided(sum_, by);
-    if (comparesFormer(*criterion_)) result.former = divided(formerSum_, by);
-    result.verdict = judge(*result.value, result.former);
+    if (hasFormer_) result.former = divided(formerSum_, by);
+    result.verdict = judgeLimits(*criterion_, *result.value, result.former);
     return result;
 }
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/measures/place_shadow.h"
+#include "core/review/spot_measure.h"
 #include "core/review/spot_runs.h"
-#include "core/review/verdict.h"
 
 namespace noonmark {
 
@@ -39,6 +39,13 @@ private:
 /// and by the spots whose minutes are within their error of what they need.
 Measured measureDay(const Criterion& criterion, const DayShadow& day, bool former);
 
+/// Compares a value with the limits of a criterion, any one of which must hold. Not applicable: it has no
+/// limit, or only limits relative to a former value that does not exist.
+Verdict judgeLimits(const Criterion& criterion, const Measured& value, const std::optional<Measured>& former);
+
+/// Whether a criterion is about that day.
+bool isInSeason(const Criterion& criterion, CivilDate date);
+
 /// Combines the days of one criterion. Takes days in any order.
 class CriterionDays {
 public:
@@ -47,11 +54,12 @@ public:
 
     /// `weight`: days that this day stands for. Returns the day's value; none if the day is out of season.
     std::optional<double> add(const DayShadow& day, double weight);
+    /// The same for a day in season whose value is known, and its former value where there is one.
+    void add(CivilDate day, const Measured& value, const std::optional<Measured>& former, double weight);
     [[nodiscard]] CriterionResult result() const;
 
 private:
-    void takeDay(const DayShadow& day, const Measured& value, const std::optional<Measured>& former);
-    [[nodiscard]] Verdict judge(const Measured& value, const std::optional<Measured>& former) const;
+    void takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former);
     [[nodiscard]] bool decidesMore(Verdict verdict, double value) const;
 
     const Criterion* criterion_;
@@ -59,6 +67,7 @@ private:
     CriterionResult found_;
     Measured sum_, formerSum_;
     double weights_ = 0;
+    bool hasFormer_ = false;
 };
 
 }  // namespace noonmark

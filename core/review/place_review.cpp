@@ -81,7 +81,7 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
             Verdict::notApplicable,
             fmt::format("The rule does not cover places of the kind '{}'", nameOf(review.kind)));
     if (rule_->receivers.surface == RuleSurface::windows)
-        return leaveUnjudged(Verdict::notChecked, "The rule is about windows, which are not measured");
+        return leaveUnjudged(Verdict::notApplicable, "The rule is about windows, not about places");
     if (review.areaM2 <= 0)
         return leaveUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
     if (!sunWasUp_) return leaveUnjudged(Verdict::notChecked, "The sun is not up in the rule's hours");

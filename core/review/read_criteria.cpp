@@ -27,8 +27,9 @@ SpotCondition readSpot(RuleFields fields) {
 Limit readLimit(RuleFields fields, const std::string& source) {
     Limit limit;
     limit.comparison = fields.name("compare", comparisonNames());
-    limit.ofFormer = fields.has("former_ratio");
-    limit.value = fields.number(limit.ofFormer ? "former_ratio" : "value", 0, 1e9);
+    limit.isLoss = fields.has("loss");
+    limit.ofFormer = limit.isLoss || fields.has("former_ratio");
+    limit.value = fields.number(limit.isLoss ? "loss" : limit.ofFormer ? "former_ratio" : "value", 0, 1e9);
     limit.evidence = readEvidence(fields, source);
     fields.finish();
     return limit;
@@ -44,6 +45,28 @@ void readSeason(RuleFields& fields, Criterion& criterion) {
     criterion.season.emplace(*first, *last);
 }
 
+void readFacing(RuleFields& fields, Criterion& criterion) {
+    if (!fields.has("facing")) return;
+    const auto bounds = fields.elements("facing");
+    const auto isAzimuth = [](const RuleJson& json) {
+        return json.is_number() && json.get<double>() >= 0 && json.get<double>() <= 360;
+    };
+    if (bounds.size() != 2 || !isAzimuth(bounds[0]) || !isAzimuth(bounds[1]))
+        return fields.trouble("facing", "Two azimuths from 0 to 360 degrees are needed here",
+                              "Write [90, 270]");
+    criterion.facing = FacingRange{bounds[0].get<double>(), bounds[1].get<double>()};
+}
+
+void readOwnHours(RuleFields& fields, Criterion& criterion) {
+    if (!fields.has("hours")) return;
+    const auto texts = fields.texts("hours");
+    const auto from = texts.size() == 2 ? parseRuleTime(texts[0]) : std::nullopt;
+    const auto to = texts.size() == 2 ? parseRuleTime(texts[1]) : std::nullopt;
+    if (!from || !to || *from >= *to)
+        return fields.trouble("hours", "Two times of day are needed here", R"(Write ["09:00", "15:00"])");
+    criterion.hours.emplace(*from, *to);
+}
+
 bool isShare(Measure measure) { return measure == Measure::share || measure == Measure::largestShare; }
 
 void checkCriterion(RuleFields& fields, const Criterion& criterion) {
@@ -53,6 +76,8 @@ void checkCriterion(RuleFields& fields, const Criterion& criterion) {
         if (limit.ofFormer && criterion.quantity == Quantity::incremental)
             fields.trouble("limit", "Incremental shadow has no former value",
                            "Use the quantity shadow or sun");
+        if (limit.isLoss && criterion.quantity != Quantity::sun)
+            fields.trouble("limit", "Only sun is lost", "Use the quantity sun");
     }
     if (criterion.measure == Measure::fullCover && criterion.quantity == Quantity::sun)
         fields.trouble("measure", "Full cover is about shadow", "Use the quantity incremental");
@@ -79,6 +104,8 @@ Criterion readCriterion(RuleFields fields, std::string key, const std::string& s
     criterion.advisory = fields.flagOr("advisory", false);
     if (fields.has("days")) criterion.combination = fields.name("days", combinationNames());
     readSeason(fields, criterion);
+    readFacing(fields, criterion);
+    readOwnHours(fields, criterion);
     criterion.belt = fields.nameOr("belt", beltNames(), LineBelt::none);
     criterion.evidence = readEvidence(fields, source);
     checkCriterion(fields, criterion);

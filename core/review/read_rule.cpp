@@ -5,6 +5,7 @@
 
 #include "core/review/read_criteria.h"
 #include "core/review/read_rule_parts.h"
+#include "core/review/read_window_rule.h"
 #include "core/review/review_columns.h"
 
 namespace noonmark {
@@ -130,6 +131,7 @@ void readParts(RuleFields& fields, Rule& rule) {
     rule.occluders = readOccluders(fields, rule.source);
     rule.baseline = readBaseline(fields, rule.source);
     rule.criteria = readCriteria(fields, rule.source);
+    readWindowVerdicts(fields, rule);
     if (fields.has("theoretical")) {
         RuleFields sum = fields.object("theoretical");
         rule.theoreticalHours = sum.number("hours", 1, 8784);

@@ -1,6 +1,7 @@
 #include "core/review/read_rule_parts.h"
 
 #include "core/review/read_criteria.h"
+#include "core/review/read_window_rule.h"
 #include "core/review/rule_times.h"
 
 namespace noonmark {
@@ -211,6 +212,7 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
     if (fields.has("road_shift") && !receivers.hasLines())
         fields.trouble("road_shift", "The field needs lines_m");
     receivers.roads = readRoadShift(fields);
+    if (receivers.surface == RuleSurface::windows) receivers.windows = readRuleWindows(fields, ruleSource);
     receivers.evidence = readEvidence(fields, ruleSource);
     fields.finish();
     return receivers;

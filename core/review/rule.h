@@ -5,7 +5,10 @@
 // documents the fields. rule_days.h turns a rule's days, window and clock into SunSteps. place_review.h takes
 // the shadow on a place day after day and reduces it to rows, figures and a verdict: spot_runs.h counts the
 // runs of each cell, criterion_days.h a criterion over the days, verdict.h compares with a limit.
+// window_rule.h is what a rule says about windows; window_review.h evaluates them one by one, and
+// building_review.h by building.
 
+#include <array>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -14,24 +17,11 @@
 
 #include "core/receivers/parcels/parcel_roads.h"
 #include "core/receivers/place.h"
+#include "core/review/window_rule.h"
 #include "core/sun/day_clock.h"
 #include "core/sun/sun_events.h"
 
 namespace noonmark {
-
-/// How sure a figure of a rule is.
-enum class FigureStatus {
-    verified,     ///< "V": read in the rule's text or on an official page
-    reported,     ///< "R": reported by practice
-    unconfirmed,  ///< "U": not checked against the rule's text
-};
-
-/// What a figure rests on. Every part of a rule carries one.
-struct Evidence {
-    FigureStatus status = FigureStatus::unconfirmed;
-    std::string source;  ///< never empty
-    bool operator==(const Evidence&) const = default;
-};
 
 /// How days are combined to one value of a criterion.
 enum class DayCombination {
@@ -101,6 +91,7 @@ struct RuleReceivers {
     double innerLineM = 0;           ///< lines at this distance from the parcel's line, 0 to 1000;
     double outerLineM = 0;           ///< 0: the rule has no lines
     std::optional<RoadShift> roads;  ///< of the parcel's line
+    RuleWindows windows;             ///< of `windows`
     Evidence evidence;
     [[nodiscard]] bool hasLines() const { return outerLineM > 0; }
 };
@@ -146,9 +137,11 @@ enum class Measure {
     largestArea,      ///< largest area at one moment, m2
     largestShare,     ///< the same as a share of the place, 0 to 1
     areaHours,        ///< area x hours, m2 h
+    skyComponent,     ///< of a window: vertical sky component, percent
+    probableSun,      ///< of a window: share of the year's probable sunlight hours, percent
 };
 
-/// What a spot needs so that it counts in Measure::share.
+/// What a spot needs so that it counts in Measure::share. A window is one spot: its share is 1 or 0.
 struct SpotCondition {
     bool unbroken = false;     ///< the longest run counts, else the total
     double minutes = 0;        ///< at least
@@ -159,11 +152,13 @@ struct SpotCondition {
 
 enum class Comparison { atMost, below, atLeast, above };
 
-/// One comparison with a limit. With `ofFormer` the ratio to the baseline's value is compared.
+/// One comparison with a limit. With `ofFormer` the ratio to the baseline's value is compared, with `isLoss`
+/// besides what the baseline has more, in the unit of the measure.
 struct Limit {
     Comparison comparison = Comparison::atMost;
     double value = 0;
     bool ofFormer = false;
+    bool isLoss = false;  ///< only with ofFormer
     Evidence evidence;
 };
 
@@ -183,6 +178,9 @@ struct Criterion {
     std::optional<DayCombination> combination;  ///< none: that of the rule's days
     std::optional<std::pair<std::chrono::month_day, std::chrono::month_day>> season;  ///< days that count
     LineBelt belt = LineBelt::none;
+    std::optional<FacingRange> facing;  ///< windows that it is about; none: all
+    /// Of windows: the sun counts between these times of the rule's clock only, minutes since midnight.
+    std::optional<std::pair<double, double>> hours;
     Evidence evidence;
 };
 
@@ -224,6 +222,10 @@ struct Rule {
     RuleOccluders occluders;
     RuleBaseline baseline;
     std::vector<Criterion> criteria;
+    /// Of windows: the rule holds if all criteria of one of these lists hold. Empty: all must hold.
+    std::vector<std::vector<std::string>> alternatives;
+    std::vector<UnitShare> shares;          ///< of windows: what a building needs; empty: each window decides
+    std::optional<SunshineTable> sunshine;  ///< of Measure::probableSun; none: every hour of sun counts
     std::optional<double> theoreticalHours;  ///< yearly sun that shares refer to; none: counted
     Evidence theoreticalEvidence;
     Deliverables deliverables;

@@ -75,7 +75,9 @@ RuleNames<Measure> measureNames() {
                                       std::pair{fullCover, std::string_view{"full cover"}},
                                       std::pair{largestArea, std::string_view{"largest area"}},
                                       std::pair{largestShare, std::string_view{"largest share"}},
-                                      std::pair{areaHours, std::string_view{"area hours"}}};
+                                      std::pair{areaHours, std::string_view{"area hours"}},
+                                      std::pair{skyComponent, std::string_view{"vsc"}},
+                                      std::pair{probableSun, std::string_view{"apsh"}}};
     return names;
 }
 
@@ -91,6 +93,28 @@ RuleNames<LineBelt> beltNames() {
     using enum LineBelt;
     static constexpr std::array names{std::pair{betweenLines, std::string_view{"between lines"}},
                                       std::pair{beyondLines, std::string_view{"beyond lines"}}};
+    return names;
+}
+
+RuleNames<PanePlace> panePlaceNames() {
+    using enum PanePlace;
+    static constexpr std::array names{std::pair{middle, std::string_view{"mid pane"}},
+                                      std::pair{sillMiddle, std::string_view{"sill middle"}},
+                                      std::pair{sillEnds, std::string_view{"sill ends"}}};
+    return names;
+}
+
+RuleNames<bool> faceNames() {
+    static constexpr std::array names{std::pair{false, std::string_view{"outside"}},
+                                      std::pair{true, std::string_view{"inside"}}};
+    return names;
+}
+
+RuleNames<WindowUnit> unitNames() {
+    using enum WindowUnit;
+    static constexpr std::array names{std::pair{window, std::string_view{"window"}},
+                                      std::pair{room, std::string_view{"room"}},
+                                      std::pair{dwelling, std::string_view{"dwelling"}}};
     return names;
 }
 
@@ -111,6 +135,9 @@ std::string_view unitOf(Measure measure) {
         case Measure::share:
         case Measure::largestShare:
             return {};
+        case Measure::skyComponent:
+        case Measure::probableSun:
+            return "%";
         case Measure::largestArea:
             return "m2";
         case Measure::areaHours:

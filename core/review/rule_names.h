@@ -25,6 +25,9 @@ RuleNames<Quantity> quantityNames();           ///< "shadow", "incremental", "su
 RuleNames<Measure> measureNames();             ///< "spot total", "share", ...
 RuleNames<Comparison> comparisonNames();       ///< "<=", "<", ">=", ">"
 RuleNames<LineBelt> beltNames();               ///< "between lines", "beyond lines"
+RuleNames<PanePlace> panePlaceNames();         ///< "mid pane", "sill middle", "sill ends"
+RuleNames<bool> faceNames();                   ///< "outside", "inside": whether it is the inside face
+RuleNames<WindowUnit> unitNames();             ///< "window", "room", "dwelling"
 
 template <class E>
 std::string_view ruleNameOf(RuleNames<E> names, E value) {
@@ -36,7 +39,7 @@ std::string_view ruleNameOf(RuleNames<E> names, E value) {
 /// "read in the rule's text", "reported by practice", "not checked against the rule's text"
 std::string_view meaningOf(FigureStatus status);
 
-/// "min", "m2", "m2 h", or nothing for shares.
+/// "min", "m2", "m2 h", "%" of windows' measures, or nothing for shares.
 std::string_view unitOf(Measure measure);
 
 }  // namespace noonmark

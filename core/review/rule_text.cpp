@@ -51,8 +51,25 @@ std::string clockText(const RuleClock& clock) {
     return text;
 }
 
+std::string windowsText(const RuleWindows& windows) {
+    const WindowPoint& point = windows.point;
+    std::string text = fmt::format(", {}, {} face", ruleNameOf(panePlaceNames(), point.place),
+                                   ruleNameOf(faceNames(), point.insideFace));
+    if (point.aboveSillM > 0) text += fmt::format(", {:g} m above the sill", point.aboveSillM);
+    if (point.aboveFloorM > 0) text += fmt::format(", {:g} m above the floor", point.aboveFloorM);
+    if (windows.leastSweepDeg > 0)
+        text += fmt::format(", sun at least {:g} deg from the pane", windows.leastSweepDeg);
+    if (windows.sweepOfOpening) text += ", sun at least arctan(wall / width) from the pane";
+    text += fmt::format("; by {}", ruleNameOf(unitNames(), windows.unit));
+    const WindowOpening& opening = windows.opening;
+    return text + fmt::format("; sill {:g} m, wall {:g} m, windows without a size {:g} x {:g} m {}",
+                              opening.sillM, opening.wallM, opening.widthM, opening.heightM,
+                              statusText(opening.evidence));
+}
+
 std::string receiversText(const RuleReceivers& receivers) {
     std::string text{ruleNameOf(surfaceNames(), receivers.surface)};
+    if (receivers.surface == RuleSurface::windows) return text + windowsText(receivers.windows);
     if (receivers.surface == RuleSurface::plane)
         text += fmt::format(" {:g} m above mean ground", receivers.planeM);
     if (receivers.hasLines())
@@ -75,6 +92,12 @@ std::string criterionText(const Criterion& criterion) {
                             describeLimit(criterion, limit),
                             ruleNameOf(figureStatusNames(), limit.evidence.status));
     if (criterion.limits.empty()) text += ": stated, no limit";
+    if (criterion.facing)
+        text += fmt::format("; windows facing {:g} to {:g} deg", criterion.facing->fromDeg,
+                            criterion.facing->toDeg);
+    if (criterion.hours)
+        text += fmt::format("; {} to {}", formatRuleTime(criterion.hours->first),
+                            formatRuleTime(criterion.hours->second));
     return text + (criterion.advisory ? " (does not decide)" : "");
 }
 
@@ -113,12 +136,24 @@ std::string partsText(const Rule& rule) {
                  rule.baseline.evidence);
     for (const Criterion& criterion : rule.criteria)
         text += line("criterion", criterionText(criterion), criterion.evidence);
+    for (const auto& keys : rule.alternatives)
+        text += fmt::format("{:<12} {}\n", &keys == &rule.alternatives.front() ? "holds if" : "or",
+                            fmt::join(keys, " and "));
+    for (const UnitShare& share : rule.shares)
+        text +=
+            line("share",
+                 fmt::format("{}: {} for at least {:g} %", share.name, share.criterion, share.atLeast * 100),
+                 share.evidence);
+    if (rule.sunshine)
+        text += line("sunshine", fmt::format("{:g}", fmt::join(rule.sunshine->byMonth, " ")),
+                     rule.sunshine->evidence);
     if (rule.theoreticalHours)
         text += line("sum", fmt::format("area x {:g} h a year", *rule.theoreticalHours),
                      rule.theoreticalEvidence);
     std::vector<std::string> titles;
     for (const RuleColumn& column : rule.deliverables.columns) titles.push_back(column.title);
-    text += line("table", fmt::format("{}", fmt::join(titles, " | ")), rule.deliverables.columnsEvidence);
+    if (!titles.empty())
+        text += line("table", fmt::format("{}", fmt::join(titles, " | ")), rule.deliverables.columnsEvidence);
     if (rule.deliverables.diagrams)
         text +=
             line("diagrams", diagramsText(*rule.deliverables.diagrams), rule.deliverables.diagrams->evidence);
@@ -134,6 +169,8 @@ FigureStatus leastSure(const Rule& rule) {
     for (const Criterion& criterion : rule.criteria)
         for (const Limit& limit : criterion.limits)
             if (!criterion.advisory) least = std::max(least, limit.evidence.status);
+    for (const UnitShare& share : rule.shares) least = std::max(least, share.evidence.status);
+    if (rule.sunshine) least = std::max(least, rule.sunshine->evidence.status);
     return least;
 }
 

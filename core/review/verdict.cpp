@@ -50,6 +50,10 @@ Measured ratioOf(const Measured& value, const Measured& former) {
             quotient(value.high, former.low)};
 }
 
+Measured lossOf(const Measured& value, const Measured& former) {
+    return {former.value - value.value, former.low - value.high, former.high - value.low};
+}
+
 Verdict worseOf(Verdict a, Verdict b) { return std::max(a, b); }
 Verdict betterOf(Verdict a, Verdict b) { return std::min(a, b); }
 

@@ -30,6 +30,9 @@ Verdict compareWith(Comparison comparison, double limit, const Measured& measure
 /// The value as a ratio to the former one. Nothing of nothing is 1; something of nothing is infinite.
 Measured ratioOf(const Measured& value, const Measured& former);
 
+/// What the former value has more.
+Measured lossOf(const Measured& value, const Measured& former);
+
 /// pass, borderline or fail: the first of these that is worse, or better.
 Verdict worseOf(Verdict a, Verdict b);
 Verdict betterOf(Verdict a, Verdict b);

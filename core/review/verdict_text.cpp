@@ -25,6 +25,9 @@ std::string formatMeasured(Measure measure, double value, UnitSystem units) {
         case Measure::share:
         case Measure::largestShare:
             return fmt::format("{:.1f} %", value * 100);
+        case Measure::skyComponent:
+        case Measure::probableSun:
+            return fmt::format("{:.1f} %", value);
         case Measure::largestArea:
             return formatSmallArea(value, units);
         case Measure::areaHours:
@@ -35,8 +38,11 @@ std::string formatMeasured(Measure measure, double value, UnitSystem units) {
 }
 
 std::string describeLimit(const Criterion& criterion, const Limit& limit, UnitSystem units) {
-    const std::string value = limit.ofFormer ? fmt::format("{:g} x former", limit.value)
-                                             : formatMeasured(criterion.measure, limit.value, units);
+    const std::string value = limit.ofFormer && !limit.isLoss
+                                  ? fmt::format("{:g} x former", limit.value)
+                                  : formatMeasured(criterion.measure, limit.value, units);
+    if (limit.isLoss)
+        return fmt::format("loss {} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
     return fmt::format("{} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
 }
 
@@ -47,16 +53,18 @@ std::string describeLimits(const Criterion& criterion, UnitSystem units) {
     return text;
 }
 
-std::string describeReason(const PlaceReview& review, UnitSystem units) {
-    if (!review.deciding) return review.unjudged;
-    const Criterion& criterion = review.criteria[*review.deciding];
-    const CriterionResult& result = review.results[*review.deciding];
+std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units) {
     std::string text =
         fmt::format("{}: {}", criterion.name, formatMeasured(criterion.measure, result.value->value, units));
     if (result.former)
         text += fmt::format(" (former {})", formatMeasured(criterion.measure, result.former->value, units));
     if (result.day) text += fmt::format(" on {}", formatText(*result.day));
     return text + ", wanted " + describeLimits(criterion, units);
+}
+
+std::string describeReason(const PlaceReview& review, UnitSystem units) {
+    if (!review.deciding) return review.unjudged;
+    return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);
 }
 
 }  // namespace noonmark

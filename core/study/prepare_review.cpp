@@ -109,8 +109,8 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
                                      const std::vector<Place>& places, const ReviewSettings& settings,
                                      const std::stop_token& stop) {
     if (rule.receivers.surface == RuleSurface::windows)
-        return unsupported("The rule is about windows, which are not measured", rule.key,
-                           "Choose another rule");
+        return unsupported("The rule is about windows, not about places", rule.key,
+                           "Give windows (--windows FILE) or facades (--facades-of NAMES) to review");
     CastingCities casting = chooseCasters(rule, baseline, scenario);
     auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());

@@ -49,7 +49,7 @@ std::string textOf(const std::filesystem::path& file) {
 
 TEST(ReviewRules, AreListedAndShownWithStatusAndSource) {
     const auto rules = noonmarkCli({"review", "list", "--json"}).json()["rules"];
-    EXPECT_EQ(rules.size(), 16U);
+    EXPECT_EQ(rules.size(), 27U);
     EXPECT_THAT(noonmarkCli({"review", "list"}).out,
                 AllOf(HasSubstr("ceqr"), HasSubstr("not checked against")));
     const std::string shown = noonmarkCli({"review", "show", "ceqr"}).out;

@@ -94,4 +94,14 @@ PointRuns SunTrack::countRuns(const BinHorizon& horizon) const {
     return {shadow.longest(), sun.longest()};
 }
 
+void SunTrack::findShadedSteps(const BinHorizon& horizon, std::vector<std::uint8_t>& shaded) const {
+    shaded.resize(suns_.size());
+    const GroupBounds bounds = boundsOf(horizon);
+    for (const Packet& packet : packets_) {
+        const std::uint32_t bits = shadedSteps(packet, horizon, bounds);
+        for (int k = 0; k < packet.count; ++k)
+            shaded[packet.first + std::uint32_t(k)] = std::uint8_t(bits >> unsigned(k) & 1U);
+    }
+}
+
 }  // namespace noonmark

@@ -32,6 +32,8 @@ public:
     explicit SunTrack(const SunSteps& sun);
 
     [[nodiscard]] PointRuns countRuns(const BinHorizon& horizon) const;
+    /// 1 in shadow, 0 lit; one entry a step. Some 2 ns a step.
+    void findShadedSteps(const BinHorizon& horizon, std::vector<std::uint8_t>& shaded) const;
 
 private:
     static constexpr int binsOfGroup = 8;

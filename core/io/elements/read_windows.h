@@ -37,7 +37,8 @@ struct WindowsRead {
 
 /// Reads windows from every layer of a file in any vector format that GDAL reads: points, or polygons of
 /// panes, both with z. A multi-geometry gives a window for each piece ("12/1", "12/2"). Fields, in any case:
-/// azimuth (or facing, orientation), degrees from true north; floor (or storey, level). A feature that cannot
+/// azimuth (or facing, orientation), degrees from true north; floor (or storey, level); room (or room_id);
+/// dwelling (or flat, apartment, unit, household). A feature that cannot
 /// be used is left out with a warning: no geometry, neither point nor polygon, no height, coordinates that
 /// are no numbers, too far away.
 ///

@@ -24,6 +24,8 @@ using Path = std::filesystem::path;
 constexpr std::array idFields{"id", "window", "window_id", "fid", "gid", "name"};
 constexpr std::array azimuthFields{"azimuth", "azimuth_deg", "facing", "orientation"};
 constexpr std::array floorFields{"floor", "storey", "story", "level"};
+constexpr std::array roomFields{"room", "room_id"};
+constexpr std::array dwellingFields{"dwelling", "flat", "apartment", "unit", "household"};
 constexpr const char* windowAdvice =
     "Give windows as points or polygons with heights (PointZ, PolygonZ), in a format such as GeoPackage";
 
@@ -68,6 +70,8 @@ public:
         made.idField_ = *id;
         made.azimuthField_ = findField(layer, azimuthFields);
         made.floorField_ = findField(layer, floorFields);
+        made.roomField_ = findField(layer, roomFields);
+        made.dwellingField_ = findField(layer, dwellingFields);
         return made;
     }
 
@@ -79,6 +83,8 @@ public:
         } else {
             shape.azimuthDeg = azimuthOf(feature, shape.id, warnings);
             shape.floor = floorOf(feature);
+            shape.room = nameIn(feature, roomField_);
+            shape.dwelling = nameIn(feature, dwellingField_);
             addPieces(*geometry, shape, warnings);
         }
     }
@@ -105,6 +111,11 @@ private:
         if (idField_ >= 0 && feature.IsFieldSetAndNotNull(idField_) != FALSE)
             if (std::string id = cleanName(feature.GetFieldAsString(idField_)); !id.empty()) return id;
         return fmt::format("feature {}", feature.GetFID());
+    }
+
+    static std::string nameIn(const OGRFeature& feature, int field) {
+        if (field < 0 || feature.IsFieldSetAndNotNull(field) == FALSE) return {};
+        return cleanName(feature.GetFieldAsString(field));
     }
 
     [[nodiscard]] std::optional<double> azimuthOf(const OGRFeature& feature, const std::string& id,
@@ -200,7 +211,7 @@ private:
     }
 
     CrsToLonLat toLonLat_;
-    int idField_ = -1, azimuthField_ = -1, floorField_ = -1;
+    int idField_ = -1, azimuthField_ = -1, floorField_ = -1, roomField_ = -1, dwellingField_ = -1;
     std::vector<FileWindow> windows_;
     std::vector<glm::dvec3> points_;
 };

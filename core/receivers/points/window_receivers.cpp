@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <limits>
@@ -133,6 +134,22 @@ private:
                                               .kind = ElementKind::window,
                                               .building = building,
                                               .floor = window.floor.value_or(floorOf(building, middle))});
+        placed_.facts.push_back({sizeOf(window.corners, middle, normal), window.room, window.dwelling});
+    }
+
+    // Corners may be metres above the ground, which the middle no longer is.
+    static PaneSize sizeOf(const std::vector<glm::dvec3>& corners, glm::dvec3 middle, glm::dvec3 normal) {
+        PaneSize size;
+        if (corners.size() < 3) return size;
+        const PaneAxes axes = findPaneAxes(normal);
+        const double raised = middle.z - paneOf(corners).middle.z;
+        for (const glm::dvec3& corner : corners) {
+            const glm::dvec3 offset = corner + glm::dvec3(0, 0, raised) - middle;
+            const glm::dvec2 place(glm::dot(offset, axes.along), glm::dot(offset, axes.up));
+            size.low = glm::min(size.low, place);
+            size.high = glm::max(size.high, place);
+        }
+        return size;
     }
 
     [[nodiscard]] std::int32_t floorOf(std::uint32_t building, glm::dvec3 middle) const {

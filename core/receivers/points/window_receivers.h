@@ -8,6 +8,7 @@
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/receivers/point_receivers.h"
+#include "core/receivers/points/window_pane.h"
 #include "core/receivers/region.h"
 
 namespace noonmark {
@@ -18,6 +19,7 @@ struct WindowShape {
     std::vector<glm::dvec3> corners;   ///< local metres; one: a point; three or more: the ring of the pane
     std::optional<double> azimuthDeg;  ///< that it faces, from true north, clockwise
     std::optional<std::int32_t> floor;
+    std::string room{}, dwelling{};  ///< names; empty: not stated
 };
 
 struct WindowSettings {
@@ -27,6 +29,7 @@ struct WindowSettings {
 
 struct WindowsPlaced {
     PointReceivers receivers;
+    std::vector<WindowFacts> facts;  ///< of the receivers
     Warnings warnings;  ///< one for each window that was left out, and where something was assumed
 };
 

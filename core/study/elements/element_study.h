@@ -2,10 +2,8 @@
 
 // The folder core/study/elements measures sunlight at points instead of cells: on facades, at windows, on a
 // horizontal plane. runElementStudy() (this file) returns an ElementStudy; element_tables.h turns it into
-// tables and JSON.
+// tables and JSON. place_elements.h places the points.
 
-#include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <stop_token>
@@ -13,28 +11,9 @@
 #include <vector>
 
 #include "core/engines/points/point_horizons.h"
-#include "core/io/elements/read_windows.h"
-#include "core/receivers/point_receivers.h"
-#include "core/study/study.h"
+#include "core/study/elements/place_elements.h"
 
 namespace noonmark {
-
-/// Where the points of a study lie.
-enum class ElementPlaces { facades, windows, plane };
-/// "facades", "windows", "plane"
-std::string_view nameOf(ElementPlaces places);
-inline constexpr std::array allElementPlaces{ElementPlaces::facades, ElementPlaces::windows,
-                                             ElementPlaces::plane};
-
-struct ElementSettings {
-    ElementPlaces places = ElementPlaces::facades;
-    /// Facades: names or ids, in any case, one or several ("A,B") in a text; empty: all of the region.
-    std::vector<std::string> buildings;
-    FacadeSettings facades;         ///< its storeyM also numbers the floors of windows
-    std::filesystem::path windows;  ///< file of the windows
-    WindowFileSettings windowFile;
-    double planeHeightM = 0;  ///< above the mean of the region's ground, 0 to 1000
-};
 
 /// Differences from the ray reference on a sample of the points, over all steps, in percent: of the sunlit
 /// minutes of the period for gross, of the longest day's for unbroken shadow.

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/mat2x2.hpp>
-#include <glm/matrix.hpp>
 #include <set>
 
 #include "core/base/csv_field.h"
 #include "core/geo/earth_drop.h"
+#include "core/study/elements/facing_azimuth.h"
 #include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
@@ -20,15 +19,6 @@ std::set<unsigned> monthsIn(const SunSteps& sun) {
     std::set<unsigned> months;
     for (const SunDay& day : sun.days) months.insert(unsigned(day.date.month()));
     return months;
-}
-
-// From true north, clockwise, 0 to 360; NaN for a level surface.
-double azimuthDegOf(const Frame& frame, LonLat place, glm::vec3 normal) {
-    const glm::dvec2 level(normal);
-    if (std::hypot(level.x, level.y) < 1e-3) return std::nan("");
-    const glm::dvec2 eastNorth = glm::inverse(frame.localFromEastNorth(place)) * level;
-    const double azimuth = Radians{std::atan2(eastNorth.x, eastNorth.y)}.degrees().value;
-    return azimuth < 0 ? azimuth + 360 : azimuth;
 }
 
 std::vector<ElementColumn> columnsOf(const ElementStudy& study) {
@@ -66,9 +56,10 @@ public:
         const double drop = study_.city.terrain ? earthDropM(glm::dvec2(position)) : 0;
         const double elevation = position.z + study_.city.frame.originElevationM() + drop;
         std::vector<ElementValue> row = elementValues(point);
-        row.insert(row.end(), {azimuthDegOf(study_.city.frame, place, study_.receivers.points.normals[point]),
-                               place.lonDeg, place.latDeg, elevation,
-                               position.z - double(groundAt(study_.city, glm::dvec2(position)))});
+        row.insert(
+            row.end(),
+            {facingAzimuthDeg(study_.city.frame, place, study_.receivers.points.normals[point]), place.lonDeg,
+             place.latDeg, elevation, position.z - double(groundAt(study_.city, glm::dvec2(position)))});
         addMinutes(point, row);
         for (const std::string& value : source_) row.emplace_back(value);
         table.rows.push_back(std::move(row));
