@@ -70,9 +70,22 @@ void VerdictCounts::add(Verdict verdict) {
 void VerdictChanges::add(Verdict former, Verdict verdict) {
     before.add(former);
     after.add(verdict);
-    if (!isJudged(former) || !isJudged(verdict)) return;
-    worse += verdict > former ? 1 : 0;
-    better += verdict < former ? 1 : 0;
+    worse += isWorse(former, verdict) ? 1 : 0;
+    better += isWorse(verdict, former) ? 1 : 0;
+}
+
+bool isWorse(Verdict former, Verdict verdict) {
+    return isJudged(former) && isJudged(verdict) && verdict > former;
+}
+
+std::vector<const WindowReview*> sortWorstFirst(const std::vector<WindowReview>& windows) {
+    std::vector<const WindowReview*> sorted;
+    for (const WindowReview& review : windows) sorted.push_back(&review);
+    std::ranges::stable_sort(sorted, {}, [](const WindowReview* review) {
+        if (isWorse(review->formerVerdict, review->verdict)) return 0;
+        return review->verdict == Verdict::fail ? 1 : review->verdict == Verdict::borderline ? 2 : 3;
+    });
+    return sorted;
 }
 
 std::vector<BuildingReview> reviewBuildings(const Rule& rule, const std::vector<WindowReview>& windows) {

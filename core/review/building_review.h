@@ -19,6 +19,9 @@ struct VerdictChanges {
     void add(Verdict former, Verdict verdict);
 };
 
+/// Whether both verdicts are known and the later one is worse: from pass to borderline or fail, ...
+bool isWorse(Verdict former, Verdict verdict);
+
 /// A share of a building's units that must meet a criterion.
 struct BuildingShare {
     std::size_t units = 0, meeting = 0, borderline = 0;  ///< of the units to which the criterion applies
@@ -37,5 +40,8 @@ struct BuildingReview {
 /// building's verdict; else its worst window does. A share is counted: it is borderline only if it hangs on
 /// windows that are.
 std::vector<BuildingReview> reviewBuildings(const Rule& rule, const std::vector<WindowReview>& windows);
+
+/// Windows whose verdict gets worse, then others that fail, borderline ones, and the rest.
+std::vector<const WindowReview*> sortWorstFirst(const std::vector<WindowReview>& windows);
 
 }  // namespace noonmark

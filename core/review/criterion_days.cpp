@@ -165,13 +165,14 @@ Measured measureDay(const Criterion& criterion, const DayShadow& day, bool forme
     return {};
 }
 
-Verdict judgeLimits(const Criterion& criterion, const Measured& value,
-                    const std::optional<Measured>& former) {
+Verdict judgeLimits(const Criterion& criterion, const Measured& value, const std::optional<Measured>& former,
+                    bool unchanged) {
+    constexpr Measured all{1, 1, 1}, none{0, 0, 0};
     Verdict verdict = Verdict::notApplicable;
     for (const Limit& limit : criterion.limits) {
         if (limit.ofFormer && !former) continue;
-        const Measured compared = limit.isLoss     ? lossOf(value, *former)
-                                  : limit.ofFormer ? ratioOf(value, *former)
+        const Measured compared = limit.isLoss     ? (unchanged ? none : lossOf(value, *former))
+                                  : limit.ofFormer ? (unchanged ? all : ratioOf(value, *former))
                                                    : value;
         const Verdict one = compareWith(limit.comparison, limit.value, compared);
         verdict = verdict == Verdict::notApplicable ? one : betterOf(verdict, one);
@@ -194,8 +195,9 @@ bool CriterionDays::decidesMore(Verdict verdict, double value) const {
     return value != found_.value->value && worse == wantsWorst;
 }
 
-void CriterionDays::takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former) {
-    const Verdict verdict = judgeLimits(*criterion_, value, former);
+void CriterionDays::takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former,
+                            bool unchanged) {
+    const Verdict verdict = judgeLimits(*criterion_, value, former, unchanged);
     found_.failingDays += verdict == Verdict::fail ? 1 : 0;
     found_.borderlineDays += verdict == Verdict::borderline ? 1 : 0;
     if (!decidesMore(verdict, value.value)) return;
@@ -215,7 +217,8 @@ std::optional<double> CriterionDays::add(const DayShadow& day, double weight) {
 }
 
 void CriterionDays::add(CivilDate day, const Measured& value, const std::optional<Measured>& former,
-                        double weight) {
+                        double weight, bool unchanged) {
+    unchanged_ = unchanged_ && unchanged;
     ++found_.days;
     weights_ += weight;
     addWeighted(sum_, value, weight);
@@ -224,7 +227,7 @@ void CriterionDays::add(CivilDate day, const Measured& value, const std::optiona
         addWeighted(formerSum_, *former, weight);
     }
     if (combination_ == DayCombination::every || combination_ == DayCombination::chosen)
-        takeDay(day, value, former);
+        takeDay(day, value, former, unchanged);
 }
 
 CriterionResult CriterionDays::result() const {
@@ -234,7 +237,7 @@ CriterionResult CriterionDays::result() const {
     const double by = combination_ == DayCombination::average ? weights_ : 1;
     result.value = divided(sum_, by);
     if (hasFormer_) result.former = divided(formerSum_, by);
-    result.verdict = judgeLimits(*criterion_, *result.value, result.former);
+    result.verdict = judgeLimits(*criterion_, *result.value, result.former, unchanged_);
     return result;
 }
 

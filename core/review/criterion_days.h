@@ -40,8 +40,10 @@ private:
 Measured measureDay(const Criterion& criterion, const DayShadow& day, bool former);
 
 /// Compares a value with the limits of a criterion, any one of which must hold. Not applicable: it has no
-/// limit, or only limits relative to a former value that does not exist.
-Verdict judgeLimits(const Criterion& criterion, const Measured& value, const std::optional<Measured>& former);
+/// limit, or only limits relative to a former value that does not exist. `unchanged`: value and former come
+/// from the same sun, so that their ratio is exactly 1.
+Verdict judgeLimits(const Criterion& criterion, const Measured& value, const std::optional<Measured>& former,
+                    bool unchanged = false);
 
 /// Whether a criterion is about that day.
 bool isInSeason(const Criterion& criterion, CivilDate date);
@@ -55,11 +57,12 @@ public:
     /// `weight`: days that this day stands for. Returns the day's value; none if the day is out of season.
     std::optional<double> add(const DayShadow& day, double weight);
     /// The same for a day in season whose value is known, and its former value where there is one.
-    void add(CivilDate day, const Measured& value, const std::optional<Measured>& former, double weight);
+    void add(CivilDate day, const Measured& value, const std::optional<Measured>& former, double weight,
+             bool unchanged = false);
     [[nodiscard]] CriterionResult result() const;
 
 private:
-    void takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former);
+    void takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former, bool unchanged);
     [[nodiscard]] bool decidesMore(Verdict verdict, double value) const;
 
     const Criterion* criterion_;
@@ -67,7 +70,7 @@ private:
     CriterionResult found_;
     Measured sum_, formerSum_;
     double weights_ = 0;
-    bool hasFormer_ = false;
+    bool hasFormer_ = false, unchanged_ = true;
 };
 
 }  // namespace noonmark

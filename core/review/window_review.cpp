@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/review/verdict_text.h"
 
@@ -79,9 +81,11 @@ struct ProbableSun {
 /// One criterion over all days, for the scenario and for the baseline held against itself.
 class WindowCriterion {
 public:
-    WindowCriterion(const Rule& rule, const Criterion& criterion)
+    /// `isUnchanged`: the window has the same sun before and after.
+    WindowCriterion(const Rule& rule, const Criterion& criterion, bool isUnchanged)
         : rule_(rule),
           criterion_(criterion),
+          isUnchanged_(isUnchanged),
           days_(criterion, rule.days.combination),
           formerDays_(criterion, rule.days.combination) {}
 
@@ -99,14 +103,14 @@ public:
         if (!isOfYear()) return days_.result();
         CriterionResult result{.value = valueOf(light, false), .days = 1};
         if (light.before) result.former = valueOf(light, true);
-        result.verdict = judgeLimits(criterion_, *result.value, result.former);
+        result.verdict = judgeLimits(criterion_, *result.value, result.former, isUnchanged(light));
         return result;
     }
     [[nodiscard]] Verdict formerVerdict(const WindowSunlight& light) const {
         if (!light.before) return Verdict::notApplicable;
         if (!isOfYear()) return formerDays_.result().verdict;
         const Measured former = valueOf(light, true);
-        return judgeLimits(criterion_, former, former);
+        return judgeLimits(criterion_, former, former, true);
     }
 
 private:
@@ -118,8 +122,8 @@ private:
         const Measured value = measureRuns(criterion_, runs.after, error);
         if (!hasFormer) return days_.add(day, value, std::nullopt, weight);
         const Measured former = measureRuns(criterion_, runs.before, error);
-        days_.add(day, value, former, weight);
-        formerDays_.add(day, former, former, weight);
+        days_.add(day, value, former, weight, isUnchanged_);
+        formerDays_.add(day, former, former, weight, true);
     }
 
     [[nodiscard]] bool isOfYear() const {
@@ -143,8 +147,15 @@ private:
         return {value, std::max(0.0, value - skyComponentErrorPct), value + skyComponentErrorPct};
     }
 
+    [[nodiscard]] bool isUnchanged(const WindowSunlight& light) const {
+        if (criterion_.measure != Measure::skyComponent) return isUnchanged_;
+        constexpr double rounding = 1e-6;
+        return std::abs(light.skyComponentPct - light.formerSkyComponentPct) < rounding;
+    }
+
     const Rule& rule_;
     const Criterion& criterion_;
+    bool isUnchanged_;
     CriterionDays days_, formerDays_;
     ProbableSun probable_, formerProbable_;
     DayRuns clipped_;
@@ -220,7 +231,8 @@ WindowReview reviewWindow(const Rule& rule, const RuleSun& sun, const ReviewedWi
     const double step = sun.sun.stepMinutes;
     const RunError error{step, step + engineErrorMin};
     std::vector<WindowCriterion> criteria;
-    for (const Criterion& criterion : rule.criteria) criteria.emplace_back(rule, criterion);
+    const bool isUnchanged = light.before && *light.before == light.after;
+    for (const Criterion& criterion : rule.criteria) criteria.emplace_back(rule, criterion, isUnchanged);
     DayRuns runs;
     for (std::size_t i = 0; i < sun.sun.days.size(); ++i) {
         const SunDay& day = sun.sun.days[i];

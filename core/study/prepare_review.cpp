@@ -109,8 +109,9 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
                                      const std::vector<Place>& places, const ReviewSettings& settings,
                                      const std::stop_token& stop) {
     if (rule.receivers.surface == RuleSurface::windows)
-        return unsupported("The rule is about windows, not about places", rule.key,
-                           "Give windows (--windows FILE) or facades (--facades-of NAMES) to review");
+        return unsupported(
+            "The rule is about windows, not about places", rule.key,
+            "Review windows with noonmark-cli review run --windows FILE or --facades-of NAMES");
     CastingCities casting = chooseCasters(rule, baseline, scenario);
     auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());

@@ -167,6 +167,59 @@ TEST_F(ReviewCommand, RefusesWhatItDoesNotKnow) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path("review/review.json")));
 }
 
+TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
+    const std::vector<std::string> facades{"--facades-of", "all",
+                                           "--region",     "-73.9800,40.7645,-73.9780,40.7660",
+                                           "--bay",        "15",
+                                           "--storey",     "30",
+                                           "--zone",       "America/New_York",
+                                           "--json",       "--overwrite"};
+    const Spoken spoken = review("korea", facades);
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["rule"], "korea");
+    ASSERT_GT(json["windows"].size(), 20U);
+    const auto& first = json["windows"][0];
+    for (const char* key : {"id", "building", "floor", "azimuth_deg", "verdict", "verdict_before", "bands",
+                            "bands_before", "criteria"})
+        EXPECT_TRUE(first.contains(key)) << key;
+    const auto& counts = json["counts"]["windows"]["after"];
+    EXPECT_EQ(std::size_t(counts["pass"]) + std::size_t(counts["borderline"]) + std::size_t(counts["fail"]),
+              json["windows"].size());
+    EXPECT_THAT(std::string(json["repeat"]), HasSubstr("--facades-of all"));
+    const std::string csv = textOf(folder_.path("review") / "windows.csv");
+    EXPECT_THAT(csv,
+                testing::StartsWith("id,building,building_name,floor,azimuth_deg,windows,total_before,"));
+    EXPECT_EQ(std::size_t(std::ranges::count(csv, '\n')), json["windows"].size() + 1);
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("review") / "windows.gpkg"));
+    EXPECT_THAT(textOf(folder_.path("review") / "sheets.pdf"), testing::StartsWith("%PDF"));
+    std::vector<std::string> byHorizons = facades;
+    byHorizons.insert(byHorizons.end(), {"--engine", "horizon"});
+    const Spoken swept = review("korea", byHorizons);
+    for (std::size_t i = 0; i < json["windows"].size(); ++i)
+        EXPECT_EQ(swept.json()["windows"][i]["verdict"], json["windows"][i]["verdict"]) << i;
+}
+
+TEST_F(ReviewCommand, RefusesWindowsWherePlacesBelongAndTheReverse) {
+    const std::vector<std::string> zone{"--zone", "America/New_York"};
+    const auto error = [&](const std::string& rule, std::vector<std::string> more) {
+        more.insert(more.end(), zone.begin(), zone.end());
+        const Spoken spoken = review(rule, more);
+        EXPECT_EQ(spoken.code, exitUsage);
+        return spoken.err;
+    };
+    EXPECT_THAT(error("korea", {"--places", "all"}), HasSubstr("about windows"));
+    EXPECT_THAT(error("korea", {}), HasSubstr("--facades-of"));
+    EXPECT_THAT(error("ceqr", {"--facades-of", "One57"}), HasSubstr("about places"));
+    EXPECT_THAT(error("korea", {"--places", "all", "--facades-of", "One57"}),
+                HasSubstr("not reviewed together"));
+    EXPECT_THAT(error("korea", {"--facades-of", "Nowhere House"}), HasSubstr("no building"));
+    EXPECT_THAT(error("korea", {"--windows", "nowhere.gpkg"}), HasSubstr("nowhere.gpkg"));
+    EXPECT_THAT(error("korea", {"--facades-of", "One57", "--sunshine",
+                                "0.2,0.2,0.2,0.2,0.2,0.2,0.2,0.2,0.2,0.2,0.2,0.2"}),
+                HasSubstr("no probable sunlight"));
+}
+
 }  // namespace
 
 }  // namespace noonmark::cli::tests

@@ -37,7 +37,15 @@ void addFacadeOptions(CLI::App& command, StudyOptions& options) {
     addMetres("--above-floor", facades.aboveFloorM, "Facades: height of the points above the floor", 0, 50);
 }
 
-void addWindowOptions(CLI::App& command, ElementSettings& elements) {
+Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces places, const char* option) {
+    if (!given || options.points == places) return {};
+    return failure(fmt::format("{} needs --receivers {}", option, nameOf(places)), option,
+                   fmt::format("Add --receivers {}, or omit {}", nameOf(places), option));
+}
+
+}  // namespace
+
+void addWindowFileOptions(CLI::App& command, ElementSettings& elements) {
     command
         .add_option_function<std::string>(
             "--windows", [&elements](const std::string& file) { elements.windows = file; },
@@ -61,17 +69,9 @@ void addWindowOptions(CLI::App& command, ElementSettings& elements) {
         ->type_name("WHAT");
 }
 
-Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces places, const char* option) {
-    if (!given || options.points == places) return {};
-    return failure(fmt::format("{} needs --receivers {}", option, nameOf(places)), option,
-                   fmt::format("Add --receivers {}, or omit {}", nameOf(places), option));
-}
-
-}  // namespace
-
 void addElementOptions(CLI::App& command, StudyOptions& options) {
     addFacadeOptions(command, options);
-    addWindowOptions(command, options.elements);
+    addWindowFileOptions(command, options.elements);
     command
         .add_option("--plane-height", options.elements.planeHeightM,
                     "Plane: its height above the mean of the region's ground")

@@ -42,6 +42,9 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
 /// Adds the options of points: --facades-of, --windows, --plane-height and what belongs to them.
 void addElementOptions(CLI::App& command, StudyOptions& options);
 
+/// Adds --windows and how the file is read.
+void addWindowFileOptions(CLI::App& command, ElementSettings& elements);
+
 /// What the options of points lack or have too much. Call it before the city is read.
 Result<void> checkElementOptions(const StudyOptions& options);
 

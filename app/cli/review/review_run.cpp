@@ -14,9 +14,8 @@
 #include "app/cli/project/project_question.h"
 #include "app/cli/review/places_in_reach.h"
 #include "app/cli/review/review_commands.h"
-#include "app/cli/review/rule_options.h"
+#include "app/cli/review/review_run_options.h"
 #include "app/cli/table.h"
-#include "app/input/output_rules.h"
 #include "app/report/files/review_files.h"
 #include "core/base/progress_share.h"
 #include "core/engines/auto_engine.h"
@@ -29,18 +28,6 @@
 namespace noonmark::cli {
 
 namespace {
-
-struct ReviewRunOptions {
-    RuleOptions rules;
-    SheetOptions sheets;
-    std::string file, rule, from, to, out;
-    std::vector<std::string> places;
-    ReviewSettings settings{1, {}, 0};
-    bool overwrite = false;
-    bool byteOrderMark = false;
-    bool inReach = false;
-    bool json = false;
-};
 
 struct ReviewAnswer {
     ReviewStudy study;
@@ -64,30 +51,13 @@ Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule
     return failure("The project has no places", options.file, "Add some: noonmark-cli project place --help");
 }
 
-/// The zone of the options, or the one that all periods of the project have.
-Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project) {
-    if (!options.settings.zone.empty())
-        return Zone::named(options.settings.zone).map([](const Zone& zone) { return zone.name(); });
-    if (auto zone = commonZone(project)) return *std::move(zone);
-    return failure("The rule's hours need a time zone", "--zone",
-                   "Give --zone, for example --zone America/New_York");
-}
-
-int yearOf(const ReviewRunOptions& options, const Project& project) {
-    if (options.settings.year != 0) return options.settings.year;
-    return project.periods.empty() ? 2026 : int(project.periods.front().period.start.year());
-}
-
-Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const ProjectFile& disk,
+Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Rule& rule,
+                                   const RuleLibrary& library, const ProjectFile& disk,
                                    const OutputRules& outputs, const Console& console) {
     const Project& project = disk.project();
-    const auto library = loadRules(options.rules);
-    if (!library) return tl::make_unexpected(library.error());
-    const auto rule = findRule(*library, options.rule, options.rules);
-    if (!rule) return tl::make_unexpected(rule.error());
-    const auto drawn = placesFor(options, *rule, project);
+    const auto drawn = placesFor(options, rule, project);
     if (!drawn) return tl::make_unexpected(drawn.error());
-    auto taken = moveLines(*rule, project, *drawn);
+    auto taken = moveLines(rule, project, *drawn);
     if (!taken) return tl::make_unexpected(taken.error());
     const auto zone = zoneOf(options, project);
     if (!zone) return tl::make_unexpected(zone.error());
@@ -103,13 +73,13 @@ Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Projec
     ProgressLine progress(console);
     Result<std::vector<Place>> places = std::move(taken->places);
     if (options.inReach)
-        places = choosePlacesInReach(*rule, before->city, after->city, *places, settings, progress,
+        places = choosePlacesInReach(rule, before->city, after->city, *places, settings, progress,
                                      interrupt.token());
     if (!places) return tl::make_unexpected(places.error());
-    auto study = runReview(*rule, before->city, after->city, *places, settings, AutoEngine(), progress,
+    auto study = runReview(rule, before->city, after->city, *places, settings, AutoEngine(), progress,
                            interrupt.token());
     if (!study) return tl::make_unexpected(study.error());
-    study->warnings.insert(study->warnings.end(), library->warnings().begin(), library->warnings().end());
+    study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
     putBefore(study->warnings, taken->moved);
     putBefore(study->warnings, project.reading->warnings);
     ReviewLabels labels{options.from, options.to,
@@ -182,12 +152,35 @@ Result<std::vector<std::filesystem::path>> writeFiles(const ReviewAnswer& answer
                             interrupt.token());
 }
 
+/// A rule about windows needs windows, and one about places places.
+Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
+    const bool isOfWindows = rule.receivers.surface == RuleSurface::windows;
+    if (options.windows.asked() && !options.places.empty())
+        return failure("Places and windows are not reviewed together", "--places",
+                       "Omit --places, or --windows and --facades-of");
+    if (isOfWindows && !options.windows.asked())
+        return failure("The rule is about windows", rule.key,
+                       "Give --windows FILE or --facades-of NAMES|all");
+    if (!isOfWindows && options.places.empty())
+        return failure("The rule is about places", rule.key, "Give --places NAMES or --places all");
+    if (isOfWindows && options.inReach)
+        return failure("--in-reach is about places", "--in-reach", "Omit --in-reach");
+    return {};
+}
+
 int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     const OffscreenQt qt;
     const auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
     OutputRules outputs = outputRules({options.file}, disk->project().inputs, options.overwrite);
-    const auto answer = computeReview(options, *disk, outputs, console);
+    const auto library = loadRules(options.rules);
+    if (!library) return fail(console, library.error(), exitUsage);
+    const auto rule = findRule(*library, options.rule, options.rules);
+    if (!rule) return fail(console, rule.error(), exitUsage);
+    if (const auto fits = checkReceivers(options, *rule); !fits)
+        return fail(console, fits.error(), exitUsage);
+    if (options.windows.asked()) return runWindowReviews(options, *rule, *library, *disk, outputs, console);
+    const auto answer = computeReview(options, *rule, *library, *disk, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
     const auto written = writeFiles(*answer, options, outputs, console);
     if (!written) return fail(console, written.error(), exitFailed);
@@ -209,8 +202,8 @@ void addQuestion(CLI::App& command, ReviewRunOptions& options) {
     command.add_option("--to", options.to, "The scenario to review")->required()->type_name("NAME");
     command
         .add_option("--places", options.places,
-                    "Places of the project by name, or all; of rules about parcels: its lots")
-        ->required()
+                    "Places of the project by name, or all; of rules about parcels: its lots. Rules about "
+                    "windows take --windows or --facades-of instead")
         ->type_name("all|NAME...");
     command.add_flag("--in-reach", options.inReach,
                      "Of these places, only those that the rule covers and that the shadow of the proposal "
@@ -229,31 +222,50 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->capture_default_str()
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
+    addReviewedWindows(command, options.windows);
     addRuleFolders(command, options.rules);
     addRuleChoices(command, options.rules);
     command
-        .add_option("--out", options.out,
-                    "Folder for review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg")
+        .add_option(
+            "--out", options.out,
+            "Folder for review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg; of windows "
+            "review.json, windows.csv, windows.gpkg and sheets.pdf")
         ->required()
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
     addDiagramScale(command, options.sheets);
-    command.add_flag("--bom", options.byteOrderMark,
-                     "review.csv begins with a byte order mark, by which Excel recognises UTF-8");
+    command.add_flag(
+        "--bom", options.byteOrderMark,
+        "review.csv or windows.csv begins with a byte order mark, by which Excel recognises UTF-8");
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--json", options.json, "Print only JSON to standard output");
 }
 
 }  // namespace
 
+Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project) {
+    if (!options.settings.zone.empty())
+        return Zone::named(options.settings.zone).map([](const Zone& zone) { return zone.name(); });
+    if (auto zone = commonZone(project)) return *std::move(zone);
+    return failure("The rule's hours need a time zone", "--zone",
+                   "Give --zone, for example --zone America/New_York");
+}
+
+int yearOf(const ReviewRunOptions& options, const Project& project) {
+    if (options.settings.year != 0) return options.settings.year;
+    return project.periods.empty() ? 2026 : int(project.periods.front().period.start.year());
+}
+
 void addReviewRun(CLI::App& review, Run& run) {
     const auto options = std::make_shared<ReviewRunOptions>();
-    CLI::App* command = review.add_subcommand("run", "Evaluate a rule on places of a project");
+    CLI::App* command = review.add_subcommand("run", "Evaluate a rule on places or windows of a project");
     addQuestion(*command, *options);
     addSettings(*command, *options);
     command->footer(
         "noonmark-cli review run town.noonmark.gpkg --rule ceqr --from \"No action\" --to Proposal \\\n"
-        "    --places all --zone America/New_York --out review");
+        "    --places all --zone America/New_York --out review\n"
+        "noonmark-cli review run town.noonmark.gpkg --rule bre-209-windows --to Proposal \\\n"
+        "    --facades-of \"Mill House\" --zone Europe/London --out review");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runReviewRun(*options, console); };
     });

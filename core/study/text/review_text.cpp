@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/base/csv_field.h"
 #include "core/base/version.h"
 #include "core/review/review_columns.h"
@@ -12,6 +10,7 @@
 #include "core/review/verdict_text.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
+#include "core/study/text/criterion_json.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark {
@@ -22,10 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array rowKeys{"day",         "enters",        "exits",         "duration_min",
                              "max_area_m2", "max_point_min", "full_cover_min"};
-
-double round4(double value) { return std::round(value * 1e4) / 1e4; }
-
-Json numberOrNull(double value) { return std::isfinite(value) ? Json(round4(value)) : Json(); }
 
 Json timeOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
@@ -64,37 +59,6 @@ Json rowJson(const PlaceReview& review, const ReviewRow& row) {
         criteria[review.criteria[i].key] = row.criteria[i] ? numberOrNull(*row.criteria[i]) : Json();
     json["criteria"] = criteria;
     return json;
-}
-
-Json measuredJson(const std::optional<Measured>& measured) {
-    if (!measured) return {};
-    return {{"value", numberOrNull(measured->value)},
-            {"low", numberOrNull(measured->low)},
-            {"high", numberOrNull(measured->high)}};
-}
-
-Json limitJson(const Limit& limit) {
-    return {{"compare", ruleNameOf(comparisonNames(), limit.comparison)},
-            {limit.ofFormer ? "former_ratio" : "value", limit.value},
-            {"status", ruleNameOf(figureStatusNames(), limit.evidence.status)},
-            {"source", limit.evidence.source}};
-}
-
-Json criterionJson(const Criterion& criterion, const CriterionResult& result) {
-    Json limits = Json::array();
-    for (const Limit& limit : criterion.limits) limits.push_back(limitJson(limit));
-    return {{"key", criterion.key},
-            {"name", criterion.name},
-            {"unit", unitOf(criterion.measure)},
-            {"verdict", nameOf(result.verdict)},
-            {"advisory", criterion.advisory},
-            {"measured", measuredJson(result.value)},
-            {"former", measuredJson(result.former)},
-            {"limits", limits},
-            {"day", result.day ? Json(formatText(*result.day)) : Json()},
-            {"days", result.days},
-            {"failing_days", result.failingDays},
-            {"borderline_days", result.borderlineDays}};
 }
 
 Json totalsJson(const ReviewTotals& totals) {
@@ -157,15 +121,6 @@ Json contributionsJson(const ReviewStudy& study) {
         all.push_back({{"id", building.id}, {"name", building.name}, {"places", places}});
     }
     return all;
-}
-
-Json figuresJson(const Rule& rule) {
-    Json figures = Json::array();
-    for (const StatedFigure& figure : rule.figures)
-        figures.push_back({{"text", figure.text},
-                           {"status", ruleNameOf(figureStatusNames(), figure.evidence.status)},
-                           {"source", figure.evidence.source}});
-    return figures;
 }
 
 }  // namespace

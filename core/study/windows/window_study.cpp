@@ -263,18 +263,21 @@ Result<WindowStudy> answerWindows(const Rule& asked, const City& baseline, const
                       listNotChecked(rule, scenario, settings),
                       {},
                       {}};
-    study.engine = settings.by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";
+    const auto by =
+        settings.by.value_or(days->sun.steps.size() <= mostTracedSteps ? ShadedStepFinder::By::rays
+                                                                       : ShadedStepFinder::By::horizons);
+    study.engine = by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";
     study.warnings = placed->warnings;
     addAssumptions(study, *placed, study.warnings);
     study.seconds["prepare"] = whole.seconds();
     const Stopwatch watch;
     const bool same = isSameCity(baseline, scenario);
     const CastingCities casting = chooseCasters(rule, baseline, scenario);
-    const auto after = ShadedStepFinder::over(casting.after, days->sun, settings.by, stop);
+    const auto after = ShadedStepFinder::over(casting.after, days->sun, by, stop);
     if (!after) return tl::make_unexpected(after.error());
     std::optional<ShadedStepFinder> before;
     if (!same) {
-        auto found = ShadedStepFinder::over(casting.before, days->sun, settings.by, stop);
+        auto found = ShadedStepFinder::over(casting.before, days->sun, by, stop);
         if (!found) return tl::make_unexpected(found.error());
         before = *std::move(found);
     }

@@ -4,6 +4,7 @@
 // WindowStudy; window_text.h turns it into tables and JSON.
 
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -21,8 +22,10 @@ struct WindowReviewSettings {
     Region region;     ///< windows outside are left out
     std::string zone;  ///< IANA name
     int year = 2026;   ///< of rules that name none
-    ShadedStepFinder::By by = ShadedStepFinder::By::horizons;
+    /// None: rays up to mostTracedSteps, which take no longer then, else horizons.
+    std::optional<ShadedStepFinder::By> by{};
 };
+inline constexpr std::size_t mostTracedSteps = 2000;
 
 /// A rule's answers for windows.
 struct WindowStudy {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/console.h"
+#include "app/cli/options/sheet_options.h"
+#include "app/cli/review/rule_options.h"
+#include "app/input/output_rules.h"
+#include "core/study/elements/place_elements.h"
+#include "core/study/review_study.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark::cli {
+
+/// The windows that a rule is evaluated on.
+struct ReviewedWindows {
+    ElementSettings elements;
+    bool ofFile = false, onFacades = false;  ///< which of the two was asked for
+    std::string region = "city";
+    std::string engine = "auto";
+    std::optional<double> wallM;   ///< thickness of the walls, instead of the rule's
+    std::vector<double> sunshine;  ///< twelve probabilities, or empty
+    [[nodiscard]] bool asked() const { return ofFile || onFacades; }
+};
+
+/// The options of `review run`, as given by the user.
+struct ReviewRunOptions {
+    RuleOptions rules;
+    SheetOptions sheets;
+    std::string file, rule, from, to, out;
+    std::vector<std::string> places;
+    ReviewSettings settings{1, {}, 0};
+    ReviewedWindows windows;
+    bool overwrite = false;
+    bool byteOrderMark = false;
+    bool inReach = false;
+    bool json = false;
+};
+
+/// The zone of the options, or the one that all periods of the project have.
+Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project);
+/// The year of the options, that of the project's first period, or 2026.
+int yearOf(const ReviewRunOptions& options, const Project& project);
+
+/// Adds --windows, --facades-of and what belongs to them.
+void addReviewedWindows(CLI::App& command, ReviewedWindows& windows);
+
+/// Runs `review run` of a rule about windows: measures, writes the files and prints the counts, or
+/// review.json. Returns the exit code.
+int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
+                     const ProjectFile& disk, OutputRules outputs, const Console& console);
+
+}  // namespace noonmark::cli

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/study_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/project/project_question.h"
+#include "app/cli/review/review_run_options.h"
+#include "app/cli/table.h"
+#include "app/report/book/review/review_book.h"
+#include "app/report/files/window_files.h"
+#include "core/review/verdict_text.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct WindowAnswer {
+    WindowStudy study;
+    ReviewLabels labels;
+    City scenario;
+    HeightFacts heights;
+    BookSettings sheets;
+};
+
+const Evidence givenByUser{FigureStatus::unconfirmed, "Given by the user"};
+
+/// The rule with what the options change.
+Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
+    if (windows.wallM) {
+        rule.receivers.windows.opening.wallM = *windows.wallM;
+        rule.readings.push_back(fmt::format("Walls of {:g} m, as given by the user", *windows.wallM));
+    }
+    if (windows.sunshine.empty()) return rule;
+    if (std::ranges::none_of(rule.criteria,
+                             [](const Criterion& c) { return c.measure == Measure::probableSun; }))
+        return failure("The rule asks for no probable sunlight hours", "--sunshine", "Omit --sunshine");
+    if (std::ranges::max(windows.sunshine) <= 0)
+        return failure("The sun must shine in one month at least", "--sunshine");
+    rule.sunshine.emplace();
+    std::ranges::copy(windows.sunshine, rule.sunshine->byMonth.begin());
+    rule.sunshine->evidence = givenByUser;
+    rule.readings.push_back("Hours of sun are weighted by the monthly probabilities that the user gave");
+    return rule;
+}
+
+std::vector<RepeatOption> repeatOptions(const ReviewRunOptions& options, const BookSettings& sheets) {
+    const ReviewedWindows& windows = options.windows;
+    const ElementSettings& elements = windows.elements;
+    std::vector<RepeatOption> repeated;
+    const auto add = [&](const char* name, std::vector<std::string> values) {
+        repeated.push_back({name, std::move(values)});
+    };
+    if (windows.ofFile) add("--windows", {elements.windows.filename().string()});
+    if (windows.ofFile && !elements.windowFile.idField.empty())
+        add("--window-id", {elements.windowFile.idField});
+    if (windows.ofFile && elements.windowFile.crs) add("--windows-crs", {*elements.windowFile.crs});
+    if (windows.ofFile && elements.windowFile.aboveGround) add("--window-heights", {"ground"});
+    if (windows.onFacades && elements.buildings.empty()) add("--facades-of", {"all"});
+    for (const std::string& name : elements.buildings) add("--facades-of", {name});
+    if (windows.onFacades) add("--bay", {fmt::format("{}", elements.facades.bayM)});
+    add("--storey", {fmt::format("{}", elements.facades.storeyM)});
+    add("--region", {windows.region});
+    if (windows.wallM) add("--wall", {fmt::format("{}", *windows.wallM)});
+    if (!windows.sunshine.empty()) add("--sunshine", {fmt::format("{}", fmt::join(windows.sunshine, ","))});
+    if (windows.engine != "auto") add("--engine", {windows.engine});
+    for (RepeatOption& option : makeRepeatOptions(sheets)) repeated.push_back(std::move(option));
+    return repeated;
+}
+
+Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule& asked,
+                                    const RuleLibrary& library, const ProjectFile& disk,
+                                    const OutputRules& outputs, const Console& console) {
+    const Project& project = disk.project();
+    const auto rule = withOptions(asked, options.windows);
+    if (!rule) return tl::make_unexpected(rule.error());
+    const auto zone = zoneOf(options, project);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
+    if (!before) return tl::make_unexpected(before.error());
+    if (!after) return tl::make_unexpected(after.error());
+    const auto region = regionIn(project, after->city, options.windows.region);
+    if (!region) return tl::make_unexpected(region.error());
+    if (const auto may = checkOutputs(options.out, windowFileNames(), outputs); !may)
+        return tl::make_unexpected(may.error());
+    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    if (!sheets) return tl::make_unexpected(sheets.error());
+    using By = ShadedStepFinder::By;
+    std::optional<By> by;
+    if (options.windows.engine != "auto") by = options.windows.engine == "ray" ? By::rays : By::horizons;
+    const WindowReviewSettings settings{options.windows.elements, *region, *zone, yearOf(options, project),
+                                        by};
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    auto study = runWindowReview(*rule, before->city, after->city, settings, progress, interrupt.token());
+    if (!study) return tl::make_unexpected(study.error());
+    study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
+    putBefore(study->warnings, project.reading->warnings);
+    ReviewLabels labels{options.from,
+                        options.to,
+                        provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
+                        {},
+                        repeatOptions(options, *sheets)};
+    return WindowAnswer{*std::move(study), std::move(labels), after->city, project.reading->heights, *sheets};
+}
+
+std::string countsText(const VerdictCounts& counts) {
+    return fmt::format("{} pass, {} borderline, {} fail, {} not applicable", counts.pass, counts.borderline,
+                       counts.fail, counts.notApplicable);
+}
+
+void addChanges(Table& table, const std::string& what, const VerdictChanges& changes) {
+    table.add(what + " before", countsText(changes.before));
+    table.add(what + " after", countsText(changes.after));
+    table.add(what + " changed", fmt::format("{} worse, {} better", changes.worse, changes.better));
+}
+
+void printWindows(const WindowAnswer& answer, const std::vector<std::filesystem::path>& files,
+                  std::ostream& out) {
+    const WindowStudy& study = answer.study;
+    Table table;
+    table.add("rule", fmt::format("{} ({})", study.rule.name, study.rule.key));
+    table.add("from, to", fmt::format("{} -> {}", answer.labels.from, answer.labels.to));
+    table.add("clock", fmt::format("{}, {}", study.clock.text(), study.year));
+    table.add("engine", fmt::format("{}, {} steps of {:g} min", study.engine, withCommas(study.steps),
+                                    study.stepMinutes));
+    addChanges(table, "windows", study.windowChanges);
+    addChanges(table, "buildings", study.buildingChanges);
+    table.add("time", fmt::format("{:.2f} s", study.seconds.at("total")));
+    table.print(out);
+    constexpr std::size_t mostLines = 20;
+    std::size_t listed = 0;
+    for (const WindowReview* review : sortWorstFirst(study.windows)) {
+        if (review->verdict != Verdict::fail && review->verdict != Verdict::borderline) break;
+        if (++listed <= mostLines)
+            out << fmt::format("{}{}: {}, {} before. {}\n", listed == 1 ? "\n" : "", review->window.id,
+                               nameOf(review->verdict), nameOf(review->formerVerdict),
+                               describeReason(study.rule, *review));
+    }
+    if (listed > mostLines)
+        out << fmt::format("({} more windows that do not pass are in windows.csv)\n", listed - mostLines);
+    out << "\nNot checked:\n";
+    for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
+    out << "\nFiles\n";
+    for (const auto& file : files) out << "  " << file.string() << '\n';
+    printWarnings(out, study.warnings);
+}
+
+void addFacades(CLI::App& command, ReviewedWindows& windows) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--facades-of",
+            [&windows](const std::vector<std::string>& names) {
+                windows.onFacades = true;
+                windows.elements.places = ElementPlaces::facades;
+                if (names != std::vector<std::string>{"all"}) windows.elements.buildings = names;
+            },
+            "Rules about windows: a window in each bay and storey of these buildings, by name or id, or of "
+            "all of the region; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("NAME,...|all");
+    const auto addMetres = [&](const char* name, double& value, const char* help) {
+        command.add_option(name, value, help)
+            ->capture_default_str()
+            ->check(within(0.25, 50.0))
+            ->type_name("M");
+    };
+    addMetres("--bay", windows.elements.facades.bayM, "Facades: width of a bay, one window each");
+    addMetres("--storey", windows.elements.facades.storeyM,
+              "Height of a storey: facades have one window each, windows are numbered by it");
+}
+
+}  // namespace
+
+void addReviewedWindows(CLI::App& command, ReviewedWindows& windows) {
+    addWindowFileOptions(command, windows.elements);
+    command.get_option("--windows")->each([&windows](const std::string&) {
+        windows.ofFile = true;
+        windows.elements.places = ElementPlaces::windows;
+    });
+    addFacades(command, windows);
+    command.get_option("--facades-of")->excludes("--windows");
+    command
+        .add_option("--region", windows.region,
+                    "Windows: only those in this region (a name of the project, a box, a polygon or a file)")
+        ->capture_default_str()
+        ->type_name("NAME|W,S,E,N|FILE|city");
+    command.add_option("--wall", windows.wallM, "Windows: thickness of the walls, instead of the rule's")
+        ->check(within(0.0, 3.0))
+        ->type_name("M");
+    command
+        .add_option("--sunshine", windows.sunshine,
+                    "Probable sunlight hours: how probable it is that the sun shines, 0 to 1, by month")
+        ->delimiter(',')
+        ->expected(12)
+        ->check(within(0.0, 1.0))
+        ->type_name("JAN,...,DEC");
+    command
+        .add_option(
+            "--engine", windows.engine,
+            "Windows: horizons whose ends rays correct, or rays at every step; auto traces few days and "
+            "sweeps many")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "horizon", "ray"}))
+        ->type_name("ENGINE");
+}
+
+int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
+                     const ProjectFile& disk, OutputRules outputs, const Console& console) {
+    if (options.windows.ofFile) addPlace(outputs, options.windows.elements.windows.string());
+    addPlace(outputs, options.windows.region);
+    const auto answer = computeWindows(options, rule, library, disk, outputs, console);
+    if (!answer) return fail(console, answer.error(), exitUsage);
+    const auto files = writeWindowFiles({answer->study, answer->labels, answer->scenario, answer->heights},
+                                        answer->sheets, options.out, options.byteOrderMark, outputs);
+    if (!files) return fail(console, files.error(), exitFailed);
+    if (options.json)
+        console.out << toJsonText(windowReviewJson(answer->study, answer->labels)) << '\n';
+    else
+        printWindows(*answer, *files, console.out);
+    return exitOk;
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/report/book/review/window_book.h"
+#include "core/io/files/check_output.h"
+
+namespace noonmark {
+
+/// The files of a review of windows: review.json, windows.csv, windows.gpkg and sheets.pdf.
+std::vector<std::string> windowFileNames();
+
+/// Writes the files of a review of windows into a folder, which is created if missing; all or none. Returns
+/// the paths written. Needs a QGuiApplication. Errors of writing.
+Result<std::vector<std::filesystem::path>> writeWindowFiles(const WindowBookSource& source,
+                                                            const BookSettings& settings,
+                                                            const std::filesystem::path& folder,
+                                                            bool byteOrderMark, const OutputRules& rules);
+
+}  // namespace noonmark

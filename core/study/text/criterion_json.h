@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/review/criterion_days.h"
+
+namespace noonmark {
+
+// Parts that reviews of places and of windows share.
+
+double round4(double value);                        ///< to four digits after the point
+nlohmann::ordered_json numberOrNull(double value);  ///< the same; null if it is not finite
+/// `value` and the range `low` to `high`; null without a value.
+nlohmann::ordered_json measuredJson(const std::optional<Measured>& measured);
+/// A criterion with its limits and what it found.
+nlohmann::ordered_json criterionJson(const Criterion& criterion, const CriterionResult& result);
+/// The figures that a rule states, with status and source.
+nlohmann::ordered_json figuresJson(const Rule& rule);
+
+}  // namespace noonmark

@@ -1,0 +1,234 @@
+#include "core/study/windows/window_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/version.h"
+#include "core/review/rule_names.h"
+#include "core/review/rule_text.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/criterion_json.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string columnOf(const Criterion& criterion, const char* when) {
+    std::string name = criterion.key;
+    std::ranges::replace(name, '-', '_');
+    return fmt::format("{}_{}", name, when);
+}
+
+std::vector<ElementColumn> windowColumns(const Rule& rule) {
+    const std::string text;
+    std::vector<ElementColumn> columns{{"id", text},
+                                       {"building", text},
+                                       {"building_name", text},
+                                       {"floor", std::int64_t(0)},
+                                       {"azimuth_deg", 0.0},
+                                       {"windows", std::int64_t(0)}};
+    for (const Criterion& criterion : rule.criteria) {
+        columns.push_back({columnOf(criterion, "before"), 0.0});
+        columns.push_back({columnOf(criterion, "after"), 0.0});
+    }
+    for (const char* name :
+         {"day", "bands_before", "bands_after", "verdict_before", "verdict_after", "reason"})
+        columns.push_back({name, text});
+    for (const char* name : {"lon_deg", "lat_deg", "elevation_m"}) columns.push_back({name, 0.0});
+    for (const char* name : sourceColumnNames) columns.push_back({name, text});
+    return columns;
+}
+
+ElementValue textOrNothing(const std::string& text) { return text.empty() ? ElementValue() : text; }
+
+ElementValue valueOrNothing(const std::optional<Measured>& value) {
+    return value ? ElementValue(value->value) : ElementValue();
+}
+
+std::vector<ElementValue> windowRow(const WindowStudy& study, std::size_t index) {
+    const WindowReview& review = study.windows[index];
+    const ReviewedWindow& window = review.window;
+    std::vector<ElementValue> row{window.id,
+                                  textOrNothing(window.building),
+                                  textOrNothing(window.buildingName),
+                                  std::int64_t(window.floor),
+                                  window.azimuthDeg ? ElementValue(*window.azimuthDeg) : ElementValue(),
+                                  std::int64_t(window.windows)};
+    for (const CriterionResult& result : review.results) {
+        row.push_back(valueOrNothing(result.former));
+        row.push_back(valueOrNothing(result.value));
+    }
+    const CivilDate day = review.day.value_or(CivilDate{});
+    row.insert(row.end(),
+               {review.day ? ElementValue(formatText(day)) : ElementValue(),
+                textOrNothing(bandsText(study, day, review.formerBands)),
+                textOrNothing(bandsText(study, day, review.bands)), std::string(nameOf(review.formerVerdict)),
+                std::string(nameOf(review.verdict)), describeReason(study.rule, review)});
+    const glm::dvec3 place = study.places[index];
+    row.insert(row.end(), {place.x, place.y, place.z});
+    return row;
+}
+
+Json bandsJson(const WindowStudy& study, CivilDate day, const std::vector<SunBand>& bands) {
+    Json all = Json::array();
+    for (const SunBand& band : bands)
+        all.push_back({{"from", study.clock.timeText(day, band.from)},
+                       {"to", study.clock.timeText(day, band.to)},
+                       {"minutes", round4(band.minutes())}});
+    return all;
+}
+
+Json windowJson(const WindowStudy& study, const WindowReview& review) {
+    const ReviewedWindow& window = review.window;
+    Json criteria = Json::array();
+    for (std::size_t i = 0; i < review.results.size(); ++i) {
+        Json one = criterionJson(study.rule.criteria[i], review.results[i]);
+        one["verdict_before"] = nameOf(review.formerVerdicts[i]);
+        criteria.push_back(std::move(one));
+    }
+    const CivilDate day = review.day.value_or(CivilDate{});
+    return {{"id", window.id},
+            {"building", window.building.empty() ? Json() : Json(window.building)},
+            {"floor", window.floor},
+            {"azimuth_deg", window.azimuthDeg ? numberOrNull(*window.azimuthDeg) : Json()},
+            {"windows", window.windows},
+            {"verdict", nameOf(review.verdict)},
+            {"verdict_before", nameOf(review.formerVerdict)},
+            {"reason", describeReason(study.rule, review)},
+            {"day", review.day ? Json(formatText(day)) : Json()},
+            {"bands", bandsJson(study, day, review.bands)},
+            {"bands_before", bandsJson(study, day, review.formerBands)},
+            {"criteria", criteria}};
+}
+
+Json countsJson(const VerdictCounts& counts) {
+    return {{"pass", counts.pass},
+            {"borderline", counts.borderline},
+            {"fail", counts.fail},
+            {"not_applicable", counts.notApplicable}};
+}
+
+Json changesJson(const VerdictChanges& changes) {
+    return {{"before", countsJson(changes.before)},
+            {"after", countsJson(changes.after)},
+            {"worse", changes.worse},
+            {"better", changes.better}};
+}
+
+Json buildingJson(const Rule& rule, const BuildingReview& building) {
+    Json shares = Json::array();
+    for (std::size_t i = 0; i < building.shares.size(); ++i) {
+        const BuildingShare& share = building.shares[i];
+        shares.push_back({{"name", rule.shares[i].name},
+                          {"at_least", rule.shares[i].atLeast},
+                          {"units", share.units},
+                          {"meeting", share.meeting},
+                          {"borderline", share.borderline},
+                          {"meeting_before", building.formerShares[i].meeting},
+                          {"verdict", nameOf(share.verdict)}});
+    }
+    return {{"id", building.id.empty() ? Json() : Json(building.id)},
+            {"name", building.name},
+            {"verdict", nameOf(building.verdict)},
+            {"verdict_before", nameOf(building.formerVerdict)},
+            {"windows", changesJson(building.windows)},
+            {"shares", shares}};
+}
+
+}  // namespace
+
+std::string valueText(const Criterion& criterion, const std::optional<Measured>& value) {
+    if (!value) return "-";
+    const bool isPercent =
+        criterion.measure == Measure::skyComponent || criterion.measure == Measure::probableSun;
+    return isPercent ? fmt::format("{:.1f} %", value->value) : fmt::format("{:.4g}", value->value);
+}
+
+std::string bandsText(const WindowStudy& study, CivilDate day, const std::vector<SunBand>& bands) {
+    std::string text;
+    for (const SunBand& band : bands)
+        text += fmt::format("{}{}-{}", text.empty() ? "" : " ", study.clock.timeText(day, band.from),
+                            study.clock.timeText(day, band.to));
+    return text;
+}
+
+ElementTable makeWindowTable(const WindowStudy& study, const ReviewLabels& labels) {
+    ElementTable table{.columns = windowColumns(study.rule), .places = study.places};
+    const auto source = sourceValues(labels.provenance);
+    for (std::size_t i = 0; i < study.windows.size(); ++i) {
+        table.rows.push_back(windowRow(study, i));
+        for (const std::string& value : source) table.rows.back().emplace_back(value);
+    }
+    return table;
+}
+
+Json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels) {
+    Json windows = Json::array(), buildings = Json::array(), chosen = Json::object(),
+         seconds = Json::object();
+    for (const WindowReview& review : study.windows) windows.push_back(windowJson(study, review));
+    for (const BuildingReview& building : study.buildings)
+        buildings.push_back(buildingJson(study.rule, building));
+    for (const auto& [choice, option] : study.rule.chosen) chosen[choice] = option;
+    for (const auto& [stage, time] : study.seconds) seconds[stage] = round4(time);
+    Json json{
+        {"rule", study.rule.key},
+        {"from", labels.from},
+        {"to", labels.to},
+        {"counts",
+         {{"windows", changesJson(study.windowChanges)}, {"buildings", changesJson(study.buildingChanges)}}},
+        {"buildings", buildings},
+        {"windows", windows},
+        {"not_checked", study.notChecked},
+        {"program", std::string("Noonmark ") + std::string(version())},
+        {"rule_name", study.rule.name},
+        {"choices", chosen},
+        {"status", ruleNameOf(figureStatusNames(), leastSure(study.rule))},
+        {"readings", study.rule.readings},
+        {"figures", figuresJson(study.rule)},
+        {"year", study.year},
+        {"clock", study.clock.text()},
+        {"engine", study.engine},
+        {"step_min", study.stepMinutes},
+        {"steps", study.steps},
+        {"error",
+         fmt::format(
+             "Each run is uncertain by a step, a sky component by {:g} %; a value within its error of "
+             "the limit is borderline",
+             skyComponentErrorPct)},
+        {"seconds", seconds},
+        {"warnings", warningsJson(study.warnings)}};
+    addProvenance(json, labels.provenance);
+    addRepeat(json, makeRepeatCommand(study, labels));
+    return json;
+}
+
+Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabels& labels,
+                                      std::size_t width) {
+    const auto& project = labels.provenance.project;
+    if (!project || !project->saved())
+        return failure(
+            "No command can repeat this review yet: the project has not been saved in the state "
+            "that was reviewed",
+            fmt::format("scenario '{}'", labels.to), "Save the project, then review again");
+    CommandWords line("noonmark-cli review run");
+    line.file(project->file);
+    line.option("--rule", study.rule.key);
+    for (const auto& [choice, option] : study.rule.chosen)
+        line.option("--choose", fmt::format("{}={}", choice, option));
+    line.unless(study.rule.file.empty(), "--rules", ".");
+    line.option("--from", labels.from);
+    line.option("--to", labels.to);
+    line.option("--year", fmt::to_string(study.year));
+    line.option("--zone", study.settings.zone);
+    for (const RepeatOption& option : labels.sheets) line.option(option);
+    line.option("--out", "repeated");
+    return line.wrapped(width);
+}
+
+}  // namespace noonmark
