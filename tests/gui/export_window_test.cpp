@@ -86,6 +86,21 @@ TEST_F(ExportWindow, APictureIsAsWideAsAsked) {
     EXPECT_TRUE(QFile::exists(inFolder("cells.csv")));
 }
 
+TEST_F(ExportWindow, ASavedResultHasItsPictureAndPage) {
+    study();
+    keep("June");
+    showSaved("June");
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(fieldOf<QSpinBox>(*dialog, "exportPixels")->isEnabled()) << "there is a picture";
+    fieldOf<QSpinBox>(*dialog, "exportPixels")->setValue(900);
+    write(*dialog);
+    EXPECT_EQ(QImage(inFolder("result.png")).width(), 900) << message();
+    EXPECT_TRUE(contentOfFile(inFolder("result.pdf")).startsWith("%PDF"));
+    EXPECT_FALSE(contentOfFile(inFolder("result.tif")).isEmpty());
+    EXPECT_THAT(contentOfFile(inFolder("result.json")).toStdString(), HasSubstr("shadow_area_m2"));
+}
+
 TEST_F(ExportWindow, MeasuredScenariosAreExportedSideBySide) {
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }));

@@ -1,24 +1,39 @@
 #include "app/report/files/saved_files.h"
 
+#include <QGuiApplication>
+
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/write_png.h"
 #include "core/io/write_raster.h"
 
 namespace noonmark {
 
-std::vector<std::string> savedFileNames() { return {"result.tif", "result.json"}; }
+std::vector<std::string> savedFileNames() {
+    return {"result.tif", "result.png", "result.pdf", "result.json"};
+}
 
-Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& result, const Frame& frame,
+Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& result,
+                                                           const SavedSource& source,
+                                                           const ChangeScale& scale,
                                                            const std::filesystem::path& folder,
-                                                           const OutputRules& rules) {
+                                                           const OutputRules& rules, int width) {
+    if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
     if (auto may = checkOutputs(folder, savedFileNames(), rules); !may)
         return tl::make_unexpected(may.error());
+    const auto answer = readSavedAnswer(result);
+    if (!answer) return tl::make_unexpected(answer.error());
+    const Region region = makeSavedRegion(result, *answer, source.regions);
+    const Sheet sheet = makeSheet(result, *answer, region, source, scale);
+    const FileTags tags{{"RESULT", result.name}, {"SCENARIO", result.scenario}};
     std::vector<RasterBand> bands;
     for (const SavedLayer& layer : result.layers) bands.push_back({layer.name, layer.unit, &layer.values});
     OutputFolder files(folder, rules);
     files.add("result.tif", [&](const std::filesystem::path& file) {
-        return writeGeoTiff(file, frame, result.grid, bands,
-                            {{"RESULT", result.name}, {"SCENARIO", result.scenario}});
+        return writeGeoTiff(file, source.city.frame, result.grid, bands, tags);
     });
+    files.add("result.png",
+              [&](QIODevice& device) { return writePng(makePicture(sheet, width), tags, device); });
+    files.add("result.pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }

@@ -8,19 +8,6 @@ namespace noonmark {
 
 namespace {
 
-SheetMap mapOf(const ImpactAnswer& answer, const AnswerSource& source, ShadowMeasure measure,
-               const ChangeScale& scale) {
-    const Impact& impact = answer.study.total;
-    const Legend legend = makeLegend(impact, measure, scale);
-    const double top = legend.scale.top;
-    return {{source.city, answer.settings.study.region, impact.grid,
-             [&impact, measure, top](int wantedPixels) {
-                 const auto colour = [&](std::size_t cell) { return pickColour(impact, measure, cell, top); };
-                 return makeColourImage(impact.grid, colour, wantedPixels);
-             }},
-            legend};
-}
-
 QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QStringLiteral(" m²"); }
 
 QString describeSigned(double value, int decimals, const char* unit) {
@@ -34,30 +21,6 @@ void addThreshold(std::vector<Figure>& figures, const char* name, double thresho
         QStringLiteral("%1 > %2 min").arg(QString::fromUtf8(name), describeAmount(threshold, 2));
     figures.push_back({over + QStringLiteral(" more"), describeArea(change.gainedM2)});
     if (change.lostM2 > 0) figures.push_back({over + QStringLiteral(" less"), describeArea(change.lostM2)});
-}
-
-std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
-    const ComparisonFigures all = computeFigures(answer);
-    const ImpactFigures& first = all.all.front();
-    std::vector<Figure> figures{
-        {QStringLiteral("Shadow area"), describeSigned(first.shadowAreaChangeM2, 0, " m²")}};
-    for (const ImpactFigures& one : all.all) addThreshold(figures, "Gross", one.thresholdMin, one.gross);
-    if (hasRuns(answer.study.total))
-        for (const ImpactFigures& one : all.all)
-            addThreshold(figures, "Continuous", one.thresholdMin, one.continuous);
-    else
-        figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
-    figures.push_back({QStringLiteral("More gross shadow, any"), describeArea(first.gross.touchedM2)});
-    figures.push_back({QStringLiteral("Less gross shadow, any"), describeArea(first.gross.easedM2)});
-    figures.push_back(
-        {QStringLiteral("Largest increase"), describeSigned(first.gross.mostGainedMin, 1, " min/day")});
-    figures.push_back(
-        {QStringLiteral("Largest decrease"), describeSigned(-first.gross.mostLostMin, 1, " min/day")});
-    figures.push_back({QStringLiteral("Mean change"), describeSigned(first.gross.meanMin, 2, " min/day")});
-    figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
-    figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
-    figures.push_back({QStringLiteral("Became ground"), describeArea(first.becameGroundM2)});
-    return figures;
 }
 
 TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
@@ -115,22 +78,58 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
 
 }  // namespace
 
+SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& region, ShadowMeasure measure,
+                       const ChangeScale& scale) {
+    const Legend legend = makeLegend(impact, measure, scale);
+    const double top = legend.scale.top;
+    return {{city, region, impact.grid,
+             [&impact, measure, top](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) { return pickColour(impact, measure, cell, top); };
+                 return makeColourImage(impact.grid, colour, wantedPixels);
+             }},
+            legend};
+}
+
+std::vector<Figure> makeImpactFigures(const ComparisonFigures& all, const Impact& impact) {
+    const ImpactFigures& first = all.all.front();
+    std::vector<Figure> figures{
+        {QStringLiteral("Shadow area"), describeSigned(first.shadowAreaChangeM2, 0, " m²")}};
+    for (const ImpactFigures& one : all.all) addThreshold(figures, "Gross", one.thresholdMin, one.gross);
+    if (hasRuns(impact))
+        for (const ImpactFigures& one : all.all)
+            addThreshold(figures, "Continuous", one.thresholdMin, one.continuous);
+    else
+        figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
+    figures.push_back({QStringLiteral("More gross shadow, any"), describeArea(first.gross.touchedM2)});
+    figures.push_back({QStringLiteral("Less gross shadow, any"), describeArea(first.gross.easedM2)});
+    figures.push_back(
+        {QStringLiteral("Largest increase"), describeSigned(first.gross.mostGainedMin, 1, " min/day")});
+    figures.push_back(
+        {QStringLiteral("Largest decrease"), describeSigned(-first.gross.mostLostMin, 1, " min/day")});
+    figures.push_back({QStringLiteral("Mean change"), describeSigned(first.gross.meanMin, 2, " min/day")});
+    figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
+    figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
+    figures.push_back({QStringLiteral("Became ground"), describeArea(first.becameGroundM2)});
+    return figures;
+}
+
 Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale) {
     const Impact& impact = answer.study.total;
+    const Region& region = answer.settings.study.region;
     const QString subject = QStringLiteral("%1 compared with %2")
                                 .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
     const QString sunlit = QStringLiteral("sun above the horizon for %1 min a day")
                                .arg(describeAmount(impact.sunlitMinutesPerDay));
     Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
                                          isInstant(impact) ? QString() : sunlit),
-                .map = mapOf(answer, source, ShadowMeasure::gross, scale),
+                .map = makeImpactMap(impact, source.city, region, ShadowMeasure::gross, scale),
                 .definitions = definitionsOf(answer, scale),
-                .figures = figuresOfSheet(answer),
+                .figures = makeImpactFigures(computeFigures(answer), impact),
                 .sections = sectionsOf(answer, source),
                 .credit = describeData(answer.provenance.attribution),
                 .record = {QStringLiteral("impact.json"), impactJson(answer)}};
     if (!isInstant(impact) && hasRuns(impact))
-        sheet.smallMap.emplace(mapOf(answer, source, ShadowMeasure::continuous, scale));
+        sheet.smallMap.emplace(makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale));
     return sheet;
 }
 

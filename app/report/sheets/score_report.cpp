@@ -11,35 +11,12 @@ namespace noonmark {
 
 namespace {
 
-SheetMap mapOf(const ScoreAnswer& answer, const AnswerSource& source) {
-    const Score& score = answer.score;
-    const Legend legend = makeLegend(score);
-    const double top = legend.scale.top;
-    return {{source.city, answer.settings.region, score.grid,
-             [&score, top](int wantedPixels) {
-                 const auto colour = [&](std::size_t cell) { return pickColour(score, cell, top); };
-                 return makeColourImage(score.grid, colour, wantedPixels);
-             }},
-            legend};
-}
-
 QString signedArea(double areaM2) {
     return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeAmount(areaM2, 0) + QStringLiteral(" m²");
 }
 
 QString monthName(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
-}
-
-std::vector<Figure> figuresOfSheet(const Score& score) {
-    const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
-    std::vector<Figure> figures{
-        {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
-        {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
-        {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
-    for (const MonthFigures& month : score.months)
-        figures.push_back({monthName(month.month) + QStringLiteral(", score"), signedArea(month.scoreM2)});
-    return figures;
 }
 
 TextBlocks definitions() {
@@ -86,14 +63,36 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
 
 }  // namespace
 
+SheetMap makeScoreMap(const Score& score, const City& city, const Region& region) {
+    const Legend legend = makeLegend(score);
+    const double top = legend.scale.top;
+    return {{city, region, score.grid,
+             [&score, top](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) { return pickColour(score, cell, top); };
+                 return makeColourImage(score.grid, colour, wantedPixels);
+             }},
+            legend};
+}
+
+std::vector<Figure> makeScoreFigures(const Score& score) {
+    const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
+    std::vector<Figure> figures{
+        {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
+        {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
+        {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
+    for (const MonthFigures& month : score.months)
+        figures.push_back({monthName(month.month) + QStringLiteral(", score"), signedArea(month.scoreM2)});
+    return figures;
+}
+
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source) {
     const QString subject = QStringLiteral("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
     std::vector<TextBlocks> sections{methodOf(answer), weightsOf(answer)};
     for (TextBlocks& section : sourcesOf(answer, source)) sections.push_back(std::move(section));
     return {.headline = makeHeadline(answer.settings, source.city.frame, subject, {}),
-            .map = mapOf(answer, source),
+            .map = makeScoreMap(answer.score, source.city, answer.settings.region),
             .definitions = definitions(),
-            .figures = figuresOfSheet(answer.score),
+            .figures = makeScoreFigures(answer.score),
             .sections = std::move(sections),
             .credit = describeData(answer.provenance.attribution),
             .record = {QStringLiteral("score.json"), scoreJson(answer)}};

@@ -13,8 +13,7 @@ namespace {
 
 QString describeMinutes(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
 
-QString describeMinutesADay(const Study& study, double minutes) {
-    const double sunlit = study.field.sunlitMinutesPerDay;
+QString describeMinutesADay(double sunlit, double minutes) {
     const QString share =
         sunlit > 0 ? QStringLiteral(" (%1 %)").arg(describeAmount(100 * minutes / sunlit)) : QString();
     return describeAmount(minutes) + QStringLiteral(" min/day") + share;
@@ -25,10 +24,9 @@ QString describeShadowArea(const ShadowStatistics& s) {
     return QStringLiteral("%1 m² (%2 %)").arg(describeAmount(s.shadowAreaM2, 0), describeAmount(share));
 }
 
-void addMinutes(std::vector<Figure>& figures, const Study& study) {
-    const ShadowStatistics& s = study.statistics;
-    figures.push_back({QStringLiteral("Gross shadow, mean"), describeMinutesADay(study, s.meanGrossMin)});
-    figures.push_back({QStringLiteral("Gross shadow, largest"), describeMinutesADay(study, s.maxGrossMin)});
+void addMinutes(std::vector<Figure>& figures, const ShadowStatistics& s, double sunlit) {
+    figures.push_back({QStringLiteral("Gross shadow, mean"), describeMinutesADay(sunlit, s.meanGrossMin)});
+    figures.push_back({QStringLiteral("Gross shadow, largest"), describeMinutesADay(sunlit, s.maxGrossMin)});
     if (hasRuns(s)) {
         figures.push_back({QStringLiteral("Continuous shadow, mean"), describeMinutes(s.meanContinuousMin)});
         figures.push_back(
@@ -36,8 +34,7 @@ void addMinutes(std::vector<Figure>& figures, const Study& study) {
     } else {
         figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
     }
-    figures.push_back({QStringLiteral("Sunlit time"),
-                       describeAmount(study.field.sunlitMinutesPerDay) + QStringLiteral(" min/day")});
+    figures.push_back({QStringLiteral("Sunlit time"), describeAmount(sunlit) + QStringLiteral(" min/day")});
 }
 
 }  // namespace
@@ -93,15 +90,19 @@ QString describeProgram() {
 }
 
 std::vector<Figure> computeFigures(const Study& study) {
-    const ShadowStatistics& s = study.statistics;
+    return makeStudyFigures(study.statistics, study.field, study.sun.steps.size());
+}
+
+std::vector<Figure> makeStudyFigures(const ShadowStatistics& s, const ShadowField& field,
+                                     std::uint64_t steps) {
     std::vector<Figure> figures{{QStringLiteral("Shadow area"), describeShadowArea(s)}};
-    if (!isInstant(study.field)) addMinutes(figures, study);
+    if (!isInstant(field)) addMinutes(figures, s, field.sunlitMinutesPerDay);
     figures.push_back({QStringLiteral("Receivers"), describeCount(s.receivers)});
     figures.push_back(
         {QStringLiteral("Area of receivers"), describeAmount(s.receiverAreaM2, 0) + QStringLiteral(" m²")});
     figures.push_back(
-        {QStringLiteral("Cell size"), describeAmount(study.field.grid.cellM, 2) + QStringLiteral(" m")});
-    figures.push_back({QStringLiteral("Steps of the sun"), describeCount(study.sun.steps.size())});
+        {QStringLiteral("Cell size"), describeAmount(field.grid.cellM, 2) + QStringLiteral(" m")});
+    figures.push_back({QStringLiteral("Steps of the sun"), describeCount(steps)});
     return figures;
 }
 

@@ -26,5 +26,8 @@ struct Figure {
     QString value;  ///< including its unit
 };
 std::vector<Figure> computeFigures(const Study& study);
+/// The same of a study whose settings are not known. `steps` of the sun.
+std::vector<Figure> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
+                                     std::uint64_t steps);
 
 }  // namespace noonmark

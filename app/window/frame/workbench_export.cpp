@@ -20,6 +20,12 @@ StudyFileOptions studyOptions(const ExportChoice& choice, const OutputRules& rul
     return {.cellsCsv = choice.cells, .rules = rules, .pictureWidth = choice.pictureWidth};
 }
 
+std::vector<std::string> allChanges(const ShownResult& saved) {
+    std::vector<std::string> all = saved.changes;
+    all.insert(all.end(), saved.weightChanges.begin(), saved.weightChanges.end());
+    return all;
+}
+
 }  // namespace
 
 BookSettings Workbench::bookSettings(const ExportChoice& choice) const {
@@ -33,8 +39,12 @@ Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
     const OutputRules rules = exportRules();
     const BookSettings book = bookSettings(choice);
     if (saved_)
-        return [result = *findResult(session_.project(), saved_->name), frame = session_.city()->frame,
-                rules](const auto& folder) { return writeSavedFiles(*result, frame, folder, rules); };
+        return
+            [result = *findResult(session_.project(), saved_->name), saved = saved_, city = session_.city(),
+             regions = session_.project().regions, rules, choice](const auto& folder) {
+                return writeSavedFiles(*result, {*city, allChanges(*saved), regions}, choice.scale, folder,
+                                       rules, choice.pictureWidth);
+            };
     if (score_)
         return [score = score_, origin, city = session_.city(), rules, book, choice](const auto& folder) {
             return writeScoreFiles(origin.stated(*score), {*city}, folder, rules,
