@@ -1,4 +1,4 @@
-#include "app/window/looks/theme.h"
+#include "app/window/looks/application_theme.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
+#include <QWindow>
 #include <cmath>
 
 #include "app/report/maps/palette.h"
@@ -101,6 +102,45 @@ TEST_F(Themes, WidgetsFollowWhileTheyAreShown) {
     applyTheme(ThemeChoice::light, {});
     QCoreApplication::processEvents();
     EXPECT_EQ(label.styleSheet(), light);
+}
+
+/// A desktop whose preference a test sets.
+struct FakeDesktop final : ThemeSource {
+    std::optional<Theme> preferred;
+    [[nodiscard]] std::optional<Theme> theme() const override { return preferred; }
+    void prefer(std::optional<Theme> theme) {
+        preferred = theme;
+        Q_EMIT changed();
+    }
+};
+
+TEST_F(Themes, FollowTheDesktopWhileTheWindowIsOpenUnlessTheUserChose) {
+    auto source = std::make_unique<FakeDesktop>();
+    FakeDesktop& desktop = *source;
+    ApplicationTheme theme(*qApp, ThemeChoice::system, makePalette(Theme::light), std::move(source));
+    EXPECT_EQ(themeInUse(), Theme::light) << "by its palette, since the desktop states nothing";
+    desktop.prefer(Theme::dark);
+    EXPECT_EQ(themeInUse(), Theme::dark);
+    theme.choose(ThemeChoice::light);
+    EXPECT_EQ(themeInUse(), Theme::light);
+    desktop.prefer(std::nullopt);
+    desktop.prefer(Theme::dark);
+    EXPECT_EQ(themeInUse(), Theme::light) << "the user's choice stays";
+    theme.choose(ThemeChoice::system);
+    EXPECT_EQ(themeInUse(), Theme::dark);
+    desktop.prefer(std::nullopt);
+    EXPECT_EQ(themeInUse(), Theme::light);
+}
+
+TEST_F(Themes, APaletteThatThePlatformChangesIsReadAgain) {
+    // The palette at the start was dark; the platform of the test has a light one.
+    ApplicationTheme theme(*qApp, ThemeChoice::system, makePalette(Theme::dark), nullptr);
+    EXPECT_EQ(themeInUse(), Theme::dark);
+    QWindow window;
+    QEvent change(QEvent::ThemeChange);
+    QCoreApplication::sendEvent(&window, &change);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(themeInUse(), Theme::light);
 }
 
 double meanLightness(const QImage& image) {

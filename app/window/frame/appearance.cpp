@@ -6,8 +6,8 @@
 #include <QSettings>
 #include <QStyleFactory>
 
+#include "app/window/looks/application_theme.h"
 #include "app/window/looks/language.h"
-#include "app/window/looks/theme.h"
 #include "app/window/looks/units.h"
 #include "core/base/version.h"
 
@@ -26,10 +26,9 @@ void applyAppearance(QApplication& application) {
     QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("io.github.noonmark.Noonmark")));
     const QPalette system = QApplication::palette();  // before the style brings its own
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    application.setProperty(systemPaletteName, system);
     applyLanguage(readLanguage(QSettings()), application);
     applyUnits(readUnits(QSettings()));
-    applyTheme(readThemeChoice(QSettings()), system);
+    new ApplicationTheme(application, readThemeChoice(QSettings()), system, makePortalThemeSource());
 }
 
 }  // namespace noonmark

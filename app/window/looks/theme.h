@@ -1,7 +1,8 @@
 #pragma once
 
 // How the window looks. theme.h has the light and the dark palette and the colours of notes and errors in
-// either; icons.h draws the icons of resources/icons in the colours of the palette.
+// either; application_theme.h keeps the application in one of them as the user or the desktop
+// (theme_source.h) chooses; icons.h draws the icons of resources/icons in the colours of the palette.
 
 #include <QColor>
 #include <QPalette>
@@ -30,9 +31,8 @@ QPalette makePalette(Theme theme);
 /// The choice saved in the settings; the system's at first.
 ThemeChoice readThemeChoice(const QSettings& settings);
 void saveThemeChoice(ThemeChoice choice, QSettings& settings);
-/// The property of the application that holds its palette before any theme was applied.
-inline constexpr const char* systemPaletteName = "systemPalette";
-/// Applies a choice to the whole application. `system`: the palette before any theme was applied.
+/// Applies a choice to the whole application, once. `system`: the palette of the desktop. See
+/// application_theme.h for a theme that follows the desktop.
 void applyTheme(ThemeChoice choice, const QPalette& system);
 
 /// Colours of a bar or label.

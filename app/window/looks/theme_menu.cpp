@@ -1,10 +1,9 @@
 #include "app/window/looks/theme_menu.h"
 
 #include <QActionGroup>
-#include <QApplication>
 #include <QSettings>
 
-#include "app/window/looks/theme.h"
+#include "app/window/looks/application_theme.h"
 
 namespace noonmark {
 
@@ -20,7 +19,7 @@ ThemeMenu::ThemeMenu(QSettings& settings, QWidget* parent) : QMenu(tr("C&olours"
         });
         connect(action, &QAction::triggered, this, [choice = choice, &settings] {
             saveThemeChoice(choice, settings);
-            applyTheme(choice, qApp->property(systemPaletteName).value<QPalette>());
+            if (auto* theme = ApplicationTheme::inUse()) theme->choose(choice);
         });
     }
     addActions(group->actions());
