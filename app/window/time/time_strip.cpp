@@ -254,7 +254,8 @@ void TimeStrip::showMarks() {
     std::vector<MarkedSlider::Mark> marks;
     for (const QDate date : {QDate(first.year(), 3, 21), QDate(first.year(), 6, 21),
                              QDate(first.year(), 9, 22), QDate(first.year(), 12, 21)})
-        marks.push_back({int(first.daysTo(date)), locale().toString(date, tr("d MMM"))});
+        marks.push_back({int(first.daysTo(date)), locale().toString(date, tr("d MMM")),
+                         locale().toString(date, QStringLiteral("MMM"))});
     date_->setMarks(marks);
 }
 

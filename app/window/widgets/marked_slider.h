@@ -12,7 +12,8 @@ class MarkedSlider final : public QSlider {
 public:
     struct Mark {
         int value = 0;
-        QString label;  ///< empty: a tick only
+        QString label;         ///< empty: a tick only
+        QString shortLabel{};  ///< for all marks where the labels do not fit; empty: the label
         bool operator==(const Mark&) const = default;
     };
 
@@ -22,6 +23,14 @@ public:
     [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
     /// The values between which the groove is bright, such as sunrise and sunset.
     void setBright(int first, int last);
+
+    /// A label as it is painted.
+    struct Label {
+        QString text;
+        QRectF box;
+    };
+    /// The labels that fit beside each other: all, all in their short form, or the first, third...
+    [[nodiscard]] std::vector<Label> labels() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -33,6 +42,7 @@ protected:
 private:
     [[nodiscard]] int handleWidth() const;
     [[nodiscard]] double pixelOf(int value) const;
+    [[nodiscard]] std::vector<Label> allLabels(bool shortened) const;
 
     std::vector<Mark> marks_;
     int firstBright_ = 0, lastBright_ = -1;
