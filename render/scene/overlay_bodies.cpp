@@ -121,8 +121,8 @@ std::optional<glm::dvec2> OverlayBodies::handlePixel(const CameraPose& pose, con
     return *foot - glm::dvec2(0, handlePx / 2);
 }
 
-void OverlayBodies::setLens(const ViewLens& lens) {
-    const double atOneMetre = 2 * std::tan(glm::radians(lens.verticalDeg) / 2) / lens.heightPx;
+void OverlayBodies::setLens(const CameraPose& pose, const ViewLens& lens) {
+    const double atOneMetre = metresPerPixel(pose, lens, 1);
     for (const Mark* mark : {&handle_, &pin_})
         mark->material->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
     line_->set(QStringLiteral("viewSize"), QVector2D(float(lens.widthPx), float(lens.heightPx)));

@@ -48,7 +48,7 @@ public:
     /// The pixel of the handle's centre; empty without a handle, or where it is behind the eye.
     [[nodiscard]] std::optional<glm::dvec2> handlePixel(const CameraPose& pose, const ViewLens& lens) const;
 
-    void setLens(const ViewLens& lens);  ///< device-independent pixels
+    void setLens(const CameraPose& pose, const ViewLens& lens);  ///< device-independent pixels
 
     /// The layer of all these nodes, which the view draws last.
     [[nodiscard]] Qt3DRender::QLayer* layer() const { return layer_; }

@@ -35,8 +35,7 @@ ShaderMaterial* makeLine(const QColor& c, float widthPx, Qt3DCore::QNode* parent
 }
 
 double pixelsPerMetre(const CameraPose& pose, const ViewLens& lens, const glm::dvec3& at) {
-    const double away = glm::distance(computeEye(pose), at);
-    return lens.heightPx / (2 * std::tan(lens.verticalDeg * 3.14159265358979 / 360) * std::max(1.0, away));
+    return 1 / metresPerPixel(pose, lens, std::max(1.0, glm::distance(computeEye(pose), at)));
 }
 
 }  // namespace

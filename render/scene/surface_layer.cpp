@@ -43,7 +43,8 @@ void SurfaceLayer::show(const SurfacePicture& picture) {
     set("samplesForward", vectorOf(camera.forward));
     set("samplesRight", vectorOf(camera.right));
     set("samplesUp", vectorOf(camera.up));
-    set("samplesScale", float(camera.heightPx / (2 * std::tan(glm::radians(camera.verticalDeg) / 2))));
+    set("samplesScale", float(samplesPerMetre(camera, 1)));
+    set("samplesParallel", camera.heightM > 0 ? 1.0F : 0.0F);
     set("soFar", picture.soFar ? 1.0F : 0.0F);
 }
 

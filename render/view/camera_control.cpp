@@ -47,6 +47,26 @@ CameraPose framePoints(const CameraPose& pose, const std::array<glm::dvec3, 8>& 
     return zoom(middle, middle.target, std::clamp(margin * std::max(share.x, share.y), 0.5, 2.0));
 }
 
+double lowestPitchDeg(const CameraPose& pose) { return pose.isParallel() ? 0 : CameraLimits::lowestPitchDeg; }
+
+// The target of a view that is not nearly level moves along the line of sight down or up to the ground: in a
+// parallel projection the picture stays the same.
+constexpr double levelDeg = 10;
+void slideToGround(CameraPose& pose, const GroundHeight& ground) {
+    const glm::dvec3 forward = computeForward(pose);
+    const double aboveM = pose.target.z - ground({pose.target.x, pose.target.y});
+    pose.target -= forward * (aboveM / forward.z);
+}
+
+CameraPose keepParallelWithin(CameraPose pose, const CameraLimits& limits, const GroundHeight& ground) {
+    if (pose.pitchDeg > levelDeg) slideToGround(pose, ground);
+    pose.target.x = std::clamp(pose.target.x, double(limits.box.low.x), double(limits.box.high.x));
+    pose.target.y = std::clamp(pose.target.y, double(limits.box.low.y), double(limits.box.high.y));
+    const double lowM = std::min(limits.lowM, ground({pose.target.x, pose.target.y}));
+    pose.target.z = std::clamp(pose.target.z, lowM, std::max(lowM, limits.highM));
+    return pose;
+}
+
 bool eyeIsClear(const CameraPose& pose, const GroundHeight& ground) {
     const glm::dvec3 eye = computeEye(pose);
     return eye.z >= ground({eye.x, eye.y}) + CameraLimits::clearanceM;
@@ -56,6 +76,8 @@ bool eyeIsClear(const CameraPose& pose, const GroundHeight& ground) {
 
 CameraLimits computeLimits(const ViewBounds& bounds) {
     CameraLimits limits;
+    limits.lowM = double(bounds.groundM);
+    limits.highM = double(bounds.topM);
     limits.furthestM = 6 * bounds.radiusM();
     limits.nearestM = std::min(5.0, limits.furthestM / 10);
     const auto border = float(bounds.radiusM() / 2);
@@ -85,12 +107,18 @@ CameraPose fromAbove(const Box2& box, double groundM, const ViewLens& lens) {
 CameraPose orbit(const CameraPose& pose, glm::dvec2 dragPx, const ViewLens& lens) {
     CameraPose turned = pose;
     turned.headingDeg = wrapped(pose.headingDeg + dragPx.x * degreesPerWidth / lens.widthPx);
-    turned.pitchDeg = std::clamp(pose.pitchDeg + dragPx.y * degreesPerWidth / lens.widthPx,
-                                 CameraLimits::lowestPitchDeg, 90.0);
+    turned.pitchDeg =
+        std::clamp(pose.pitchDeg + dragPx.y * degreesPerWidth / lens.widthPx, lowestPitchDeg(pose), 90.0);
     return turned;
 }
 
 CameraPose pan(const CameraPose& pose, glm::dvec2 fromPx, glm::dvec2 toPx, const ViewLens& lens) {
+    if (pose.isParallel()) {
+        const glm::dvec2 byM = (fromPx - toPx) * metresPerPixel(pose, lens);
+        CameraPose moved = pose;
+        moved.target += byM.x * computeRight(pose) - byM.y * computeUp(pose);
+        return moved;
+    }
     const auto from = findPlaneHit(makeRayThrough(pose, lens, fromPx), pose.target.z);
     const auto to = findPlaneHit(makeRayThrough(pose, lens, toPx), pose.target.z);
     if (!from || !to) return pose;
@@ -113,18 +141,27 @@ CameraPose zoom(const CameraPose& pose, glm::dvec3 point, double factor) {
 
 CameraPose moveCamera(const CameraPose& pose, double right, double ahead) {
     const double heading = glm::radians(pose.headingDeg);
-    const glm::dvec3 northward{std::sin(heading), std::cos(heading), 0};
+    const glm::dvec3 northward =
+        pose.isParallel() ? computeUp(pose) : glm::dvec3{std::sin(heading), std::cos(heading), 0};
     CameraPose there = pose;
     there.target += pose.distanceM * (right * computeRight(pose) + ahead * northward);
     return there;
 }
 
+CameraPose project(CameraPose pose, Projection projection, const GroundHeight& ground) {
+    if (pose.projection == projection) return pose;
+    if (pose.isParallel() && pose.pitchDeg > levelDeg) slideToGround(pose, ground);
+    pose.projection = projection;
+    return pose;
+}
+
 CameraPose keepAboveGround(CameraPose pose, const CameraLimits& limits, const GroundHeight& ground) {
+    pose.distanceM = std::clamp(pose.distanceM, limits.nearestM, limits.furthestM);
+    pose.pitchDeg = std::clamp(pose.pitchDeg, lowestPitchDeg(pose), 90.0);
+    if (pose.isParallel()) return keepParallelWithin(pose, limits, ground);
     pose.target.x = std::clamp(pose.target.x, double(limits.box.low.x), double(limits.box.high.x));
     pose.target.y = std::clamp(pose.target.y, double(limits.box.low.y), double(limits.box.high.y));
     pose.target.z = ground({pose.target.x, pose.target.y});
-    pose.distanceM = std::clamp(pose.distanceM, limits.nearestM, limits.furthestM);
-    pose.pitchDeg = std::clamp(pose.pitchDeg, CameraLimits::lowestPitchDeg, 90.0);
     while (pose.pitchDeg < 90 && !eyeIsClear(pose, ground))
         pose.pitchDeg = std::min(90.0, pose.pitchDeg + 0.5);
     return pose;

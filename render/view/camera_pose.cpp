@@ -24,7 +24,12 @@ glm::dvec3 computeRight(const CameraPose& pose) {
     return {std::cos(heading), -std::sin(heading), 0};
 }
 
-glm::dvec3 computeEye(const CameraPose& pose) { return pose.target - pose.distanceM * computeForward(pose); }
+glm::dvec3 computeEye(const CameraPose& pose) {
+    constexpr double parallelM =
+        3000;  // farther away float32 would blur the faces of a picture of a few metres
+    const double distanceM = pose.isParallel() ? parallelM + 2 * pose.distanceM : pose.distanceM;
+    return pose.target - distanceM * computeForward(pose);
+}
 
 glm::dvec3 ViewBounds::centre() const {
     return {glm::dvec2(box.low + box.high) / 2.0, (double(topM) + double(groundM)) / 2};

@@ -7,12 +7,23 @@
 
 namespace noonmark {
 
+/// How the camera makes a picture.
+enum class Projection {
+    perspective,
+    parallel,  ///< orthographic: parallel lines stay parallel, lengths across the view are to scale
+};
+
 /// Position and direction of the camera in local metres. A value.
 struct CameraPose {
-    glm::dvec3 target{0};     ///< point that the camera looks at and rotates around, on the ground
-    double distanceM = 1000;  ///< from the eye to the target, > 0
-    double headingDeg = 0;    ///< azimuth of the view, clockwise from true north
-    double pitchDeg = 45;     ///< angle below the horizontal: 0 level, 90 straight down
+    glm::dvec3 target{
+        0};  ///< point that the camera looks at and rotates around; in perspective on the ground
+    /// From the eye to the target, > 0. In a parallel projection the picture shows as much as a perspective
+    /// from there shows at the target.
+    double distanceM = 1000;
+    double headingDeg = 0;  ///< azimuth of the view, clockwise from true north
+    double pitchDeg = 45;   ///< angle below the horizontal: 0 level, 90 straight down
+    Projection projection = Projection::perspective;
+    [[nodiscard]] bool isParallel() const { return projection == Projection::parallel; }
     bool operator==(const CameraPose&) const = default;
 };
 
@@ -20,6 +31,7 @@ glm::dvec3 computeForward(const CameraPose& pose);  ///< unit vector from eye to
 glm::dvec3 computeUp(
     const CameraPose& pose);  ///< unit vector, up on the screen; also defined when looking straight down
 glm::dvec3 computeRight(const CameraPose& pose);
+/// In a parallel projection farther away than distanceM, so that what is high or near lies in front of it.
 glm::dvec3 computeEye(const CameraPose& pose);
 
 /// The extent that the camera must show: the bounding box of a city and its heights.

@@ -194,9 +194,6 @@ void CityView::showGround(const CityArrays& arrays) {
     ground->addPoints(QStringLiteral("vertexPosition"), arrays.groundPoints);
     ground->setIndices(arrays.groundTriangles);
     groundEntity_ = add(ground, ground_);
-    const auto haze = float(5 * bounds_.radiusM());
-    for (ShaderMaterial* material : {building_, edge_, ground_})
-        material->set(QStringLiteral("hazeDistance"), haze);
 }
 
 void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
@@ -285,13 +282,24 @@ ViewLens CityView::lens() const {
 void CityView::applyCamera() {
     const ClipRange clip = computeClipRange(pose_, bounds_);
     const ViewLens view = lens();
-    camera()->lens()->setPerspectiveProjection(float(viewDeg), float(view.widthPx / view.heightPx),
-                                               float(clip.nearM), float(clip.farM));
+    const bool parallel = pose_.isParallel();
+    const auto halfHeightM = float(metresPerPixel(pose_, view) * view.heightPx / 2);
+    const auto aspect = float(view.widthPx / view.heightPx);
+    if (parallel)
+        camera()->lens()->setOrthographicProjection(-halfHeightM * aspect, halfHeightM * aspect, -halfHeightM,
+                                                    halfHeightM, float(clip.nearM), float(clip.farM));
+    else
+        camera()->lens()->setPerspectiveProjection(float(viewDeg), aspect, float(clip.nearM),
+                                                   float(clip.farM));
+    // Nothing is far away in a parallel projection.
+    const auto haze = parallel ? 1e9F : float(5 * bounds_.radiusM());
+    for (ShaderMaterial* material : {building_, edge_, ground_})
+        material->set(QStringLiteral("hazeDistance"), haze);
     camera()->setPosition(vectorOf(computeEye(pose_)));
     camera()->setViewCenter(vectorOf(pose_.target));
     camera()->setUpVector(vectorOf(computeUp(pose_)));
     ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
-    overlay_->setLens(view);
+    overlay_->setLens(pose_, view);
     places_->setLens(view);
     names_->start();
 }

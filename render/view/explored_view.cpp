@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 namespace noonmark {
 
@@ -13,20 +12,15 @@ namespace {
 constexpr double samePlaneM = 0.03;
 constexpr double samePlaneShare = 0.25;  // share of the distance between samples
 
-// Pixels per metre at one metre from the eye.
-double scaleOf(const PixelCamera& camera) {
-    return camera.heightPx / (2 * std::tan(glm::radians(camera.verticalDeg) / 2));
-}
-
 }  // namespace
 
-double ExploredView::sampleM(double distanceM) const { return distanceM / scaleOf(camera); }
+double ExploredView::sampleM(double distanceM) const { return 1 / samplesPerMetre(camera, distanceM); }
 
 std::optional<std::size_t> ExploredView::pointAt(glm::dvec3 place) const {
     const glm::dvec3 seen = place - camera.eye;
     const double depth = glm::dot(seen, camera.forward);
     if (depth <= 0) return std::nullopt;
-    const double scale = scaleOf(camera) / depth;
+    const double scale = samplesPerMetre(camera, depth);
     const double column = std::floor(camera.widthPx * 0.5 + scale * glm::dot(seen, camera.right));
     const double row = std::floor(camera.heightPx * 0.5 - scale * glm::dot(seen, camera.up));
     if (!(column >= 0 && column < camera.widthPx && row >= 0 && row < camera.heightPx)) return std::nullopt;
@@ -47,6 +41,7 @@ PixelCamera makeExploredCamera(const CameraPose& pose, const ViewLens& lens, int
     camera.right = computeRight(pose);
     camera.up = computeUp(pose);
     camera.verticalDeg = lens.verticalDeg;
+    if (pose.isParallel()) camera.heightM = metresPerPixel(pose, lens) * lens.heightPx;
     camera.heightPx = std::max(1, int(std::ceil(lens.heightPx / spacingPx)));
     camera.widthPx = std::max(1, int(std::ceil(lens.widthPx * camera.heightPx / lens.heightPx)));
     return camera;

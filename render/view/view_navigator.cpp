@@ -147,7 +147,17 @@ bool ViewNavigator::key(const QKeyEvent& event) {
     }
 }
 
-void ViewNavigator::showWholeCity() { go(wholeCity(view_.viewBounds(), view_.lens())); }
+// Shows a pose made for a perspective in the projection chosen: it shows the same at its target.
+void ViewNavigator::frame(CameraPose pose) {
+    pose.projection = view_.pose().projection;
+    go(pose);
+}
+
+void ViewNavigator::setProjection(Projection projection) {
+    go(project(view_.pose(), projection, [this](glm::dvec2 point) { return scene_.groundAt(point); }));
+}
+
+void ViewNavigator::showWholeCity() { frame(wholeCity(view_.viewBounds(), view_.lens())); }
 
 void ViewNavigator::turnNorthUp() {
     CameraPose pose = view_.pose();
@@ -165,12 +175,12 @@ void ViewNavigator::showSlanting(const Box2& box) {
     ViewBounds part = view_.viewBounds();
     part.box = box;
     part.groundM = float(scene_.groundAt(glm::dvec2(box.low + box.high) / 2.0));
-    go(wholeCity(part, view_.lens()));
+    frame(wholeCity(part, view_.lens()));
 }
 
 void ViewNavigator::show(const Box2& box) {
     const glm::dvec2 centre = glm::dvec2(box.low + box.high) / 2.0;
-    go(fromAbove(box, scene_.groundAt(centre), view_.lens()));
+    frame(fromAbove(box, scene_.groundAt(centre), view_.lens()));
 }
 
 }  // namespace noonmark

@@ -42,10 +42,14 @@ public:
     [[nodiscard]] std::optional<Pick> pickAt(QPointF pixel) const;
     [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF pixel) const;
 
+    /// Shows a pose, kept above the ground and within the city.
+    void go(const CameraPose& pose);
+
 public Q_SLOTS:
     void showWholeCity();
     void turnNorthUp();
     void lookFromAbove();
+    void setProjection(noonmark::Projection projection);
     void show(const Box2& box);          ///< from above
     void showSlanting(const Box2& box);  ///< like the whole city, but for this part
 
@@ -68,7 +72,7 @@ private:
     void wheel(const QWheelEvent& event);
     bool key(const QKeyEvent& event);
     void zoomAt(QPointF pixel, double factor);
-    void go(const CameraPose& pose);
+    void frame(CameraPose pose);
 
     CityView& view_;
     ScenePicker scene_;

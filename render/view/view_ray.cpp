@@ -30,19 +30,28 @@ double halfHeight(const ViewLens& lens) { return std::tan(glm::radians(lens.vert
 
 }  // namespace
 
+double metresPerPixel(const CameraPose& pose, const ViewLens& lens, double depthM) {
+    return 2 * halfHeight(lens) * (pose.isParallel() ? pose.distanceM : depthM) / lens.heightPx;
+}
+
+double metresPerPixel(const CameraPose& pose, const ViewLens& lens) {
+    return metresPerPixel(pose, lens, pose.distanceM);
+}
+
 ViewRay makeRayThrough(const CameraPose& pose, const ViewLens& lens, glm::dvec2 pixel) {
-    const double metresPerPixel = 2 * halfHeight(lens) / lens.heightPx;  // at one metre from the eye
-    const double x = (pixel.x - lens.widthPx / 2) * metresPerPixel;
-    const double y = (lens.heightPx / 2 - pixel.y) * metresPerPixel;
-    return {computeEye(pose),
-            glm::normalize(computeForward(pose) + x * computeRight(pose) + y * computeUp(pose))};
+    const double pixelM = metresPerPixel(pose, lens, 1);
+    const double x = (pixel.x - lens.widthPx / 2) * pixelM;
+    const double y = (lens.heightPx / 2 - pixel.y) * pixelM;
+    const glm::dvec3 aside = x * computeRight(pose) + y * computeUp(pose);
+    if (pose.isParallel()) return {computeEye(pose) + aside, computeForward(pose)};
+    return {computeEye(pose), glm::normalize(computeForward(pose) + aside)};
 }
 
 std::optional<glm::dvec2> pixelOf(const CameraPose& pose, const ViewLens& lens, glm::dvec3 point) {
     const glm::dvec3 seen = point - computeEye(pose);
     const double depth = glm::dot(seen, computeForward(pose));
     if (depth <= 0) return std::nullopt;
-    const double scale = lens.heightPx / (2 * halfHeight(lens) * depth);
+    const double scale = 1 / metresPerPixel(pose, lens, depth);
     return glm::dvec2{lens.widthPx / 2 + scale * glm::dot(seen, computeRight(pose)),
                       lens.heightPx / 2 - scale * glm::dot(seen, computeUp(pose))};
 }

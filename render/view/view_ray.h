@@ -23,7 +23,13 @@ struct ViewRay {
     glm::dvec3 direction{0, 0, -1};
 };
 
-/// The ray from the eye through a pixel.
+/// Length across the view that a pixel covers at a depth of so many metres in front of the eye, metres. In a
+/// parallel projection the same everywhere.
+double metresPerPixel(const CameraPose& pose, const ViewLens& lens, double depthM);
+/// The same at the target.
+double metresPerPixel(const CameraPose& pose, const ViewLens& lens);
+
+/// The ray through a pixel, from the eye; in a parallel projection from a point beside the eye.
 ViewRay makeRayThrough(const CameraPose& pose, const ViewLens& lens, glm::dvec2 pixel);
 
 /// The pixel of a point; empty if the point is behind the eye.

@@ -84,9 +84,12 @@ Result<void> validate(const Project& project) {
     if (sound) sound = checkNames(project.places, ownName, "place");
     if (sound) sound = checkNames(project.weights, ownName, "weight table");
     if (sound) sound = checkNames(project.periods, ownName, "period");
+    if (sound) sound = checkNames(project.views, ownName, "view");
     if (sound) sound = checkNames(project.results, sharedName, "result");
     for (const TimeWeights& table : project.weights)
         if (sound) sound = validate(table);
+    for (const SavedView& view : project.views)
+        if (sound) sound = validate(view);
     if (sound) sound = validate(project.sheets.titleBlock);
     return sound;
 }

@@ -21,6 +21,7 @@
 #include "core/receivers/region.h"
 #include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
+#include "scenarios/project/saved_view.h"
 #include "scenarios/project/title_block.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/time_weights.h"
@@ -91,6 +92,7 @@ struct Project {
     std::vector<Scenario> scenarios;
     std::vector<TimeWeights> weights{makeMonthlyWeights()};
     std::vector<NamedPeriod> periods;
+    std::vector<SavedView> views;
     std::vector<std::shared_ptr<const SavedResult>> results;
     SheetSettings sheets;
     std::map<std::string, std::string> view;  ///< camera, layout, switches: the window defines the keys

@@ -215,6 +215,7 @@ Project readProject(Database& database) {
     project.scenarios = readScenarios(database);
     project.weights = readWeights(database);
     project.periods = readPeriods(database);
+    project.views = readSavedViews(database);
     project.results = readResults(database);
     project.sheets = readSheetSettings(database);
     project.view = readView(database);

@@ -152,6 +152,7 @@ void writeChanges(Database& database, const Project* before, const Project& afte
         writeScenarios(database, before ? before->scenarios : std::vector<Scenario>{}, after.scenarios);
     if (changed(&Project::weights)) writeWeights(database, after.weights);
     if (changed(&Project::periods)) writePeriods(database, after.periods);
+    if (changed(&Project::views)) writeSavedViews(database, after.views);
     if (changed(&Project::results)) writeResults(database, before, after);
     if (changed(&Project::sheets)) writeSheetSettings(database, after.sheets);
     if (changed(&Project::view)) writeView(database, after.view);

@@ -18,6 +18,7 @@ void writeScenarios(Database& database, const std::vector<Scenario>& before,
 void writeResult(Database& database, const SavedResult& result);
 void removeResult(Database& database, const std::string& name);
 void writeContext(Database& database, const MapContext* context);  ///< null: removes it
+void writeSavedViews(Database& database, const std::vector<SavedView>& views);
 void writeSheetSettings(Database& database, const SheetSettings& settings);
 
 /// Inserts or updates a row of the table `noonmark`.

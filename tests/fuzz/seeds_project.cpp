@@ -93,7 +93,8 @@ void makeProjectSeeds(const SeedFolder& seeds) {
     writeGeometries(seeds, project);
     writeTexts(seeds, project);
     writeCellEdits(seeds, "project_cells", 220);
-    for (const std::string_view version : {"0", "1", "2"})  // any byte selects one, by its remainder
+    for (const std::string_view version :
+         {"0", "1", "2", "3", "4"})  // any byte selects one, by its remainder
         writeCellEdits(seeds, "project_versions", 190, version);
     writeCellEdits(seeds, "geopackage_cells", 50);
 }

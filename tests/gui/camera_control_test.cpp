@@ -97,6 +97,65 @@ TEST(CameraControl, PanAtTheHorizonStaysWithinReach) {
     EXPECT_LE(glm::length(there.target - pose.target), pose.distanceM * 1.001);
 }
 
+CameraPose inParallel(CameraPose pose) {
+    pose.projection = Projection::parallel;
+    return pose;
+}
+
+TEST(CameraControl, AParallelProjectionIsToScaleAtAnyHeight) {
+    // 1000 m away, 40 degrees: 2 * 1000 * tan 20 = 727.94 m in 800 pixels.
+    const CameraPose plan = inParallel({{0, 0, 0}, 1000, 0, 90});
+    const double pixelsPerM = 800 / 727.9405;
+    for (const double z : {0.0, 50.0, 300.0}) {
+        const auto pixel = pixelOf(plan, lens, {100, 100, z});
+        ASSERT_TRUE(pixel);
+        EXPECT_NEAR(pixel->x, 600 + 100 * pixelsPerM, 1e-3);
+        EXPECT_NEAR(pixel->y, 400 - 100 * pixelsPerM, 1e-3);
+    }
+    EXPECT_NEAR(metresPerPixel(plan, lens), 1 / pixelsPerM, 1e-6);
+    EXPECT_EQ(metresPerPixel(plan, lens, 17), metresPerPixel(plan, lens));
+    const CameraPose perspective{{0, 0, 0}, 1000, 0, 90};
+    EXPECT_NEAR(pixelOf(perspective, lens, {100, 100, 0})->x, 600 + 100 * pixelsPerM, 1e-3)
+        << "as large at the target";
+}
+
+TEST(CameraControl, PanZoomAndPickingHoldInAParallelProjection) {
+    std::mt19937 random(4);
+    for (int i = 0; i < 200; ++i) {
+        const CameraPose pose = inParallel(poseFrom(random));
+        const glm::dvec2 from{500, 500}, to{640, 430};
+        const ViewRay ray = makeRayThrough(pose, lens, from);
+        const glm::dvec3 point = ray.origin + 1234.5 * ray.direction;
+        EXPECT_LT(glm::length(*pixelOf(pose, lens, point) - from), 1e-6);
+        EXPECT_LT(glm::length(*pixelOf(pan(pose, from, to, lens), lens, point) - to), 1e-5);
+        EXPECT_LT(glm::length(*pixelOf(zoom(pose, point, 0.8), lens, point) - from), 1e-4);
+    }
+}
+
+TEST(CameraControl, TheLimitsKeepTheParallelPicture) {
+    const CameraPose pose = pan(inParallel({{50, 60, 0}, 800, 30, 50}), {600, 400}, {650, 300}, lens);
+    EXPECT_GT(std::abs(pose.target.z), 10) << "moved along the screen, off the ground";
+    const CameraPose kept = keepAboveGround(pose, computeLimits(city), flat);
+    EXPECT_NEAR(kept.target.z, 0, 1e-9);
+    for (const glm::dvec3 point : {glm::dvec3(0, 0, 0), glm::dvec3(120, -40, 80)})
+        EXPECT_LT(glm::length(*pixelOf(kept, lens, point) - *pixelOf(pose, lens, point)), 1e-6);
+    EXPECT_EQ(keepAboveGround(inParallel({{0, 0, 40}, 500, 0, 0}), computeLimits(city), flat).target.z, 40)
+        << "an elevation may look at a building's middle";
+    const CameraPose raised{{0, 0, 40}, 500, 0, 0};
+    EXPECT_GT(keepAboveGround(raised, computeLimits(city), flat).pitchDeg, 0) << "not a perspective";
+}
+
+TEST(CameraControl, AnotherProjectionShowsTheSameMiddle) {
+    const CameraPose pose{{50, 60, 0}, 800, 30, 50};
+    const CameraPose parallel = project(pose, Projection::parallel, flat);
+    EXPECT_EQ(parallel.target, pose.target);
+    EXPECT_EQ(parallel.projection, Projection::parallel);
+    CameraPose moved = parallel;
+    moved.target -= 300.0 * computeForward(parallel);  // the same picture
+    const CameraPose back = project(moved, Projection::perspective, flat);
+    EXPECT_LT(glm::length(back.target - pose.target), 1e-9);
+}
+
 TEST(CameraControl, NeverBelowTheGroundWhateverTheUserDoes) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> drag(-300, 300);

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/window/project/project_changes.h"
 #include "app/window/time/sun_at_moment.h"
+#include "app/window/view/saved_views.h"
 #include "app/window/view/view_presets.h"
 #include "tests/gui/project_window.h"
 
@@ -25,6 +27,74 @@ TEST(ViewPresets, LookTowardsTheOppositeOfWhereTheyStand) {
     EXPECT_LT(south.pitchDeg, 15);
     EXPECT_EQ(south.target, pose.target);
     EXPECT_EQ(south.distanceM, pose.distanceM);
+}
+
+TEST(ViewPresets, AreElevationsInAParallelProjection) {
+    CameraPose pose{{10, 20, 3}, 500, 33, 45};
+    pose.projection = Projection::parallel;
+    const CameraPose west = lookFromSide(pose, 270);
+    EXPECT_EQ(west.headingDeg, 90);
+    EXPECT_EQ(west.pitchDeg, 0) << "level";
+    // The ground lies below the middle: 3 m of 0.36 x 500 m up and down.
+    const ViewLens lens{40, 1200, 800};
+    const auto ground = pixelOf(west, lens, {10, 20, 3});
+    ASSERT_TRUE(ground);
+    EXPECT_GT(ground->y, 560);
+    EXPECT_LT(ground->y, 720);
+}
+
+TEST_F(ProjectWindow, PlanAndProjectionFollowTheMenu) {
+    const auto trigger = [this](QAction* action) { action->trigger(); };
+    CityView& view = window->panel().view();
+    QAction* parallel = window->presets().parallel();
+    EXPECT_FALSE(parallel->isChecked());
+    trigger(window->presets().actions().first());
+    EXPECT_TRUE(parallel->isChecked());
+    EXPECT_EQ(view.pose().projection, Projection::parallel);
+    EXPECT_EQ(view.pose().pitchDeg, 90);
+    // The scale bar: pixels a metre by two points on the ground and one on a roof.
+    const auto a = pixelOf(view.pose(), view.lens(), {0, 0, 0}),
+               b = pixelOf(view.pose(), view.lens(), {50, 0, 30});
+    EXPECT_NEAR(window->panel().legend().pixelsPerM(), (b->x - a->x) / 50, 1e-6);
+    window->panel().navigator().showWholeCity();
+    EXPECT_EQ(view.pose().projection, Projection::parallel) << "stays";
+    trigger(parallel);
+    EXPECT_FALSE(parallel->isChecked());
+    EXPECT_EQ(view.pose().projection, Projection::perspective);
+}
+
+TEST_F(ProjectWindow, AViewIsSavedFoundRenamedAndDeleted) {
+    CityView& view = window->panel().view();
+    CameraPose pose{{5, 6, 0}, 300, 20, 60};
+    pose.projection = Projection::parallel;
+    window->panel().navigator().go(pose);
+    const CameraPose saved = view.pose();
+    window->panel().time().choose(
+        {LookSpan::moment, CivilDate{std::chrono::year{2026}, std::chrono::June, std::chrono::day{21}},
+         std::chrono::minutes(15 * 60)});
+    const TimeLook look = window->panel().time().look();
+    window->savedViews().save();
+    ASSERT_EQ(session().project().views.size(), 1U);
+    const std::string name = session().project().views[0].name;
+    EXPECT_TRUE(session().hasUnsavedWork());
+    window->panel().navigator().go({{0, 0, 0}, 900, 0, 40});
+    window->panel().time().choose({LookSpan::moment, look.date, std::chrono::minutes(9 * 60)});
+    window->savedViews().show(name);
+    EXPECT_EQ(view.pose(), saved);
+    EXPECT_EQ(window->panel().time().look(), look);
+    ASSERT_TRUE(session().rename(ProjectPart::view, name, "Plaza"));
+    const auto fewer = without(session().project(), ProjectPart::view, "Plaza");
+    ASSERT_TRUE(session().change(*fewer, QStringLiteral("delete")));
+    EXPECT_TRUE(session().project().views.empty());
+    workbench().document().undoStack().undo();
+    ASSERT_EQ(session().project().views.size(), 1U);
+    EXPECT_EQ(session().project().views[0].name, "Plaza");
+    save();
+    open(file);
+    EXPECT_EQ(session().project().views.size(), 1U);
+    QMenu& menu = *window->savedViews().menu();
+    Q_EMIT menu.aboutToShow();
+    EXPECT_THAT(entriesOf(menu).join(QLatin1Char('|')).toStdString(), testing::HasSubstr("Plaza"));
 }
 
 TEST(ViewPresets, TheSunsViewIsAlongItsRays) {

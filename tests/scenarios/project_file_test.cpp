@@ -45,10 +45,16 @@ protected:
     TemporaryFolder folder_;
 };
 
+// Version 5 stored no views.
+Project asVersion5Holds(Project project) {
+    project.views.clear();
+    return project;
+}
+
 // Version 4 stored no roads along lots.
 Project asVersion4Holds(Project project) {
     for (NamedLot& lot : project.lots) lot.roads.clear();
-    return project;
+    return asVersion5Holds(std::move(project));
 }
 
 // Version 3 stored no map context.
@@ -94,6 +100,7 @@ void expectSame(const Project& a, const Project& b) {
     EXPECT_EQ(a.sheets, b.sheets);
     EXPECT_EQ(a.weights, b.weights);
     EXPECT_EQ(a.periods, b.periods);
+    EXPECT_EQ(a.views, b.views);
     EXPECT_EQ(a.view, b.view);
     ASSERT_EQ(a.scenarios.size(), b.scenarios.size());
     for (std::size_t i = 0; i < a.scenarios.size(); ++i) {
@@ -217,7 +224,42 @@ TEST_F(ProjectFileTest, AFileOfVersion4IsOpened) {
 
 TEST_F(ProjectFileTest, AFileOfVersion5IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-5.noonmark.gpkg"), file());
+    ProjectFile disk = ProjectFile::open(file()).value();
+    expectSame(disk.project(), asVersion5Holds(sampleProject()));
+    ASSERT_TRUE(disk.save(sampleProject()));
     expectSame(opened(), sampleProject());
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion6IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-6.noonmark.gpkg"), file());
+    expectSame(opened(), sampleProject());
+}
+
+TEST_F(ProjectFileTest, ViewsThatMakeNoSenseAreDamage) {
+    for (const char* harm :
+         {"distance_m = 0", "distance_m = 9e999", "pitch_deg = 91", "heading_deg = 'north'",
+          "target_x_m = -1e9", "projection = 'fisheye'", "date = '2026-02-30'", "at_min = 1441"}) {
+        fs::remove(file());
+        made();
+        Database(file(), Database::Access::write)
+            .execute(std::string("UPDATE saved_views SET ") + harm + " WHERE id = 2");
+        EXPECT_THAT(troubleOfOpening(), HasSubstr("saved_views")) << harm;
+    }
+}
+
+TEST_F(ProjectFileTest, AViewOutOfRangeIsRefusedBeforeItIsSaved) {
+    Project project = sampleProject();
+    for (const auto& harm : std::initializer_list<void (*)(SavedView&)>{
+             [](SavedView& view) { view.distanceM = 0; }, [](SavedView& view) { view.pitchDeg = -1; },
+             [](SavedView& view) { view.headingDeg = std::nan(""); },
+             [](SavedView& view) {
+                 view.moment = ViewMoment{{}, std::chrono::minutes(5)};
+             },
+             [](SavedView& view) { view.name = "Depuis l'Été"; }}) {
+        project.views = sampleProject().views;
+        harm(project.views[0]);
+        EXPECT_FALSE(validate(project));
+    }
 }
 
 TEST_F(ProjectFileTest, RoadsThatMakeNoSenseAreDamage) {
@@ -245,7 +287,7 @@ TEST_F(ProjectFileTest, ContextOfAKindFromALaterVersionIsIgnored) {
 }
 
 TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {
-    for (const std::string name : {"Places", "sheet_settings"}) {
+    for (const std::string name : {"Places", "sheet_settings", "saved_views"}) {
         fs::remove(file());
         fs::copy_file(testFile("scenarios/files/version-2.noonmark.gpkg"), file());
         Database(file(), Database::Access::write).execute("CREATE TABLE " + name + " (x INTEGER)");

@@ -87,6 +87,14 @@ inline Project sampleProject() {
                          .window = SolarWindow{minutes(90), minutes(90)},
                          .zone = "America/New_York",
                          .refraction = false}}};
+    project.views = {{"Plan \"A\"", {12.5, -7.25, 1.5}, 432.1, 0, 90, true},
+                     {"Depuis l'Été",
+                      {0, 0, 0},
+                      1e4,
+                      359.9,
+                      2,
+                      false,
+                      ViewMoment{2026y / June / 21, minutes(20 * 60 + 5)}}};
     project.results = {makeSavedResult("first")};
     project.sheets = {
         {"Tower \"A\"", "Ä. Planer", "城市", "1 May 2026", "A-", std::string("\x89PNG\r\n\x1a\n\0x", 10)},

@@ -57,6 +57,7 @@ Json infoJson(const ProjectFile& disk) {
             {"scenarios", scenarios},
             {"weights", namesOf(project.weights, ownName)},
             {"periods", namesOf(project.periods, ownName)},
+            {"views", namesOf(project.views, ownName)},
             {"results", namesOf(project.results, sharedName)},
             {"unsaved_work", bool(recoveryOf(disk.path()))}};
 }
@@ -73,7 +74,7 @@ void print(const Json& info, std::ostream& out) {
     table.add("terrain", info["terrain"].get<bool>() ? info["terrain_source"]["text"].get<std::string>()
                                                      : "none: flat ground");
     table.add("places", withCommas(info["places"].size()));
-    for (const char* key : {"regions", "lots", "weights", "periods", "results"})
+    for (const char* key : {"regions", "lots", "weights", "periods", "views", "results"})
         table.add(key, joined(info[key]));
     if (info["unsaved_work"].get<bool>()) table.add("recovery", "there is a recovery file with unsaved work");
     table.print(out);

@@ -15,7 +15,7 @@ QString mouseAndKeys() {
         "Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms "
         "to the cursor. Arrow keys "
         "pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: "
-        "from the sun. R: region. B: solid buildings or "
+        "from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or "
         "wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. "
         "Click a building to "
         "select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M "

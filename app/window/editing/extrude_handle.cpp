@@ -56,8 +56,7 @@ bool ExtrudeHandle::isAt(QPointF pixel) const {
 // pixel covers at the view's target.
 double ExtrudeHandle::metresUp(QPointF pixel) const {
     const CityView& view = panel_.view();
-    const double halfM = std::tan(glm::radians(view.lens().verticalDeg / 2)) * view.pose().distanceM;
-    return (view.lens().heightPx - pixel.y()) * 2 * halfM / view.lens().heightPx;
+    return (view.lens().heightPx - pixel.y()) * metresPerPixel(view.pose(), view.lens());
 }
 
 std::optional<double> ExtrudeHandle::heightAt(QPointF pixel) const {

@@ -91,6 +91,7 @@ MainWindow::MainWindow(QSettings& settings)
       presets_(*panel_, time_),
       preferences_(settings_, panel_->messages(), *this),
       tours_(opening_, {*this, workbench_, review_, *panel_}),
+      savedViews_(workbench_.session(), *panel_, *docks_.project, *this),
       context_(workbench_, tools_, region_, places_, points_, *panel_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
@@ -116,11 +117,28 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    const WindowActions actions{
-        opening_,        saving_, results_,       movies_, copying_, edits_,
-        scenarios_,      study_,  region_,        places_, reviews_, camera_,
-        presets_,        search_, preferences_,   help_,   tours_,   new ThemeMenu(settings_, this),
-        mode_.actions(), docks,   time_.actions()};
+    const WindowActions actions{opening_,
+                                saving_,
+                                results_,
+                                movies_,
+                                copying_,
+                                edits_,
+                                scenarios_,
+                                study_,
+                                region_,
+                                places_,
+                                reviews_,
+                                camera_,
+                                presets_,
+                                savedViews_,
+                                search_,
+                                preferences_,
+                                help_,
+                                tours_,
+                                new ThemeMenu(settings_, this),
+                                mode_.actions(),
+                                docks,
+                                time_.actions()};
     QAction* quit = noonmark::fillMenus(*menuBar(), actions);
     makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());

@@ -39,6 +39,7 @@
 #include "app/window/time/time_display.h"
 #include "app/window/view/context_menu.h"
 #include "app/window/view/mode_switch.h"
+#include "app/window/view/saved_views.h"
 #include "app/window/view/view_presets.h"
 
 class QLabel;
@@ -76,6 +77,8 @@ public:
     [[nodiscard]] TourActions& tours() { return tours_; }
     [[nodiscard]] PreferencesActions& preferences() { return preferences_; }
     [[nodiscard]] ContextMenu& context() { return context_; }
+    [[nodiscard]] ViewPresets& presets() { return presets_; }
+    [[nodiscard]] SavedViews& savedViews() { return savedViews_; }
     [[nodiscard]] PointInspector& points() { return points_; }
 
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
@@ -139,6 +142,7 @@ private:
     ViewPresets presets_;
     PreferencesActions preferences_;
     TourActions tours_;
+    SavedViews savedViews_;
     ContextMenu context_;
 };
 

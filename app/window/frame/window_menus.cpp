@@ -20,6 +20,7 @@
 #include "app/window/help/tour/tour_actions.h"
 #include "app/window/looks/icons.h"
 #include "app/window/preferences/preferences_actions.h"
+#include "app/window/view/saved_views.h"
 #include "app/window/view/view_presets.h"
 
 namespace noonmark {
@@ -64,7 +65,9 @@ void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
 
 void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.view.cameraActions());
-    menu.addMenu(QObject::tr("&From a side"))->addActions(actions.presets.actions());
+    menu.addAction(actions.presets.parallel());
+    menu.addMenu(QObject::tr("P&lan, elevations, from the sun"))->addActions(actions.presets.actions());
+    menu.addMenu(actions.savedViews.menu());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());

@@ -18,6 +18,7 @@ class RegionActions;
 class PreferencesActions;
 class ResultActions;
 class ReviewActions;
+class SavedViews;
 class SavingActions;
 class ScenarioActions;
 class SearchActions;
@@ -41,6 +42,7 @@ struct WindowActions {
     const ReviewActions& review;
     const ViewActions& view;
     const ViewPresets& presets;
+    const SavedViews& savedViews;
     const SearchActions& search;
     const PreferencesActions& preferences;
     const HelpActions& help;

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "app/window/help/start_settings.h"
+#include "app/window/looks/application_theme.h"
 #include "app/window/looks/language.h"
-#include "app/window/looks/theme.h"
 #include "app/window/looks/units.h"
 #include "app/window/sheets/page_settings.h"
 
@@ -97,7 +97,7 @@ bool PreferencesDialog::saveLooks() {
     saveUnits(units, settings_);
     if (theme != readThemeChoice(settings_)) {
         saveThemeChoice(theme, settings_);
-        applyTheme(theme, qApp->property(systemPaletteName).value<QPalette>());
+        if (auto* now = ApplicationTheme::inUse()) now->choose(theme);
     }
     return isLater;
 }

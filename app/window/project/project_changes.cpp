@@ -30,6 +30,8 @@ void inList(Project& project, ProjectPart part, Work&& work) {
             return work(project.weights);
         case ProjectPart::period:
             return work(project.periods);
+        case ProjectPart::view:
+            return work(project.views);
         case ProjectPart::result:
             return;
     }

@@ -8,7 +8,7 @@
 namespace noonmark {
 
 /// The kinds of parts that a project lists.
-enum class ProjectPart { lot, region, place, scenario, weights, period, result };
+enum class ProjectPart { lot, region, place, scenario, weights, period, view, result };
 
 /// "Proposal A", "Proposal B"... "Proposal Z", "Proposal 27": the first name that no scenario has.
 std::string nextProposal(const std::vector<Scenario>& scenarios);

@@ -36,6 +36,8 @@ QString describeUse(ProjectPart part) {
             return QObject::tr("&Use as study region");
         case ProjectPart::period:
             return QObject::tr("&Use as study period");
+        case ProjectPart::view:
+            return QObject::tr("&Go to this view");
         case ProjectPart::weights:
             return QObject::tr("&Edit and score");
         case ProjectPart::result:
@@ -111,6 +113,7 @@ void ProjectDock::use(const QModelIndex& index) {
     if (node->part == ProjectPart::result) return Q_EMIT resultChosen(name);
     if (node->part == ProjectPart::weights) return Q_EMIT weightsChosen(name);
     if (node->part == ProjectPart::place) return Q_EMIT placeChosen(name);
+    if (node->part == ProjectPart::view) return Q_EMIT viewChosen(name);
     if (node->part == ProjectPart::region)
         if (const auto region = findRegion(project, name)) return Q_EMIT regionChosen(*region);
     if (node->part == ProjectPart::lot)
@@ -244,6 +247,8 @@ void ProjectDock::addGroupActions(QMenu& menu, const ProjectNode& node) {
         menu.addAction(tr("&Save the study's region"), this, &ProjectDock::keepRegionRequested);
     if (node.part == ProjectPart::period)
         menu.addAction(tr("&Save the study's period"), this, &ProjectDock::keepPeriodRequested);
+    if (node.part == ProjectPart::view)
+        menu.addAction(tr("&Save this view"), this, &ProjectDock::keepViewRequested);
     if (node.part == ProjectPart::result)
         menu.addAction(tr("&Save the displayed result"), this, &ProjectDock::keepResultRequested);
     if (node.part == ProjectPart::lot)

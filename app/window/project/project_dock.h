@@ -42,10 +42,12 @@ Q_SIGNALS:
     void lotChosen(noonmark::NamedLot lot);
     void placeChosen(const std::string& name);    ///< to be zoomed to
     void placeSelected(const std::string& name);  ///< the current node; empty: it is no place
+    void viewChosen(const std::string& name);
     void resultChosen(const std::string& name);
     void weightsChosen(const std::string& name);
     void keepRegionRequested();  ///< the study's region is to be added to the project
     void keepPeriodRequested();
+    void keepViewRequested();
     void keepResultRequested();
     void drawLotRequested();
     void drawPlaceRequested();

@@ -26,9 +26,9 @@ struct ProjectNode {
     std::vector<std::unique_ptr<ProjectNode>> children;
 };
 
-/// The project as a tree: city, scenarios with their edits, lots, regions, periods, weight tables, results.
-/// Follows the session; unchanged nodes are not rebuilt, so views keep what is expanded and selected. Parts
-/// can be renamed in place.
+/// The project as a tree: city, scenarios with their edits, lots, regions, periods, views, weight tables,
+/// results. Follows the session; unchanged nodes are not rebuilt, so views keep what is expanded and
+/// selected. Parts can be renamed in place.
 class ProjectModel final : public QAbstractItemModel {
     Q_OBJECT
 public:

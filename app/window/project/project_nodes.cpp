@@ -129,6 +129,22 @@ void addPeriods(ProjectNode& root, const Project& project) {
                     .arg(formatText(noonmark::formatText(period.period))));
 }
 
+QString describeView(const SavedView& view) {
+    const QString projection = view.parallel ? tr("parallel") : tr("perspective");
+    if (!view.moment) return projection;
+    return tr("%1, %2 %3")
+        .arg(projection, formatText(noonmark::formatText(view.moment->date)),
+             formatText(noonmark::formatText(view.moment->at)));
+}
+
+void addViews(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::view, tr("Views"), project.views.size(),
+                                  tr("Camera, projection and moment, saved with Ctrl+Shift+V"));
+    for (const SavedView& view : project.views)
+        addPart(group, view.name, {},
+                tr("%1\nPress Enter or double-click to go to it").arg(describeView(view)));
+}
+
 void addWeights(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(
         root, ProjectPart::weights, QObject::tr("Weight tables"), project.weights.size(),
@@ -168,6 +184,7 @@ std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string
     addRegions(*root, project);
     addPlaces(*root, project);
     addPeriods(*root, project);
+    addViews(*root, project);
     addWeights(*root, project);
     addResults(*root, project);
     return root;

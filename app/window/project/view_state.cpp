@@ -101,14 +101,21 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
 }
 
 std::string cameraText(const CameraPose& pose) {
-    return Json{pose.target.x, pose.target.y, pose.target.z, pose.distanceM, pose.headingDeg, pose.pitchDeg}
-        .dump();
+    Json numbers{pose.target.x, pose.target.y, pose.target.z, pose.distanceM, pose.headingDeg, pose.pitchDeg};
+    if (pose.isParallel()) numbers.push_back(1);
+    return numbers.dump();
 }
 
 std::optional<CameraPose> cameraFrom(const std::string& text) try {
     const auto numbers = Json::parse(text).get<std::vector<double>>();
-    if (numbers.size() != 6 || !(numbers[3] > 0) || numbers[3] > 1e7) return std::nullopt;
-    return CameraPose{{numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4], numbers[5]};
+    if (numbers.size() < 6 || numbers.size() > 7 || !(numbers[3] > 0) || numbers[3] > 1e7)
+        return std::nullopt;
+    const bool parallel = numbers.size() == 7 && numbers[6] == 1;
+    return CameraPose{{numbers[0], numbers[1], numbers[2]},
+                      numbers[3],
+                      numbers[4],
+                      numbers[5],
+                      parallel ? Projection::parallel : Projection::perspective};
 } catch (const Json::exception&) {
     return std::nullopt;
 }

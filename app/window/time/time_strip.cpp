@@ -177,6 +177,13 @@ void TimeStrip::setLook(const TimeLook& look) {
     showLook();
 }
 
+void TimeStrip::choose(TimeLook look) {
+    look.date = look_.date.year() / look.date.month() / look.date.day();
+    if (!look.date.ok())
+        look.date = look_.date.year() / look.date.month() / std::chrono::last;  // 29 February
+    take(look);
+}
+
 void TimeStrip::setDayOffered(bool offered) {
     auto* entries = qobject_cast<QStandardItemModel*>(span_->model());
     entries->item(int(LookSpan::day))->setEnabled(offered);

@@ -34,6 +34,8 @@ public:
     void setPeriod(const Period& period);
     [[nodiscard]] const TimeLook& look() const { return look_; }
     void setLook(const TimeLook& look);  ///< the date must be in the year of the period
+    /// Shows a look as if it had been chosen in the strip; the day in the year of the period.
+    void choose(TimeLook look);
     /// Whether a whole day can be shown: only of a study.
     void setDayOffered(bool offered);
     /// The sun at look().

@@ -54,9 +54,8 @@ ViewPanel::ViewPanel(QWidget* parent)
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window inside the container receives the drops
     connect(view_, &CityView::poseChanged, this, [this] {
-        const double heightAtOneMetre = 2 * std::tan(glm::radians(view_->lens().verticalDeg) / 2);
         legend_->setHeading(view_->pose().headingDeg);
-        legend_->setScale(view_->lens().heightPx / (heightAtOneMetre * view_->pose().distanceM));
+        legend_->setScale(1 / metresPerPixel(view_->pose(), view_->lens()));
     });
     for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
         connect(legend_, signal, this, [this] { results_->show(); });
@@ -193,10 +192,9 @@ void ViewPanel::takePicture(const QString& title, const QString& when, std::func
     const CameraPose pose = view_->pose();
     frame.headingDeg = pose.headingDeg;
     frame.fromAbove = pose.pitchDeg >= straightDownDeg;
-    const double heightAtOneMetre = 2 * std::tan(glm::radians(view_->lens().verticalDeg) / 2);
-    view_->capture([frame, distance = pose.distanceM, heightAtOneMetre,
-                    done = std::move(done)](const QImage& image) mutable {
-        frame.pixelsPerM = image.height() / (heightAtOneMetre * distance);
+    const double heightM = metresPerPixel(pose, view_->lens()) * view_->lens().heightPx;
+    view_->capture([frame, heightM, done = std::move(done)](const QImage& image) mutable {
+        frame.pixelsPerM = image.height() / heightM;
         done(viewPicture(image, frame));
     });
 }

@@ -12,7 +12,16 @@ namespace noonmark {
 
 namespace {
 
-constexpr double elevationPitchDeg = 8;  // over the roofs in front
+constexpr double overRoofsDeg = 8;
+constexpr double groundBelowMiddle =
+    0.22;  // of the distance: the ground lies at the lower fifth of the picture
+
+// With its target on the ground, from which a level parallel view may have raised it.
+CameraPose groundedPose(ViewPanel& panel) {
+    CameraPose pose = panel.view().pose();
+    pose.target.z = panel.navigator().scene().groundAt({pose.target.x, pose.target.y});
+    return pose;
+}
 
 double opposite(double azimuthDeg) { return std::fmod(azimuthDeg + 180, 360); }
 
@@ -20,7 +29,9 @@ double opposite(double azimuthDeg) { return std::fmod(azimuthDeg + 180, 360); }
 
 CameraPose lookFromSide(CameraPose pose, double fromDeg) {
     pose.headingDeg = opposite(fromDeg);
-    pose.pitchDeg = elevationPitchDeg;
+    const bool parallel = pose.isParallel();
+    pose.pitchDeg = parallel ? 0 : overRoofsDeg;
+    if (parallel) pose.target.z += groundBelowMiddle * pose.distanceM;
     return pose;
 }
 
@@ -30,7 +41,23 @@ CameraPose lookFromSun(CameraPose pose, const SunAtMoment& sun) {
     return pose;
 }
 
-ViewPresets::ViewPresets(ViewPanel& panel, const TimeDisplay& time) : panel_(panel), time_(time) {
+ViewPresets::ViewPresets(ViewPanel& panel, const TimeDisplay& time)
+    : panel_(panel),
+      time_(time),
+      parallel_(makeAction(this, tr("&Parallel projection"), Qt::Key_O,
+                           tr("Orthographic, as in plans and elevations: lengths across the view are to "
+                              "scale everywhere"))) {
+    parallel_->setCheckable(true);
+    connect(parallel_, &QAction::triggered, this, [this](bool on) {
+        panel_.navigator().setProjection(on ? Projection::parallel : Projection::perspective);
+    });
+    connect(&panel_.view(), &CityView::poseChanged, parallel_,
+            [this] { parallel_->setChecked(panel_.view().pose().isParallel()); });
+    QAction* plan =
+        makeAction(this, tr("&Plan"), QKeySequence(tr("Shift+P")),
+                   tr("The same ground from straight above, north up, in parallel projection"), "top-view");
+    connect(plan, &QAction::triggered, this, &ViewPresets::showPlan);
+    actions_ << plan;
     addSide(tr("From the &south"), QKeySequence(tr("Shift+S")), 180);
     addSide(tr("From the &east"), QKeySequence(tr("Shift+E")), 90);
     addSide(tr("From the &north"), QKeySequence(tr("Shift+N")), 0);
@@ -44,24 +71,27 @@ ViewPresets::ViewPresets(ViewPanel& panel, const TimeDisplay& time) : panel_(pan
 }
 
 void ViewPresets::addSide(const QString& text, const QKeySequence& keys, double fromDeg) {
-    QAction* action = makeAction(this, text, keys, tr("The same ground from this side, nearly level"));
-    if (actions_.isEmpty()) action->setIcon(makeIcon(QStringLiteral("front-view")));
+    QAction* action = makeAction(this, text, keys,
+                                 tr("The same ground from this side; an elevation in parallel projection"));
+    if (actions_.size() == 1) action->setIcon(makeIcon(QStringLiteral("front-view")));
     connect(action, &QAction::triggered, this,
-            [this, fromDeg] { go(lookFromSide(panel_.view().pose(), fromDeg)); });
+            [this, fromDeg] { panel_.navigator().go(lookFromSide(groundedPose(panel_), fromDeg)); });
     actions_ << action;
 }
 
 void ViewPresets::showSunsView() {
     const SunAtMoment& sun = time_.sun();
-    if (sun.isUp()) return go(lookFromSun(panel_.view().pose(), sun));
+    if (sun.isUp()) return panel_.navigator().go(lookFromSun(groundedPose(panel_), sun));
     panel_.messages().showNote(
         tr("The sun is below the horizon at this date and time. Move the time below the view."));
 }
 
-// The eye stays above the ground, as while the camera is moved by hand.
-void ViewPresets::go(const CameraPose& pose) {
-    const auto ground = [this](glm::dvec2 point) { return panel_.navigator().scene().groundAt(point); };
-    panel_.view().setPose(keepAboveGround(pose, computeLimits(panel_.view().viewBounds()), ground));
+void ViewPresets::showPlan() {
+    CameraPose pose = groundedPose(panel_);
+    pose.projection = Projection::parallel;
+    pose.pitchDeg = 90;
+    pose.headingDeg = 0;
+    panel_.navigator().go(pose);
 }
 
 }  // namespace noonmark

@@ -55,6 +55,8 @@ Region visibleGround(const CameraPose& pose, const ViewLens& lens, const ViewBou
     RawRing ring;
     for (const glm::dvec2 pixel : borderPixels(lens)) {
         ViewRay ray = makeRayThrough(pose, lens, pixel);
+        // The ground may begin behind the eye of a parallel projection.
+        if (pose.isParallel()) ray.origin -= 1e6 * ray.direction;
         // Rays above the horizon are lowered to meet the ground far outside any city.
         ray.direction.z = std::min(ray.direction.z, -1e-3);
         if (const auto hit = findPlaneHit(ray, pose.target.z)) ring.emplace_back(hit->x, hit->y);

@@ -32,6 +32,7 @@ public:
     void setHeading(double degrees);  ///< azimuth of the view, clockwise from north
     /// Device-independent pixels per metre in the middle of the view, for the scale bar; 0: none.
     void setScale(double pixelsPerM);
+    [[nodiscard]] double pixelsPerM() const { return pixelsPerM_; }
 
     [[nodiscard]] ShadowMeasure measure() const;
     void setMeasure(ShadowMeasure measure);

@@ -28,21 +28,25 @@ Result<void> check(const PixelCamera& camera) {
         return failure(
             fmt::format("A picture of {} x {} pixels is out of range", camera.widthPx, camera.heightPx),
             "view", fmt::format("Choose 1 to {} pixels a side", mostPixels));
+    if (!(camera.heightM >= 0 && camera.heightM < 1e7))
+        return failure(fmt::format("A picture {} m high is out of range", camera.heightM), "view",
+                       "Choose a height between 0 and 10000 km");
     if (!(camera.verticalDeg > 0 && camera.verticalDeg < 180))
         return failure(fmt::format("An angle of view of {} degrees is out of range", camera.verticalDeg),
                        "view", "Choose more than 0 and less than 180 degrees");
     return {};
 }
 
-std::optional<double> distanceToGround(const PixelCamera& camera, glm::dvec3 direction) {
-    const double distance = -camera.eye.z / direction.z;
+std::optional<double> distanceToGround(glm::dvec3 origin, glm::dvec3 direction) {
+    const double distance = -origin.z / direction.z;
     if (direction.z == 0 || !(distance > 0)) return std::nullopt;
     return distance;
 }
 
-PointSeen lookAt(const RayScene& scene, bool flatGround, const PixelCamera& camera, glm::dvec3 direction) {
-    const auto hit = scene.firstHit(glm::vec3(camera.eye), glm::vec3(direction));
-    const auto ground = flatGround ? distanceToGround(camera, direction) : std::nullopt;
+PointSeen lookAt(const RayScene& scene, bool flatGround, const LineOfSight& line) {
+    const glm::dvec3 direction = glm::normalize(line.direction);
+    const auto hit = scene.firstHit(glm::vec3(line.origin), glm::vec3(direction));
+    const auto ground = flatGround ? distanceToGround(line.origin, direction) : std::nullopt;
     const double groundM = ground.value_or(1e30);
     if (hit && double(hit->distanceM) <= groundM) {
         const bool faces = glm::dot(hit->normal, glm::vec3(direction)) <= 0;
@@ -50,8 +54,8 @@ PointSeen lookAt(const RayScene& scene, bool flatGround, const PixelCamera& came
                 double(hit->distanceM) <= farthestVisibleM};
     }
     if (groundM > farthestVisibleM) return {};
-    const glm::vec3 place(camera.eye + groundM * direction);
-    return {{place.x, place.y, 0}, {0, 0, camera.eye.z >= 0 ? 1 : -1}, true};
+    const glm::vec3 place(line.origin + groundM * direction);
+    return {{place.x, place.y, 0}, {0, 0, line.origin.z >= 0 ? 1 : -1}, true};
 }
 
 VisibleSurface gatherPoints(const std::vector<PointSeen>& pixels, glm::vec3 eye) {
@@ -77,11 +81,18 @@ PixelCamera makeCamera(glm::dvec3 eye, glm::dvec3 target, double verticalDeg, in
     return camera;
 }
 
-glm::dvec3 directionThrough(const PixelCamera& camera, int column, int row) {
-    const double pixel = 2 * std::tan(Degrees{camera.verticalDeg / 2}.radians().value) / camera.heightPx;
+LineOfSight lineThrough(const PixelCamera& camera, int column, int row) {
+    const double pixel = 1 / samplesPerMetre(camera, 1);
     const double right = (column + 0.5 - camera.widthPx * 0.5) * pixel;
     const double up = (camera.heightPx * 0.5 - row - 0.5) * pixel;
-    return camera.forward + right * camera.right + up * camera.up;
+    const glm::dvec3 aside = right * camera.right + up * camera.up;
+    if (camera.heightM > 0) return {camera.eye + aside, camera.forward};
+    return {camera.eye, camera.forward + aside};
+}
+
+double samplesPerMetre(const PixelCamera& camera, double depthM) {
+    if (camera.heightM > 0) return camera.heightPx / camera.heightM;
+    return camera.heightPx / (2 * std::tan(Degrees{camera.verticalDeg / 2}.radians().value) * depthM);
 }
 
 Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround, const PixelCamera& camera,
@@ -92,7 +103,7 @@ Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround
         for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
             for (int column = 0; column < camera.widthPx; ++column)
                 pixels[std::size_t(row) * std::size_t(camera.widthPx) + std::size_t(column)] =
-                    lookAt(scene, flatGround, camera, glm::normalize(directionThrough(camera, column, row)));
+                    lookAt(scene, flatGround, lineThrough(camera, column, row));
     });
     if (stop.stop_requested()) return cancelled();
     return gatherPoints(pixels, glm::vec3(camera.eye));

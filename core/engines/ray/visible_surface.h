@@ -11,23 +11,31 @@
 
 namespace noonmark {
 
-/// A perspective camera and its image size. Local metres; forward, right and up are orthogonal unit vectors.
+/// A camera in perspective or parallel projection, and its image size. Local metres; forward, right and up
+/// are orthogonal unit vectors.
 struct PixelCamera {
     glm::dvec3 eye{0};
     glm::dvec3 forward{0, 1, 0};
     glm::dvec3 right{1, 0, 0};
     glm::dvec3 up{0, 0, 1};
     double verticalDeg = 40;  ///< vertical angle of view, above 0, below 180
-    int widthPx = 1;          ///< 1 to 16384
-    int heightPx = 1;         ///< 1 to 16384
+    double heightM = 0;  ///< above 0: a parallel projection, whose image is so high; verticalDeg is unused
+    int widthPx = 1;     ///< 1 to 16384
+    int heightPx = 1;    ///< 1 to 16384
 };
 
 /// A camera at `eye` that looks at `target`, upright; if it looks straight down, north is up.
 PixelCamera makeCamera(glm::dvec3 eye, glm::dvec3 target, double verticalDeg, int widthPx, int heightPx);
 
-/// Direction to the centre of a pixel; column 0 is the left, row 0 the TOP. Not normalised: its component
-/// along `forward` is 1.
-glm::dvec3 directionThrough(const PixelCamera& camera, int column, int row);
+/// The line of sight through the centre of a pixel; column 0 is the left, row 0 the TOP.
+struct LineOfSight {
+    glm::dvec3 origin{0};     ///< the eye; in a parallel projection a point beside it
+    glm::dvec3 direction{0};  ///< not normalised: its component along `forward` is 1
+};
+LineOfSight lineThrough(const PixelCamera& camera, int column, int row);
+
+/// Samples a metre, seen at right angles, at a depth of so many metres along `forward`.
+double samplesPerMetre(const PixelCamera& camera, double depthM);
 
 /// The surface points that the pixels of an image show.
 struct VisibleSurface {
@@ -37,7 +45,8 @@ struct VisibleSurface {
 
 /// The surface point at the centre of each pixel: the first hit in `scene`, or, if `flatGround` (a city
 /// without terrain), the plane z = 0. Normals face the eye. Points farther than farthestVisibleM from the eye
-/// count as sky. Error: a camera out of range; cancelled(). Uses all cores, some 0.2 us per pixel and core.
+/// count as sky. In a parallel projection nothing behind the eye is seen. Error: a camera out of range;
+/// cancelled(). Uses all cores, some 0.2 us per pixel and core.
 Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround, const PixelCamera& camera,
                                           const std::stop_token& stop = {});
 inline constexpr double farthestVisibleM = 30000;

@@ -72,6 +72,13 @@ constexpr const char* contextTable = R"sql(
 CREATE TABLE context (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, kind TEXT, name TEXT, width_m REAL);
 )sql";
 
+// Since version 6.
+constexpr const char* viewTable = R"sql(
+CREATE TABLE saved_views (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL, target_x_m REAL NOT NULL,
+  target_y_m REAL NOT NULL, target_z_m REAL NOT NULL, distance_m REAL NOT NULL, heading_deg REAL NOT NULL,
+  pitch_deg REAL NOT NULL, projection TEXT NOT NULL, date TEXT, at_min INTEGER);
+)sql";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -127,6 +134,11 @@ void addSheetTable(Database& database) {
     contentsOf(database).run("sheet_settings", "attributes", "sheet_settings", "", std::optional<int>{});
 }
 
+void addViewTable(Database& database) {
+    database.execute(viewTable);
+    contentsOf(database).run("saved_views", "attributes", "saved_views", "", std::optional<int>{});
+}
+
 void registerTables(Database& database) {
     Statement contents = contentsOf(database);
     for (const FeatureTable& layer : featureTables) registerLayer(database, layer);
@@ -144,6 +156,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         memory.execute(placeTable);
         memory.execute(sheetTable);
         memory.execute(contextTable);
+        memory.execute(viewTable);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
         while (table.step()) made[table.text(0)].push_back(table.text(1));
@@ -189,10 +202,15 @@ void toVersion5(Database& database) {
     database.execute("ALTER TABLE lots ADD COLUMN roads TEXT");
 }
 
+void toVersion6(Database& database) {
+    refuseForeignTable(database, "saved_views");
+    addViewTable(database);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
     static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4,
-                                                                   toVersion5};
+                                                                   toVersion5, toVersion6};
     return steps;
 }
 
@@ -206,6 +224,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     addPlaceTable(database);
     addSheetTable(database);
     addContextTable(database);
+    addViewTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));

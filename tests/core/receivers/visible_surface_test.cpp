@@ -25,7 +25,7 @@ TEST(VisibleSurface, PointsLieOnTheirPixelsRaysAndFaceTheEye) {
     for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
         const glm::dvec3 way = glm::dvec3(view.surface.points.positions[i]) - view.camera.eye;
         const int pixel = int(view.surface.pixel[i]);
-        const glm::dvec3 ray = directionThrough(view.camera, pixel % width, pixel / width);
+        const glm::dvec3 ray = lineThrough(view.camera, pixel % width, pixel / width).direction;
         EXPECT_LT(glm::length(glm::cross(glm::normalize(way), glm::normalize(ray))), 1e-6);
         EXPECT_LT(glm::dot(glm::vec3(way), view.surface.points.normals[i]), 0);
         EXPECT_NEAR(glm::length(view.surface.points.normals[i]), 1, 1e-5);
@@ -45,6 +45,26 @@ TEST(VisibleSurface, SeesRoofFacadeAndGround) {
     EXPECT_GT(roof, 20);
     EXPECT_GT(facade, 50);
     EXPECT_EQ(std::size_t(roof + facade + ground), view.surface.points.size());
+}
+
+TEST(VisibleSurface, AParallelProjectionIsToScale) {
+    View view;
+    // From straight above, 60 m of ground in 48 pixels: 1.25 m a pixel; the box of 20 m covers 16 pixels a
+    // side.
+    view.camera = makeCamera({0, 0, 500}, {0, 0, 0}, 40, width, height);
+    view.camera.heightM = 60;
+    const auto surface = findVisibleSurface(RayScene::over(view.city).value(), true, view.camera).value();
+    ASSERT_EQ(surface.points.size(), std::size_t(width * height));
+    int roof = 0;
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+        const glm::vec3 p = surface.points.positions[i];
+        const int column = int(surface.pixel[i]) % width, row = int(surface.pixel[i]) / width;
+        EXPECT_NEAR(p.x, (column + 0.5 - width / 2.0) * 1.25, 1e-3);
+        EXPECT_NEAR(p.y, (height / 2.0 - row - 0.5) * 1.25, 1e-3);
+        EXPECT_GT(surface.points.normals[i].z, 0.99F) << "no facade is seen from above";
+        if (p.z > 19) ++roof;
+    }
+    EXPECT_EQ(roof, 16 * 16);
 }
 
 TEST(VisibleSurface, SkyHasNoPoint) {

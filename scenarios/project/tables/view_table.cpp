@@ -1,0 +1,69 @@
+#include "scenarios/project/read_project.h"
+#include "scenarios/project/tables/checked_row.h"
+#include "scenarios/project/write_project.h"
+
+// Reads and writes the table `saved_views`.
+namespace noonmark {
+
+namespace {
+
+constexpr NumberLimits heightLimitsM{-1e6, 1e6};
+constexpr NumberLimits distanceLimitsM{1e-3, 1e7};
+constexpr NumberLimits dayLimitsMin{0, 24 * 60};
+constexpr const char* parallelName = "parallel";
+constexpr const char* perspectiveName = "perspective";
+
+bool isParallel(const CheckedRow& checked, const std::string& projection) {
+    if (projection != parallelName && projection != perspectiveName)
+        checked.refuse("the projection is unknown");
+    return projection == parallelName;
+}
+
+std::optional<ViewMoment> momentOf(const Statement& row, const CheckedRow& checked) {
+    if (row.isNull(9)) return std::nullopt;
+    const auto date = parseDate(row.text(9));
+    if (!date) checked.refuse("the date is not valid");
+    return ViewMoment{*date, std::chrono::minutes(checked.integer(10, "at_min", dayLimitsMin))};
+}
+
+SavedView viewOf(const Statement& row) {
+    const CheckedRow checked(row, "saved_views");
+    return {row.text(1),
+            {checked.number(2, "target_x_m", placeLimitsM), checked.number(3, "target_y_m", placeLimitsM),
+             checked.number(4, "target_z_m", heightLimitsM)},
+            checked.number(5, "distance_m", distanceLimitsM),
+            checked.number(6, "heading_deg", {0, 360}),
+            checked.number(7, "pitch_deg", {0, 90}),
+            isParallel(checked, row.text(8)),
+            momentOf(row, checked)};
+}
+
+}  // namespace
+
+void writeSavedViews(Database& database, const std::vector<SavedView>& views) {
+    database.execute("DELETE FROM saved_views");
+    Statement add = database.prepare(
+        "INSERT INTO saved_views (name, target_x_m, target_y_m, target_z_m, distance_m, heading_deg, "
+        "pitch_deg, projection, date, at_min) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const SavedView& view : views) {
+        std::optional<std::string> date;
+        std::optional<int> at;
+        if (view.moment) {
+            date = formatText(view.moment->date);
+            at = int(view.moment->at.count());
+        }
+        add.run(view.name, view.targetM.x, view.targetM.y, view.targetM.z, view.distanceM, view.headingDeg,
+                view.pitchDeg, view.parallel ? parallelName : perspectiveName, date, at);
+    }
+}
+
+std::vector<SavedView> readSavedViews(Database& database) {
+    std::vector<SavedView> views;
+    Statement row = database.prepare(
+        "SELECT id, name, target_x_m, target_y_m, target_z_m, distance_m, heading_deg, pitch_deg, "
+        "projection, date, at_min FROM saved_views ORDER BY id");
+    while (row.step()) views.push_back(viewOf(row));
+    return views;
+}
+
+}  // namespace noonmark
