@@ -130,19 +130,19 @@ void addPeriods(ProjectNode& root, const Project& project) {
 }
 
 QString describeView(const SavedView& view) {
-    const QString projection = view.parallel ? tr("parallel") : tr("perspective");
+    const QString projection = view.parallel ? QObject::tr("parallel") : QObject::tr("perspective");
     if (!view.moment) return projection;
-    return tr("%1, %2 %3")
+    return QObject::tr("%1, %2 %3")
         .arg(projection, formatText(noonmark::formatText(view.moment->date)),
              formatText(noonmark::formatText(view.moment->at)));
 }
 
 void addViews(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::view, tr("Views"), project.views.size(),
-                                  tr("Camera, projection and moment, saved with Ctrl+Shift+V"));
+    ProjectNode& group = addGroup(root, ProjectPart::view, QObject::tr("Views"), project.views.size(),
+                                  QObject::tr("Camera, projection and moment, saved with Ctrl+Shift+V"));
     for (const SavedView& view : project.views)
         addPart(group, view.name, {},
-                tr("%1\nPress Enter or double-click to go to it").arg(describeView(view)));
+                QObject::tr("%1\nPress Enter or double-click to go to it").arg(describeView(view)));
 }
 
 void addWeights(ProjectNode& root, const Project& project) {
