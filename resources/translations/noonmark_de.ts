@@ -181,6 +181,157 @@
     </message>
 </context>
 <context>
+    <name>Error</name>
+    <message>
+        <source>No city is open</source>
+        <translation>Keine Stadt ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a file or a sample first</source>
+        <translation>Zuerst eine Datei oder ein Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>This result is already saved</source>
+        <translation>Dieses Ergebnis ist schon gespeichert</translation>
+    </message>
+    <message>
+        <source>Another result is being saved</source>
+        <translation>Ein anderes Ergebnis wird gerade gespeichert</translation>
+    </message>
+    <message>
+        <source>Wait until it is saved</source>
+        <translation>Warten, bis es gespeichert ist</translation>
+    </message>
+    <message>
+        <source>There is no result to save</source>
+        <translation>Es gibt kein Ergebnis zu speichern</translation>
+    </message>
+    <message>
+        <source>There is no result to export</source>
+        <translation>Es gibt kein Ergebnis zu exportieren</translation>
+    </message>
+    <message>
+        <source>There are no figures to copy</source>
+        <translation>Es gibt keine Zahlen zu kopieren</translation>
+    </message>
+    <message>
+        <source>Press Run first</source>
+        <translation>Zuerst Berechnen drücken</translation>
+    </message>
+    <message>
+        <source>The file was not opened: the project was changed while it was read</source>
+        <translation>Die Datei wurde nicht geöffnet: das Projekt wurde währenddessen geändert</translation>
+    </message>
+    <message>
+        <source>Save or undo the change, then open the file again</source>
+        <translation>Die Änderung speichern oder zurücknehmen und die Datei erneut öffnen</translation>
+    </message>
+    <message>
+        <source>The file holds no places</source>
+        <translation>Die Datei enthält keine Orte</translation>
+    </message>
+    <message>
+        <source>Choose a map with parks, or a file of polygons</source>
+        <translation>Eine Karte mit Parks oder eine Datei mit Polygonen wählen</translation>
+    </message>
+    <message>
+        <source>The picture could not be written</source>
+        <translation>Das Bild konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>No ground of the city is visible</source>
+        <translation>Kein Boden der Stadt ist sichtbar</translation>
+    </message>
+    <message>
+        <source>Move the view to the city first</source>
+        <translation>Zuerst die Ansicht zur Stadt bewegen</translation>
+    </message>
+    <message>
+        <source>The project has no lots, and this rule is about parcels</source>
+        <translation>Das Projekt hat keine Grundstücke, und diese Regel gilt Parzellen</translation>
+    </message>
+    <message>
+        <source>Draw the lot of the proposal: Edit &gt; Draw lot</source>
+        <translation>Das Grundstück des Entwurfs zeichnen: Bearbeiten &gt; Grundstück zeichnen</translation>
+    </message>
+    <message>
+        <source>The project has no places yet</source>
+        <translation>Das Projekt hat noch keine Orte</translation>
+    </message>
+    <message>
+        <source>Read them from a map or draw one: Study &gt; Read places, Study &gt; Draw place</source>
+        <translation>Aus einer Karte einlesen oder einen zeichnen: Untersuchung &gt; Orte einlesen, Untersuchung &gt; Ort zeichnen</translation>
+    </message>
+    <message>
+        <source>No place is chosen</source>
+        <translation>Kein Ort ist gewählt</translation>
+    </message>
+    <message>
+        <source>Tick the places to review, or Screen to find those in reach</source>
+        <translation>Die zu prüfenden Orte ankreuzen, oder mit Vorauswahl die erreichbaren finden</translation>
+    </message>
+    <message>
+        <source>Design a tower, or choose a scenario with a proposal</source>
+        <translation>Einen Turm entwerfen oder ein Szenario mit einem Entwurf wählen</translation>
+    </message>
+    <message>
+        <source>The building is still being designed</source>
+        <translation>Das Gebäude wird noch entworfen</translation>
+    </message>
+    <message>
+        <source>Build it, then run the review</source>
+        <translation>Bauen, dann prüfen</translation>
+    </message>
+    <message>
+        <source>There is no review to export</source>
+        <translation>Es gibt keine Prüfung zu exportieren</translation>
+    </message>
+    <message>
+        <source>Press Run review first</source>
+        <translation>Zuerst Prüfen drücken</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon in all hours of the rule</source>
+        <translation>Die Sonne steht in allen Stunden der Regel unter dem Horizont</translation>
+    </message>
+    <message>
+        <source>Check place and year</source>
+        <translation>Ort und Jahr prüfen</translation>
+    </message>
+    <message>
+        <source>The sides of the lot cross each other</source>
+        <translation>Die Seiten des Grundstücks kreuzen sich</translation>
+    </message>
+    <message>
+        <source>Draw the corners in order around the lot</source>
+        <translation>Die Ecken der Reihe nach um das Grundstück zeichnen</translation>
+    </message>
+    <message>
+        <source>The polygon has no area</source>
+        <translation>Das Polygon hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>Draw it again with corners farther apart</source>
+        <translation>Mit weiter entfernten Ecken neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Click more corners, or press Esc</source>
+        <translation>Weitere Ecken anklicken oder Esc drücken</translation>
+    </message>
+    <message>
+        <source>There is no region or place of this name</source>
+        <translation>Es gibt kein Gebiet und keinen Ort dieses Namens</translation>
+    </message>
+    <message>
+        <source>Choose one from the list</source>
+        <translation>Aus der Liste wählen</translation>
+    </message>
+</context>
+<context>
     <name>FieldText</name>
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>

@@ -181,6 +181,157 @@
     </message>
 </context>
 <context>
+    <name>Error</name>
+    <message>
+        <source>No city is open</source>
+        <translation>No hay ninguna ciudad abierta</translation>
+    </message>
+    <message>
+        <source>Open a file or a sample first</source>
+        <translation>Abra antes un archivo o un ejemplo</translation>
+    </message>
+    <message>
+        <source>This result is already saved</source>
+        <translation>Este resultado ya está guardado</translation>
+    </message>
+    <message>
+        <source>Another result is being saved</source>
+        <translation>Se está guardando otro resultado</translation>
+    </message>
+    <message>
+        <source>Wait until it is saved</source>
+        <translation>Espere a que se guarde</translation>
+    </message>
+    <message>
+        <source>There is no result to save</source>
+        <translation>No hay resultado que guardar</translation>
+    </message>
+    <message>
+        <source>There is no result to export</source>
+        <translation>No hay resultado que exportar</translation>
+    </message>
+    <message>
+        <source>There are no figures to copy</source>
+        <translation>No hay cifras que copiar</translation>
+    </message>
+    <message>
+        <source>Press Run first</source>
+        <translation>Pulse antes Calcular</translation>
+    </message>
+    <message>
+        <source>The file was not opened: the project was changed while it was read</source>
+        <translation>El archivo no se abrió: el proyecto cambió mientras se leía</translation>
+    </message>
+    <message>
+        <source>Save or undo the change, then open the file again</source>
+        <translation>Guarde o deshaga el cambio y abra el archivo de nuevo</translation>
+    </message>
+    <message>
+        <source>The file holds no places</source>
+        <translation>El archivo no contiene lugares</translation>
+    </message>
+    <message>
+        <source>Choose a map with parks, or a file of polygons</source>
+        <translation>Elija un mapa con parques o un archivo de polígonos</translation>
+    </message>
+    <message>
+        <source>The picture could not be written</source>
+        <translation>No se pudo escribir la imagen</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>No ground of the city is visible</source>
+        <translation>No se ve suelo de la ciudad</translation>
+    </message>
+    <message>
+        <source>Move the view to the city first</source>
+        <translation>Mueva antes la vista a la ciudad</translation>
+    </message>
+    <message>
+        <source>The project has no lots, and this rule is about parcels</source>
+        <translation>El proyecto no tiene parcelas, y esta norma trata de parcelas</translation>
+    </message>
+    <message>
+        <source>Draw the lot of the proposal: Edit &gt; Draw lot</source>
+        <translation>Dibuje la parcela de la propuesta: Editar &gt; Dibujar parcela</translation>
+    </message>
+    <message>
+        <source>The project has no places yet</source>
+        <translation>El proyecto aún no tiene lugares</translation>
+    </message>
+    <message>
+        <source>Read them from a map or draw one: Study &gt; Read places, Study &gt; Draw place</source>
+        <translation>Léalos de un mapa o dibuje uno: Estudio &gt; Leer lugares, Estudio &gt; Dibujar lugar</translation>
+    </message>
+    <message>
+        <source>No place is chosen</source>
+        <translation>No hay ningún lugar elegido</translation>
+    </message>
+    <message>
+        <source>Tick the places to review, or Screen to find those in reach</source>
+        <translation>Marque los lugares que se evalúan, o use Cribar para hallar los alcanzables</translation>
+    </message>
+    <message>
+        <source>Design a tower, or choose a scenario with a proposal</source>
+        <translation>Diseñe una torre o elija un escenario con una propuesta</translation>
+    </message>
+    <message>
+        <source>The building is still being designed</source>
+        <translation>El edificio aún se está diseñando</translation>
+    </message>
+    <message>
+        <source>Build it, then run the review</source>
+        <translation>Constrúyalo y evalúe</translation>
+    </message>
+    <message>
+        <source>There is no review to export</source>
+        <translation>No hay evaluación que exportar</translation>
+    </message>
+    <message>
+        <source>Press Run review first</source>
+        <translation>Pulse antes Evaluar</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon in all hours of the rule</source>
+        <translation>El sol está bajo el horizonte en todas las horas de la norma</translation>
+    </message>
+    <message>
+        <source>Check place and year</source>
+        <translation>Compruebe el lugar y el año</translation>
+    </message>
+    <message>
+        <source>The sides of the lot cross each other</source>
+        <translation>Los lados de la parcela se cruzan</translation>
+    </message>
+    <message>
+        <source>Draw the corners in order around the lot</source>
+        <translation>Dibuje las esquinas en orden alrededor de la parcela</translation>
+    </message>
+    <message>
+        <source>The polygon has no area</source>
+        <translation>El polígono no tiene área</translation>
+    </message>
+    <message>
+        <source>Draw it again with corners farther apart</source>
+        <translation>Dibújelo de nuevo con esquinas más separadas</translation>
+    </message>
+    <message>
+        <source>Click more corners, or press Esc</source>
+        <translation>Haga clic en más esquinas o pulse Esc</translation>
+    </message>
+    <message>
+        <source>There is no region or place of this name</source>
+        <translation>No hay zona ni lugar con ese nombre</translation>
+    </message>
+    <message>
+        <source>Choose one from the list</source>
+        <translation>Elija uno de la lista</translation>
+    </message>
+</context>
+<context>
     <name>FieldText</name>
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>

@@ -181,6 +181,157 @@
     </message>
 </context>
 <context>
+    <name>Error</name>
+    <message>
+        <source>No city is open</source>
+        <translation>都市が開かれていません</translation>
+    </message>
+    <message>
+        <source>Open a file or a sample first</source>
+        <translation>先にファイルかサンプルを開いてください</translation>
+    </message>
+    <message>
+        <source>This result is already saved</source>
+        <translation>この結果は保存済みです</translation>
+    </message>
+    <message>
+        <source>Another result is being saved</source>
+        <translation>別の結果を保存中です</translation>
+    </message>
+    <message>
+        <source>Wait until it is saved</source>
+        <translation>保存が終わるまでお待ちください</translation>
+    </message>
+    <message>
+        <source>There is no result to save</source>
+        <translation>保存する結果がありません</translation>
+    </message>
+    <message>
+        <source>There is no result to export</source>
+        <translation>書き出す結果がありません</translation>
+    </message>
+    <message>
+        <source>There are no figures to copy</source>
+        <translation>コピーする数値がありません</translation>
+    </message>
+    <message>
+        <source>Press Run first</source>
+        <translation>先に計算を押してください</translation>
+    </message>
+    <message>
+        <source>The file was not opened: the project was changed while it was read</source>
+        <translation>読み込み中にプロジェクトが変わったため、ファイルを開きませんでした</translation>
+    </message>
+    <message>
+        <source>Save or undo the change, then open the file again</source>
+        <translation>変更を保存するか元に戻してから、もう一度開いてください</translation>
+    </message>
+    <message>
+        <source>The file holds no places</source>
+        <translation>ファイルに場所がありません</translation>
+    </message>
+    <message>
+        <source>Choose a map with parks, or a file of polygons</source>
+        <translation>公園のある地図かポリゴンのファイルを選んでください</translation>
+    </message>
+    <message>
+        <source>The picture could not be written</source>
+        <translation>画像を書き込めませんでした</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>別のフォルダーを選んでください</translation>
+    </message>
+    <message>
+        <source>No ground of the city is visible</source>
+        <translation>都市の地面が見えていません</translation>
+    </message>
+    <message>
+        <source>Move the view to the city first</source>
+        <translation>先に表示を都市へ移してください</translation>
+    </message>
+    <message>
+        <source>The project has no lots, and this rule is about parcels</source>
+        <translation>この規定は敷地についてのものですが、プロジェクトに敷地がありません</translation>
+    </message>
+    <message>
+        <source>Draw the lot of the proposal: Edit &gt; Draw lot</source>
+        <translation>計画案の敷地を描いてください: 編集 &gt; 敷地を描く</translation>
+    </message>
+    <message>
+        <source>The project has no places yet</source>
+        <translation>プロジェクトにまだ場所がありません</translation>
+    </message>
+    <message>
+        <source>Read them from a map or draw one: Study &gt; Read places, Study &gt; Draw place</source>
+        <translation>地図から読み込むか描いてください: 検討 &gt; 場所を読み込む、検討 &gt; 場所を描く</translation>
+    </message>
+    <message>
+        <source>No place is chosen</source>
+        <translation>場所が選ばれていません</translation>
+    </message>
+    <message>
+        <source>Tick the places to review, or Screen to find those in reach</source>
+        <translation>審査する場所を選ぶか、「絞り込み」で影の届く場所を探してください</translation>
+    </message>
+    <message>
+        <source>Design a tower, or choose a scenario with a proposal</source>
+        <translation>塔を設計するか、計画案のあるシナリオを選んでください</translation>
+    </message>
+    <message>
+        <source>The building is still being designed</source>
+        <translation>建物はまだ設計中です</translation>
+    </message>
+    <message>
+        <source>Build it, then run the review</source>
+        <translation>建設してから審査してください</translation>
+    </message>
+    <message>
+        <source>There is no review to export</source>
+        <translation>書き出す審査がありません</translation>
+    </message>
+    <message>
+        <source>Press Run review first</source>
+        <translation>先に「審査する」を押してください</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon in all hours of the rule</source>
+        <translation>規定のどの時間も太陽が地平線の下です</translation>
+    </message>
+    <message>
+        <source>Check place and year</source>
+        <translation>場所と年を確かめてください</translation>
+    </message>
+    <message>
+        <source>The sides of the lot cross each other</source>
+        <translation>敷地の辺が交差しています</translation>
+    </message>
+    <message>
+        <source>Draw the corners in order around the lot</source>
+        <translation>敷地の周りを順に角を描いてください</translation>
+    </message>
+    <message>
+        <source>The polygon has no area</source>
+        <translation>多角形に面積がありません</translation>
+    </message>
+    <message>
+        <source>Draw it again with corners farther apart</source>
+        <translation>角をもっと離して描き直してください</translation>
+    </message>
+    <message>
+        <source>Click more corners, or press Esc</source>
+        <translation>角をさらにクリックするか Esc を押してください</translation>
+    </message>
+    <message>
+        <source>There is no region or place of this name</source>
+        <translation>この名称の範囲や場所はありません</translation>
+    </message>
+    <message>
+        <source>Choose one from the list</source>
+        <translation>一覧から選んでください</translation>
+    </message>
+</context>
+<context>
     <name>FieldText</name>
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>

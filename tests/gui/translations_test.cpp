@@ -14,6 +14,7 @@
 
 #include "app/input/all_engines.h"
 #include "app/window/looks/language.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "tests/gui/answers_window.h"
 #include "tests/shared/shared_data.h"
@@ -172,6 +173,16 @@ TEST_F(Languages, EnginesAndTheirOptionsHaveWordsInEveryLanguage) {
             }
         }
     }
+}
+
+TEST_F(Languages, ErrorsOfTheWindowAreTranslatedAndThoseOfCoreStay) {
+    const Error own{"No city is open", {}, "Open a file or a sample first"};
+    const Error core{"The file holds no polygons", "a.shp", "Export the building footprints as polygons"};
+    EXPECT_EQ(describeError(own), QStringLiteral("No city is open. Open a file or a sample first"));
+    use(Language::german);
+    EXPECT_EQ(describeError(own),
+              QStringLiteral("Keine Stadt ist geöffnet. Zuerst eine Datei oder ein Beispiel öffnen"));
+    EXPECT_EQ(describeError(core), QString::fromStdString(core.text()));
 }
 
 std::map<QChar, QStringList> mnemonicsOf(const QList<QAction*>& actions) {

@@ -6,6 +6,7 @@
 #include "app/window/editing/building_facts.h"
 #include "app/window/editing/selection_panel.h"
 #include "app/window/massing/figure_words.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
@@ -117,7 +118,7 @@ void BuildingEditing::hover(std::optional<std::uint32_t> building) {
 void BuildingEditing::preview(const Edit& edit) {
     if (!selected_) return;
     const auto shown = context_.preview.show({edit});
-    panel_.showError(shown ? QString() : QString::fromStdString(shown.error().text()));
+    panel_.showError(shown ? QString() : describeError(shown.error()));
     context_.panel.view().overlay().show(OverlayBodies::Tint::selected, {});
     const auto& added = context_.preview.changes().added;
     if (added.empty() || context_.handle.dragging()) return;
@@ -131,7 +132,7 @@ void BuildingEditing::preview(const Edit& edit) {
 void BuildingEditing::make(const Edit& edit) {
     if (!selected_) return;
     if (const auto sound = applied(context_.city->city(), std::vector{edit}); !sound)
-        return panel_.showError(QString::fromStdString(sound.error().text()));
+        return panel_.showError(describeError(sound.error()));
     preview(edit);
     Q_EMIT editsMade({edit}, describe(edit));
 }
@@ -184,7 +185,7 @@ void BuildingEditing::makeVariant(double plateFactor) {
     if (!selected_ || !lot) return;
     const auto variant = noonmark::makeVariant(context_.city->city(), *selected_, lot->outline, plateFactor);
     if (variant) return make(variant->edit);
-    panel_.showError(QString::fromStdString(variant.error().text()));
+    panel_.showError(describeError(variant.error()));
 }
 
 std::optional<NamedLot> BuildingEditing::lot() const {

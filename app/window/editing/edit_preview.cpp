@@ -4,6 +4,7 @@
 
 #include "app/window/study/open_city.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 
 namespace noonmark {
@@ -101,7 +102,7 @@ void EditPreview::tellAge() {
 void EditPreview::tellWhy(const Error& error) {
     panel_.results().setLive(std::nullopt);
     Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
-                                   : tr("No live shadow. %1").arg(QString::fromStdString(error.text())));
+                                   : tr("No live shadow. %1").arg(describeError(error)));
 }
 
 }  // namespace noonmark

@@ -12,6 +12,7 @@
 #include "app/window/looks/theme.h"
 #include "app/window/massing/massing_form.h"
 #include "app/window/study/region_words.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "app/window/widgets/push_button.h"
 
@@ -155,7 +156,7 @@ void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demoli
 
 // The last figures stay: they describe the tower still in the view.
 void MassingPanel::showError(const Error& error) {
-    error_->setText(QString::fromStdString(error.text()));
+    error_->setText(describeError(error));
     error_->show();
     apply_->setEnabled(false);
 }

@@ -10,6 +10,7 @@
 
 #include "app/window/point/point_inspector.h"
 #include "app/window/point/sky_picture.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "core/io/files/write_text.h"
 #include "core/study/text/point_text.h"
@@ -109,7 +110,7 @@ void PointDock::showAnswer() {
     figures_->setText(figures);
 }
 
-void PointDock::showError(const Error& error) { sentence_->setText(QString::fromStdString(error.text())); }
+void PointDock::showError(const Error& error) { sentence_->setText(describeError(error)); }
 
 Result<void> PointDock::save(const QString& file, const OutputRules& rules) {
     const auto answer = inspector_.answer();

@@ -9,6 +9,7 @@
 
 #include "app/window/frame/qt_dates.h"
 #include "app/window/review/chart_widget.h"
+#include "app/window/widgets/error_words.h"
 
 namespace noonmark {
 
@@ -83,8 +84,9 @@ void DayPanel::take(Result<ReviewDay> day) {
     chart_ = {};
     times_.clear();
     reading_->clear();
-    widget_->show([why = QString::fromStdString(day.error().text())](
-                      const Canvas& canvas, const QRectF& area) { paintNothing(canvas, area, why); });
+    widget_->show([why = describeError(day.error())](const Canvas& canvas, const QRectF& area) {
+        paintNothing(canvas, area, why);
+    });
 }
 
 void DayPanel::setUnits(UnitSystem units) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/window/review/chart_widget.h"
+#include "app/window/widgets/error_words.h"
 
 namespace noonmark {
 
@@ -87,8 +88,9 @@ void RangePanel::compute() {
                 range_ = *std::move(range);
                 return draw();
             }
-            widget_->show([why = QString::fromStdString(range.error().text())](
-                              const Canvas& canvas, const QRectF& area) { paintNothing(canvas, area, why); });
+            widget_->show([why = describeError(range.error())](const Canvas& canvas, const QRectF& area) {
+                paintNothing(canvas, area, why);
+            });
         });
 }
 

@@ -21,6 +21,7 @@
 #include "app/window/review/rule_form.h"
 #include "app/window/review/verdict_table.h"
 #include "app/window/review/verdict_words.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "app/window/widgets/progress_strip.h"
 #include "core/review/rule_text.h"
@@ -261,7 +262,7 @@ void ReviewDock::showState() {
         if (review_.following().busy())
             return state_->setText(tr("Computing the verdicts of the building being designed..."));
         state_->setText(question ? tr("Press Run review to evaluate the rule on the ticked places.")
-                                 : QString::fromStdString(question.error().text()));
+                                 : describeError(question.error()));
         return;
     }
     const ReviewStudy& study = answer_->study;
@@ -305,7 +306,7 @@ void ReviewDock::showChart() {
 // What the rule asks for, how sure it is, and what is not checked.
 void ReviewDock::showRule() {
     const auto rule = review_.rule();
-    if (!rule) return about_->setPlainText(QString::fromStdString(rule.error().text()));
+    if (!rule) return about_->setPlainText(describeError(rule.error()));
     QString html = QStringLiteral("<h3>%1</h3><p>%2</p><p><b>%3</b></p>")
                        .arg(QString::fromStdString(rule->name).toHtmlEscaped(),
                             QString::fromStdString(rule->summary).toHtmlEscaped(),

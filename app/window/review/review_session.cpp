@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/window/frame/workbench.h"
+#include "app/window/widgets/error_words.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -250,7 +251,7 @@ QString ReviewSession::whyOutdated() {
     if (proposed_ && answer_) return tr("Not up to date: a building is being designed. Build it, then run.");
     if (!answer_) return {};
     const auto now = question();
-    if (!now) return tr("Not up to date. %1").arg(QString::fromStdString(now.error().text()));
+    if (!now) return tr("Not up to date. %1").arg(describeError(now.error()));
     if (isSame(*now, answer_->question)) return {};
     const bool buildings = now->before != answer_->question.before || now->after != answer_->question.after;
     return buildings ? tr("Not up to date: buildings or scenarios have changed. Run again.")

@@ -10,6 +10,7 @@
 #include "app/window/project/project_session.h"
 #include "app/window/sheets/book_view.h"
 #include "app/window/sheets/sheet_form.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/progress_strip.h"
 #include "app/window/widgets/push_button.h"
 
@@ -161,7 +162,7 @@ void SheetsDialog::askForFolder() {
 
 void SheetsDialog::tell(const Error& error) {
     if (isCancelled(error)) return message_->setText(tr("Cancelled. Any change lays the sheets out again."));
-    message_->setText(QString::fromStdString(error.text()));
+    message_->setText(describeError(error));
     Q_EMIT failed(error);
 }
 

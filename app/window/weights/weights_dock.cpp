@@ -14,6 +14,7 @@
 #include "app/window/project/project_session.h"
 #include "app/window/weights/weight_bar.h"
 #include "app/window/weights/weights_model.h"
+#include "app/window/widgets/error_words.h"
 #include "app/window/widgets/push_button.h"
 
 namespace noonmark {
@@ -45,8 +46,7 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     connect(tables_, &QComboBox::currentTextChanged, this,
             [this](const QString& name) { choose(name.toStdString()); });
     connect(score_, &QPushButton::clicked, this, [this] { Q_EMIT scoreRequested(model_->table().name); });
-    connect(model_, &WeightsModel::refused, this,
-            [this](const Error& error) { tell(QString::fromStdString(error.text())); });
+    connect(model_, &WeightsModel::refused, this, [this](const Error& error) { tell(describeError(error)); });
     connect(model_, &WeightsModel::edited, this, [this] { tell({}); });
     connect(&session_, &ProjectSession::changed, this, &WeightsDock::follow);
     tell({});

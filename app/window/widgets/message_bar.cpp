@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/window/looks/theme.h"
+#include "app/window/widgets/error_words.h"
 
 namespace noonmark {
 
@@ -55,7 +56,7 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::showError(const Error& error) {
     isError_ = true;
-    show(QString::fromStdString(error.text()));
+    show(describeError(error));
     unfold(true);
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
+#include <QAction>
 #include <QObject>
 #include <QPointer>
 #include <QRect>
+#include <QWidget>
 #include <functional>
 
 #include "app/window/help/tour/tour_step.h"
 
-class QAction;
 class QMainWindow;
-class QWidget;
 
 namespace noonmark {
 
