@@ -534,10 +534,6 @@
 %1 weitere Arten von Hinweisen</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. R: Gebiet. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe in Metern tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
@@ -752,10 +748,6 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>&amp;From a side</source>
-        <translation>Von einer Sei&amp;te</translation>
     </message>
     <message>
         <source>S&amp;un</source>
@@ -1860,6 +1852,44 @@ Vorgabe: %2</translation>
     <message>
         <source>none: the processor</source>
         <translation>keines: der Prozessor</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe in Metern tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Plan, elevat&amp;ions, from the sun</source>
+        <translation>Grundriss, Ansich&amp;ten, von der Sonne</translation>
+    </message>
+    <message>
+        <source>&amp;Go to this view</source>
+        <translation>&amp;Zu dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallel</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>perspektivisch</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1, %2 %3</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Camera, projection and moment, saved with Ctrl+Shift+V</source>
+        <translation>Kamera, Projektion und Zeitpunkt, gespeichert mit Strg+Umschalt+V</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to go to it</source>
+        <translation>%1
+Eingabe oder Doppelklick zeigt sie</translation>
     </message>
 </context>
 <context>
@@ -3512,6 +3542,10 @@ Szenario
         <source>&amp;Read places from a file...</source>
         <translation>Orte aus Datei &amp;einlesen ...</translation>
     </message>
+    <message>
+        <source>&amp;Save this view</source>
+        <translation>Diese Ansicht &amp;speichern</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ProjectSaving</name>
@@ -4164,12 +4198,51 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Displayed: %1</source>
         <translation>Angezeigt: %1</translation>
     </message>
+    <message>
+        <source>%1 (windows: command line only)</source>
+        <translation>%1 (Fenster: nur Befehlszeile)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RunForecast</name>
     <message>
         <source>Estimating</source>
         <translation>Wird abgeschätzt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SavedViews</name>
+    <message>
+        <source>Sa&amp;ved views</source>
+        <translation>Gespeic&amp;herte Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Save this view</source>
+        <translation>Diese Ansicht &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Camera, projection, and date and time if a moment is shown, under a name in the project</source>
+        <translation>Kamera, Projektion und, wenn ein Zeitpunkt gezeigt wird, Datum und Uhrzeit, unter einem Namen im Projekt</translation>
+    </message>
+    <message>
+        <source>No view is saved yet</source>
+        <translation>Noch keine Ansicht gespeichert</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>save view %1</source>
+        <translation>Ansicht %1 speichern</translation>
+    </message>
+    <message>
+        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
+        <translation>Im Projekt als „%1“ gespeichert. F2 in der Projektliste benennt sie um.</translation>
     </message>
 </context>
 <context>
@@ -5198,12 +5271,32 @@ vom Jahr ebenso viele Wochen</translation>
         <translation>Wie die Sonne die Stadt zu Datum und Uhrzeit unter der Ansicht sieht: was sichtbar ist, ist besonnt</translation>
     </message>
     <message>
-        <source>The same ground from this side, nearly level</source>
-        <translation>Derselbe Boden von dieser Seite, fast waagrecht</translation>
-    </message>
-    <message>
         <source>The sun is below the horizon at this date and time. Move the time below the view.</source>
         <translation>Zu diesem Zeitpunkt steht die Sonne unter dem Horizont. Die Uhrzeit unter der Ansicht ändern.</translation>
+    </message>
+    <message>
+        <source>Parallel pro&amp;jection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Orthographic, as in plans and elevations: lengths across the view are to scale everywhere</source>
+        <translation>Orthogonal wie in Grundrissen und Ansichten: Längen quer zur Blickrichtung sind überall maßstäblich</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Grundriss</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>The same ground from straight above, north up, in parallel projection</source>
+        <translation>Derselbe Boden genau von oben, Norden oben, in Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>The same ground from this side; an elevation in parallel projection</source>
+        <translation>Derselbe Boden von dieser Seite; in Parallelprojektion eine Ansicht</translation>
     </message>
 </context>
 <context>

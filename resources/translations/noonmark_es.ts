@@ -534,10 +534,6 @@
 %1 clases más de avisos</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. R: zona. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura en metros y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>medida</translation>
     </message>
@@ -752,10 +748,6 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Salir</translation>
-    </message>
-    <message>
-        <source>&amp;From a side</source>
-        <translation>Desde &amp;un lado</translation>
     </message>
     <message>
         <source>S&amp;un</source>
@@ -1860,6 +1852,44 @@ Por defecto: %2</translation>
     <message>
         <source>none: the processor</source>
         <translation>ninguno: el procesador</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura en metros y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>Plan, elevat&amp;ions, from the sun</source>
+        <translation>Planta, alza&amp;dos, desde el sol</translation>
+    </message>
+    <message>
+        <source>&amp;Go to this view</source>
+        <translation>&amp;Ir a esta vista</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>paralela</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>en perspectiva</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1, %2 %3</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Camera, projection and moment, saved with Ctrl+Shift+V</source>
+        <translation>Cámara, proyección y momento, guardados con Ctrl+Mayús+V</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to go to it</source>
+        <translation>%1
+Pulse Intro o haga doble clic para ir a ella</translation>
     </message>
 </context>
 <context>
@@ -3512,6 +3542,10 @@ Escenario
         <source>&amp;Read places from a file...</source>
         <translation>&amp;Leer lugares de un archivo...</translation>
     </message>
+    <message>
+        <source>&amp;Save this view</source>
+        <translation>&amp;Guardar esta vista</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ProjectSaving</name>
@@ -4164,12 +4198,51 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Displayed: %1</source>
         <translation>Mostrado: %1</translation>
     </message>
+    <message>
+        <source>%1 (windows: command line only)</source>
+        <translation>%1 (ventanas: solo línea de órdenes)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RunForecast</name>
     <message>
         <source>Estimating</source>
         <translation>Estimando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SavedViews</name>
+    <message>
+        <source>Sa&amp;ved views</source>
+        <translation>Vistas &amp;guardadas</translation>
+    </message>
+    <message>
+        <source>&amp;Save this view</source>
+        <translation>&amp;Guardar esta vista</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Camera, projection, and date and time if a moment is shown, under a name in the project</source>
+        <translation>Cámara, proyección y, si se muestra un momento, fecha y hora, con un nombre en el proyecto</translation>
+    </message>
+    <message>
+        <source>No view is saved yet</source>
+        <translation>Aún no hay vistas guardadas</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>save view %1</source>
+        <translation>guardar la vista %1</translation>
+    </message>
+    <message>
+        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
+        <translation>Guardada como «%1» en el proyecto. F2 en la lista del proyecto cambia el nombre.</translation>
     </message>
 </context>
 <context>
@@ -5198,12 +5271,32 @@ del año, otras tantas semanas</translation>
         <translation>Como ve el sol la ciudad en la fecha y hora bajo la vista: lo visible está al sol</translation>
     </message>
     <message>
-        <source>The same ground from this side, nearly level</source>
-        <translation>El mismo suelo desde este lado, casi a nivel</translation>
-    </message>
-    <message>
         <source>The sun is below the horizon at this date and time. Move the time below the view.</source>
         <translation>El sol está bajo el horizonte en esa fecha y hora. Cambie la hora bajo la vista.</translation>
+    </message>
+    <message>
+        <source>Parallel pro&amp;jection</source>
+        <translation>Pro&amp;yección paralela</translation>
+    </message>
+    <message>
+        <source>Orthographic, as in plans and elevations: lengths across the view are to scale everywhere</source>
+        <translation>Ortográfica, como en plantas y alzados: las longitudes perpendiculares a la vista están a escala en todas partes</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planta</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>The same ground from straight above, north up, in parallel projection</source>
+        <translation>El mismo suelo desde arriba, con el norte arriba, en proyección paralela</translation>
+    </message>
+    <message>
+        <source>The same ground from this side; an elevation in parallel projection</source>
+        <translation>El mismo suelo desde este lado; un alzado en proyección paralela</translation>
     </message>
 </context>
 <context>

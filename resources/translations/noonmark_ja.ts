@@ -534,10 +534,6 @@
 ほかに %1 種類の通知があります</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。R: 範囲。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さをメートルで入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>実測</translation>
     </message>
@@ -752,10 +748,6 @@
     <message>
         <source>&amp;Quit</source>
         <translation>終了(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;From a side</source>
-        <translation>側面から(&amp;F)</translation>
     </message>
     <message>
         <source>S&amp;un</source>
@@ -1860,6 +1852,44 @@ Default: %2</source>
     <message>
         <source>none: the processor</source>
         <translation>なし: プロセッサ</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さをメートルで入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
+    </message>
+    <message>
+        <source>Plan, elevat&amp;ions, from the sun</source>
+        <translation>平面図・立面図・太陽から(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to this view</source>
+        <translation>この表示に移る(&amp;G)</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>透視投影</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1、%2 %3</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Camera, projection and moment, saved with Ctrl+Shift+V</source>
+        <translation>カメラ・投影・日時。Ctrl+Shift+V で保存します</translation>
+    </message>
+    <message>
+        <source>%1
+Press Enter or double-click to go to it</source>
+        <translation>%1
+Enter またはダブルクリックで移ります</translation>
     </message>
 </context>
 <context>
@@ -3512,6 +3542,10 @@ Scenario
         <source>&amp;Read places from a file...</source>
         <translation>ファイルから場所を読み込む(&amp;R)...</translation>
     </message>
+    <message>
+        <source>&amp;Save this view</source>
+        <translation>この表示を保存(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ProjectSaving</name>
@@ -4164,12 +4198,51 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Displayed: %1</source>
         <translation>表示中: %1</translation>
     </message>
+    <message>
+        <source>%1 (windows: command line only)</source>
+        <translation>%1 (窓: コマンドラインのみ)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RunForecast</name>
     <message>
         <source>Estimating</source>
         <translation>見積もり中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SavedViews</name>
+    <message>
+        <source>Sa&amp;ved views</source>
+        <translation>保存した表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Save this view</source>
+        <translation>この表示を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Camera, projection, and date and time if a moment is shown, under a name in the project</source>
+        <translation>カメラ、投影、時点を表示中なら日時も、名前を付けてプロジェクトに保存します</translation>
+    </message>
+    <message>
+        <source>No view is saved yet</source>
+        <translation>保存した表示はまだありません</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>save view %1</source>
+        <translation>表示 %1 を保存</translation>
+    </message>
+    <message>
+        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
+        <translation>プロジェクトに「%1」として保存しました。プロジェクトの一覧で F2 を押すと名前を変えられます。</translation>
     </message>
 </context>
 <context>
@@ -5198,12 +5271,32 @@ of the year, as many weeks</source>
         <translation>下に示す日時に太陽から見た都市: 見える所が日なたです</translation>
     </message>
     <message>
-        <source>The same ground from this side, nearly level</source>
-        <translation>同じ地面をこの側から、ほぼ水平に</translation>
-    </message>
-    <message>
         <source>The sun is below the horizon at this date and time. Move the time below the view.</source>
         <translation>この日時には太陽が地平線の下です。下の時刻を変えてください。</translation>
+    </message>
+    <message>
+        <source>Parallel pro&amp;jection</source>
+        <translation>平行投影(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Orthographic, as in plans and elevations: lengths across the view are to scale everywhere</source>
+        <translation>平面図や立面図のような正投影: 視線に直交する長さはどこでも縮尺どおりです</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>平面図(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>The same ground from straight above, north up, in parallel projection</source>
+        <translation>同じ地面を真上から、北を上に、平行投影で</translation>
+    </message>
+    <message>
+        <source>The same ground from this side; an elevation in parallel projection</source>
+        <translation>同じ地面をこの側から。平行投影では立面図です</translation>
     </message>
 </context>
 <context>

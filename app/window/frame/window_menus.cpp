@@ -66,7 +66,7 @@ void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
 void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.view.cameraActions());
     menu.addAction(actions.presets.parallel());
-    menu.addMenu(QObject::tr("P&lan, elevations, from the sun"))->addActions(actions.presets.actions());
+    menu.addMenu(QObject::tr("Plan, elevat&ions, from the sun"))->addActions(actions.presets.actions());
     menu.addMenu(actions.savedViews.menu());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());

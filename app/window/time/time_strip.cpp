@@ -225,7 +225,7 @@ bool TimeStrip::playing() const { return ticks_->isActive(); }
 void TimeStrip::step() {
     const double seconds = double(sinceStep_.restart()) / 1000;
     takeMoment(advance(look_, sun_, SunLoop(loop_->currentIndex()), seconds,
-                        playSpeeds[std::size_t(speed_->currentIndex())]));
+                       playSpeeds[std::size_t(speed_->currentIndex())]));
 }
 
 void TimeStrip::takeMoment(TimeLook look) {

@@ -44,7 +44,7 @@ CameraPose lookFromSun(CameraPose pose, const SunAtMoment& sun) {
 ViewPresets::ViewPresets(ViewPanel& panel, const TimeDisplay& time)
     : panel_(panel),
       time_(time),
-      parallel_(makeAction(this, tr("&Parallel projection"), Qt::Key_O,
+      parallel_(makeAction(this, tr("Parallel pro&jection"), Qt::Key_O,
                            tr("Orthographic, as in plans and elevations: lengths across the view are to "
                               "scale everywhere"))) {
     parallel_->setCheckable(true);
