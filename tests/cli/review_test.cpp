@@ -200,6 +200,27 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
         EXPECT_EQ(swept.json()["windows"][i]["verdict"], json["windows"][i]["verdict"]) << i;
 }
 
+TEST_F(ReviewCommand, EvaluatesTheWindowsOfAFileAndVerifiesTheReview) {
+    // High above the streets: south of One57, without a wall, and in the ground.
+    const std::string windows = folder_
+                                    .file("windows.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"id":"high","azimuth":180},"geometry":{"type":"Point","coordinates":[-73.9791,40.7640,290]}},
+{"type":"Feature","properties":{"id":"low","azimuth":180},"geometry":{"type":"Point","coordinates":[-73.9791,40.7640,-3]}}]})")
+                                    .string();
+    const Spoken spoken = review("tno-light", {"--windows", windows, "--zone", "America/New_York", "--wall",
+                                               "0.2", "--overwrite", "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    ASSERT_EQ(json["windows"].size(), 1U) << "the one below the ground is left out";
+    EXPECT_EQ(json["windows"][0]["id"], "high");
+    EXPECT_EQ(json["windows"][0]["verdict"], "pass");
+    EXPECT_EQ(json["windows_file"][0]["path"], windows);
+    EXPECT_THAT(std::string(json["repeat"]), HasSubstr("--windows windows.geojson"));
+    const Spoken verified = noonmarkCli(
+        {"verify", folder_.path("review/review.json").string(), "--inputs", folder_.path("").string()});
+    EXPECT_EQ(verified.code, exitOk) << verified.out << verified.err;
+}
+
 TEST_F(ReviewCommand, RefusesWindowsWherePlacesBelongAndTheReverse) {
     const std::vector<std::string> zone{"--zone", "America/New_York"};
     const auto error = [&](const std::string& rule, std::vector<std::string> more) {

@@ -98,8 +98,16 @@ Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule&
                                         by};
     const Interrupt interrupt;
     ProgressLine progress(console);
+    // Described before it is read, so that its hash is that of what was read.
+    std::optional<InputFile> windowsFile;
+    if (options.windows.ofFile) {
+        auto file = describeInputFile(options.windows.elements.windows);
+        if (!file) return tl::make_unexpected(file.error());
+        windowsFile = *std::move(file);
+    }
     auto study = runWindowReview(*rule, before->city, after->city, settings, progress, interrupt.token());
     if (!study) return tl::make_unexpected(study.error());
+    study->windowsFile = std::move(windowsFile);
     study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
     putBefore(study->warnings, project.reading->warnings);
     ReviewLabels labels{options.from,

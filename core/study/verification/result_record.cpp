@@ -21,15 +21,23 @@ std::string textAt(const Json& json, const char* key) {
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+void addInputs(std::vector<RecordedFile>& files, const Json& record, const char* key, bool needed) {
+    const auto inputs = record.find(key);
+    if (inputs == record.end() || !inputs->is_array()) return;
+    for (const Json& input : *inputs)
+        if (input.is_object()) files.push_back({textAt(input, "path"), textAt(input, "sha256"), needed});
+}
+
 std::vector<RecordedFile> filesOf(const Json& record) {
     std::vector<RecordedFile> files;
     const auto project = record.find("project");
     const bool saved = project != record.end() && project->is_object() && !textAt(*project, "file").empty() &&
                        !textAt(*project, "file_sha256").empty();
     if (saved) files.push_back({textAt(*project, "file"), textAt(*project, "file_sha256")});
-    if (const auto inputs = record.find("inputs"); inputs != record.end() && inputs->is_array())
-        for (const Json& input : *inputs)
-            if (input.is_object()) files.push_back({textAt(input, "path"), textAt(input, "sha256"), !saved});
+    addInputs(files, record, "inputs", !saved);
+    addInputs(files, record, "windows_file", true);
+    if (const auto elements = record.find("elements"); elements != record.end() && elements->is_object())
+        addInputs(files, *elements, "windows", true);
     return files;
 }
 

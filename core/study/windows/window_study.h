@@ -43,6 +43,7 @@ struct WindowStudy {
     std::vector<std::string> notChecked;    ///< of the rule, and what this run adds to it
     std::map<std::string, double> seconds;  ///< by stage, and "total"
     Warnings warnings;
+    std::optional<InputFile> windowsFile{};  ///< set by the caller
 };
 
 /// Evaluates a rule on the windows of the scenario. A window is compared with the baseline where its building

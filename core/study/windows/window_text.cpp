@@ -8,6 +8,7 @@
 #include "core/base/version.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_text.h"
+#include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/criterion_json.h"
@@ -204,6 +205,7 @@ Json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels) {
         {"seconds", seconds},
         {"warnings", warningsJson(study.warnings)}};
     addProvenance(json, labels.provenance);
+    if (study.windowsFile) json["windows_file"] = inputsJson({*study.windowsFile});
     addRepeat(json, makeRepeatCommand(study, labels));
     return json;
 }

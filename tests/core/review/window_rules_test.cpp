@@ -205,6 +205,14 @@ TEST_F(BreWindows, NeedATargetOrFourFifthsOrLittleLoss) {
     EXPECT_EQ(review(year(46, 60), year(20, 30)).verdict, borderline);
 }
 
+TEST_F(BreWindows, LoseNothingWhereNothingChanges) {
+    // 0.3 % of the sky and 2 % of the year are below all targets, but 1 times the former value, whatever the
+    // error of each.
+    EXPECT_EQ(review(year(2, 2), year(2, 2), {.skyPct = 0.3, .formerSkyPct = 0.3}).verdict, pass);
+    EXPECT_EQ(review(year(0, 0), year(0, 0), {.skyPct = 0, .formerSkyPct = 0}).verdict, pass);
+    EXPECT_EQ(review(year(2, 2), year(2, 2), {.skyPct = 0.3, .formerSkyPct = 0.31}).verdict, borderline);
+}
+
 TEST_F(BreWindows, AskNorthernWindowsForTheSkyOnly) {
     const std::string none = year(0, 0);
     EXPECT_EQ(review(none, none, {.azimuthDeg = 10, .skyPct = 27.2}).verdict, pass);
