@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
 #include <QSettings>
@@ -141,6 +144,25 @@ TEST_F(Themes, APaletteThatThePlatformChangesIsReadAgain) {
     QCoreApplication::sendEvent(&window, &change);
     QCoreApplication::processEvents();
     EXPECT_EQ(themeInUse(), Theme::light);
+}
+
+TEST_F(Themes, CheckBoxesHaveAnOutlineOnDarkWindows) {
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        applyTheme(theme == Theme::dark ? ThemeChoice::dark : ThemeChoice::light, {});
+        QCheckBox box;
+        box.resize(box.sizeHint());
+        const QImage image = box.grab().toImage();
+        const QColor window = box.palette().color(QPalette::Window);
+        double most = 1;
+        for (int x = 0; x < image.width() / 2; ++x)
+            most = std::max(most, contrastOf(image.pixelColor(x, image.height() / 2), window));
+        EXPECT_GE(most, theme == Theme::dark ? 3 : 1.5) << int(theme);
+    }
+}
+
+TEST(WindowStyles, ButtonsOfDialogsHaveNoIcons) {
+    const QDialogButtonBox buttons(QDialogButtonBox::Close | QDialogButtonBox::Cancel);
+    for (const QAbstractButton* button : buttons.buttons()) EXPECT_TRUE(button->icon().isNull());
 }
 
 double meanLightness(const QImage& image) {

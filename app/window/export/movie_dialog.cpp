@@ -45,7 +45,7 @@ MovieDialog::MovieDialog(const MovieChoice& first, bool comparing, QWidget* pare
     makeButtons(*form);
     connect(kind_, &QComboBox::currentIndexChanged, this, &MovieDialog::update);
     update();
-    setMinimumWidth(400);
+    setMinimumWidth(440);
 }
 
 void MovieDialog::makeTimes(QFormLayout& form, const MovieChoice& first, bool comparing) {

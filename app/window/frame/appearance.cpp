@@ -4,11 +4,11 @@
 #include <QIcon>
 #include <QPalette>
 #include <QSettings>
-#include <QStyleFactory>
 
 #include "app/window/looks/application_theme.h"
 #include "app/window/looks/language.h"
 #include "app/window/looks/units.h"
+#include "app/window/looks/window_style.h"
 #include "core/base/version.h"
 
 namespace noonmark {
@@ -25,7 +25,7 @@ void applyAppearance(QApplication& application) {
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.noonmark.Noonmark"));
     QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("io.github.noonmark.Noonmark")));
     const QPalette system = QApplication::palette();  // before the style brings its own
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new WindowStyle);
     applyLanguage(readLanguage(QSettings()), application);
     applyUnits(readUnits(QSettings()));
     new ApplicationTheme(application, readThemeChoice(QSettings()), system, makePortalThemeSource());

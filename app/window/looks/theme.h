@@ -2,7 +2,8 @@
 
 // How the window looks. theme.h has the light and the dark palette and the colours of notes and errors in
 // either; application_theme.h keeps the application in one of them as the user or the desktop
-// (theme_source.h) chooses; icons.h draws the icons of resources/icons in the colours of the palette.
+// (theme_source.h) chooses; window_style.h draws the widgets; icons.h draws the icons of resources/icons in
+// the colours of the palette.
 
 #include <QColor>
 #include <QPalette>

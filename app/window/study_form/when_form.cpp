@@ -5,8 +5,8 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
+#include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <algorithm>
 
 #include "app/window/frame/qt_dates.h"
@@ -30,7 +30,7 @@ QString dayText(std::chrono::month_day day) {
 WhenForm::WhenForm(QWidget* parent)
     : QWidget(parent),
       presets_(new QComboBox),
-      ofRule_(new QToolButton),
+      ofRule_(new QPushButton),
       rulesMenu_(new QMenu(this)),
       period_(new PeriodForm) {
     presets_->setObjectName(QStringLiteral("periodPreset"));
@@ -40,7 +40,6 @@ WhenForm::WhenForm(QWidget* parent)
     ofRule_->setObjectName(QStringLiteral("rulePeriod"));
     ofRule_->setText(tr("As in a rule"));
     ofRule_->setToolTip(tr("The day and the hours of a review board's rule"));
-    ofRule_->setPopupMode(QToolButton::InstantPopup);
     ofRule_->setMenu(rulesMenu_);
     fillPresets();
     auto* row = new QHBoxLayout;

@@ -7,7 +7,7 @@
 
 class QComboBox;
 class QMenu;
-class QToolButton;
+class QPushButton;
 
 namespace noonmark {
 
@@ -34,7 +34,7 @@ private:
     void addDays(QMenu& menu, const Rule& rule);
 
     QComboBox* presets_;
-    QToolButton* ofRule_;
+    QPushButton* ofRule_;
     QMenu* rulesMenu_;
     PeriodForm* period_;
     std::vector<Rule> rules_;
