@@ -15,7 +15,8 @@ QString mouseAndKeys() {
         "Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms "
         "to the cursor. Arrow keys "
         "pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: "
-        "from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or "
+        "from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid "
+        "buildings or "
         "wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. "
         "Click a building to "
         "select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M "
@@ -50,6 +51,11 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                          tr("As in the paper, instead of rays: inexact at shadow edges, but hours that "
                             "look alike are computed once"),
                          false)),
+      measure_(
+          makeSwitch(this, tr("M&easure distances"), QKeySequence(tr("Shift+M")),
+                     tr("Click points on roofs, walls and ground: distance, height, area. Backspace removes "
+                        "the last point, a double click ends"),
+                     false)),
       keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence(tr("Ctrl+F1")), {}, "keys")) {
     ViewNavigator& navigator = panel_.navigator();
     connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
@@ -59,10 +65,17 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
     connect(faces_, &QAction::toggled, &panel_.view(), &CityView::showFaces);
     connect(map_, &QAction::toggled, &panel_.map(), &MapLayer::setShown);
     connect(byMaps_, &QAction::toggled, &exploration, &Exploration::setByMaps);
+    connect(measure_, &QAction::triggered, this, &ViewActions::setMeasuring);
+    connect(&panel_.measureTool(), &MeasureTool::activeChanged, measure_, &QAction::setChecked);
     connect(keys_, &QAction::triggered, this, [this] { panel_.messages().showHelp(mouseAndKeys()); });
     connect(&tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {
         panel_.navigator().showSlanting(boxAround({lot.name, {lot.outline}}));
     });
+}
+
+void ViewActions::setMeasuring(bool on) {
+    panel_.setUnits(workbench_.session().project().sheets.units);
+    on ? panel_.measureTool().begin() : panel_.measureTool().end();
 }
 
 void ViewActions::showRegion() {

@@ -26,10 +26,12 @@ public:
     [[nodiscard]] QAction* solidBuildings() const { return faces_; }  ///< checkable
     [[nodiscard]] QAction* mapOnGround() const { return map_; }       ///< checkable
     [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
+    [[nodiscard]] QAction* measure() const { return measure_; }       ///< checkable
     [[nodiscard]] QAction* help() const { return keys_; }             ///< mouse and keys
 
 private:
     void showRegion();
+    void setMeasuring(bool on);
 
     Workbench& workbench_;
     ViewPanel& panel_;
@@ -40,6 +42,7 @@ private:
     QAction* faces_;
     QAction* map_;
     QAction* byMaps_;
+    QAction* measure_;
     QAction* keys_;
 };
 

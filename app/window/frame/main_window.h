@@ -77,6 +77,7 @@ public:
     [[nodiscard]] TourActions& tours() { return tours_; }
     [[nodiscard]] PreferencesActions& preferences() { return preferences_; }
     [[nodiscard]] ContextMenu& context() { return context_; }
+    [[nodiscard]] ViewActions& camera() { return camera_; }
     [[nodiscard]] ViewPresets& presets() { return presets_; }
     [[nodiscard]] SavedViews& savedViews() { return savedViews_; }
     [[nodiscard]] PointInspector& points() { return points_; }

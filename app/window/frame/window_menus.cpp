@@ -68,6 +68,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addAction(actions.presets.parallel());
     menu.addMenu(QObject::tr("Plan, elevat&ions, from the sun"))->addActions(actions.presets.actions());
     menu.addMenu(actions.savedViews.menu());
+    menu.addAction(actions.view.measure());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());

@@ -97,6 +97,11 @@ void ContextMenu::addGround(QMenu& menu, const Pick& pick) {
     menu.addAction(makeIcon(QStringLiteral("place")), tr("Draw place"), &places_, &PlaceActions::draw);
     menu.addAction(makeIcon(QStringLiteral("region")), tr("Draw region"), region_.actions().first(),
                    &QAction::trigger);
+    menu.addAction(tr("Measure from here"), this, [this, pick] {
+        panel_.setUnits(workbench_.session().project().sheets.units);
+        panel_.measureTool().begin();
+        panel_.measureTool().addPoint(pick.position);
+    });
     const QString position = describeLatLon(workbench_.city()->city().frame.lonLatFromLocal(at));
     menu.addAction(makeIcon(QStringLiteral("copy")), tr("Copy position: %1").arg(position), this,
                    [position] { QGuiApplication::clipboard()->setText(position); });

@@ -35,6 +35,7 @@ ViewPanel::ViewPanel(QWidget* parent)
       regionTool_(new PolygonTool(tr("region"), this)),
       lotTool_(new PolygonTool(tr("lot"), this)),
       placeTool_(new PolygonTool(tr("place"), this)),
+      measureTool_(new MeasureTool(this)),
       label_(new CursorLabel(*view_, this)),
       messages_(new MessageBar),
       time_(new TimeStrip),
@@ -66,6 +67,7 @@ ViewPanel::ViewPanel(QWidget* parent)
     });
     for (PolygonTool* tool : tools()) connectTool(tool);
     connectNavigator();
+    connectMeasuring();
 }
 
 void ViewPanel::connectNavigator() {
@@ -89,6 +91,7 @@ void ViewPanel::connectTool(PolygonTool* tool) {
     connect(tool, &PolygonTool::activeChanged, this, [this, tool](bool active) {
         for (PolygonTool* other : tools())
             if (active && other != tool) other->cancel();
+        if (active) measureTool_->end();
         if (active)
             view_->setCursor(Qt::CrossCursor);
         else
@@ -103,7 +106,54 @@ PolygonTool* ViewPanel::activeTool() const {
     return nullptr;
 }
 
+bool ViewPanel::drawing() const { return activeTool() != nullptr || measureTool_->active(); }
+
+void ViewPanel::connectMeasuring() {
+    connect(measureTool_, &MeasureTool::lineChanged, this, &ViewPanel::showLines);
+    connect(measureTool_, &MeasureTool::activeChanged, this, [this](bool active) {
+        for (PolygonTool* tool : tools())
+            if (active) tool->cancel();
+        if (active)
+            view_->setCursor(Qt::CrossCursor);
+        else
+            view_->unsetCursor();
+        label_->hide();
+    });
+    connect(navigator_, &ViewNavigator::clicked, this, [this](QPointF pixel) { measure(pixel, true); });
+    connect(navigator_, &ViewNavigator::doubleClicked, this, [this] {
+        if (measureTool_->active()) finishMeasuring();
+    });
+}
+
+// Points lie on roofs, walls and ground as the view shows them.
+void ViewPanel::measure(QPointF pixel, bool clicked) {
+    const auto pick = measureTool_->active() ? navigator_->pickAt(pixel) : std::nullopt;
+    if (!pick) return;
+    clicked ? measureTool_->addPoint(pick->position) : measureTool_->moveTo(pick->position);
+    label_->show(pixel, describeMeasured());
+}
+
+QString ViewPanel::describeMeasured() const {
+    return describeMeasures(measureLine(measureTool_->line()), units_);
+}
+
+bool ViewPanel::measureKey(int key) {
+    if (!measureTool_->active()) return false;
+    if (key == Qt::Key_Backspace) measureTool_->removeLastPoint();
+    if (key == Qt::Key_Escape) measureTool_->end();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) finishMeasuring();
+    return true;
+}
+
+// The figures stay in the message bar when the line is gone.
+void ViewPanel::finishMeasuring() {
+    const QString words = describeMeasured();
+    measureTool_->end();
+    if (!words.isEmpty()) messages_->showNote(words);
+}
+
 void ViewPanel::toolKey(int key) {
+    if (measureKey(key)) return;
     PolygonTool* tool = activeTool();
     if (!tool) return Q_EMIT keyPressed(key);
     if (key == Qt::Key_Return || key == Qt::Key_Enter) tool->finish();
@@ -116,6 +166,7 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     navigator_->setScene(city_->picker);
     if (view_->arrays() != city_->arrays) {
         if (PolygonTool* tool = activeTool()) tool->cancel();
+        measureTool_->end();
         view_->showCity(city_->arrays);
     }
     view_->showChanges(computeDifference(*city_->arrays, city_->city()));
@@ -162,6 +213,10 @@ void ViewPanel::showRegion(const Region& region) {
 
 void ViewPanel::showLines() {
     if (!city_) return;
+    if (measureTool_->active()) {
+        const std::vector<glm::dvec3> line = measureTool_->line();
+        return view_->showLines({GroundLine{{line.begin(), line.end()}, false}});
+    }
     if (const PolygonTool* tool = activeTool())
         return view_->showLines({makeGroundLine(tool->line(), city_->city(), true)});
     view_->showLines(makeGroundLines(region_, city_->city()));
@@ -178,6 +233,7 @@ void ViewPanel::draw(QPointF pixel) {
 void ViewPanel::tellWhatIsAt(QPointF pixel) {
     if (!city_) return;
     draw(pixel);
+    measure(pixel, false);
     const auto pick = navigator_->pickAt(pixel);
     Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
 }

@@ -12,6 +12,7 @@
 #include "app/window/results/result_layer.h"
 #include "app/window/study/open_city.h"
 #include "app/window/view/map_layer.h"
+#include "app/window/view/measure_tool.h"
 #include "app/window/view/polygon_tool.h"
 #include "app/window/widgets/cursor_label.h"
 #include "app/window/widgets/legend_strip.h"
@@ -42,7 +43,10 @@ public:
     [[nodiscard]] PolygonTool& regionTool() { return *regionTool_; }
     [[nodiscard]] PolygonTool& lotTool() { return *lotTool_; }
     [[nodiscard]] PolygonTool& placeTool() { return *placeTool_; }
-    [[nodiscard]] bool drawing() const { return activeTool() != nullptr; }
+    [[nodiscard]] MeasureTool& measureTool() { return *measureTool_; }
+    /// A polygon is being drawn, or a distance measured: clicks belong to it.
+    [[nodiscard]] bool drawing() const;
+    void setUnits(UnitSystem units) { units_ = units; }  ///< of what is measured
     [[nodiscard]] CursorLabel& cursorLabel() { return *label_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
     [[nodiscard]] TimeStrip& time() { return *time_; }
@@ -74,6 +78,11 @@ private:
     [[nodiscard]] PolygonTool* activeTool() const;
     void showLines();
     void draw(QPointF pixel);
+    void measure(QPointF pixel, bool clicked);
+    void connectMeasuring();
+    void finishMeasuring();
+    [[nodiscard]] bool measureKey(int key);
+    [[nodiscard]] QString describeMeasured() const;
     void tellWhatIsAt(QPointF pixel);
     void toolKey(int key);
 
@@ -82,6 +91,8 @@ private:
     PolygonTool* regionTool_;
     PolygonTool* lotTool_;
     PolygonTool* placeTool_;
+    MeasureTool* measureTool_;
+    UnitSystem units_ = UnitSystem::metric;
     CursorLabel* label_;
     MessageBar* messages_;
     TimeStrip* time_;
