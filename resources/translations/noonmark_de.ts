@@ -1854,10 +1854,6 @@ Vorgabe: %2</translation>
         <translation>keines: der Prozessor</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe in Metern tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
-    </message>
-    <message>
         <source>Plan, elevat&amp;ions, from the sun</source>
         <translation>Grundriss, Ansich&amp;ten, von der Sonne</translation>
     </message>
@@ -1890,6 +1886,24 @@ Vorgabe: %2</translation>
 Press Enter or double-click to go to it</source>
         <translation>%1
 Eingabe oder Doppelklick zeigt sie</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe in Metern tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1, %2 up (%3 in space)</source>
+        <translation>%1, %2 hinauf (%3 im Raum)</translation>
+    </message>
+    <message>
+        <source>%1, %2 down (%3 in space)</source>
+        <translation>%1, %2 hinab (%3 im Raum)</translation>
+    </message>
+    <message>
+        <source>%1
+All sides %2, area %3</source>
+        <translation>%1
+Alle Seiten %2, Fläche %3</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2194,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Copy position: %1</source>
         <translation>Position kopieren: %1</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Von hier messen</translation>
     </message>
 </context>
 <context>
@@ -5211,6 +5229,18 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Me&amp;asure distances</source>
+        <translation>Abst&amp;ände messen</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Click points on roofs, walls and ground: distance, height, area. Backspace removes the last point, a double click ends</source>
+        <translation>Punkte auf Dächern, Wänden und Boden anklicken: Abstand, Höhe, Fläche. Rücktaste entfernt den letzten Punkt, ein Doppelklick beendet</translation>
     </message>
 </context>
 <context>

@@ -1854,12 +1854,8 @@ Por defecto: %2</translation>
         <translation>ninguno: el procesador</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura en metros y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
-    </message>
-    <message>
         <source>Plan, elevat&amp;ions, from the sun</source>
-        <translation>Planta, alza&amp;dos, desde el sol</translation>
+        <translation>Pl&amp;anta, alzados, desde el sol</translation>
     </message>
     <message>
         <source>&amp;Go to this view</source>
@@ -1890,6 +1886,24 @@ Por defecto: %2</translation>
 Press Enter or double-click to go to it</source>
         <translation>%1
 Pulse Intro o haga doble clic para ir a ella</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. O: proyección paralela. Mayús+P: planta. R: zona. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura en metros y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>%1, %2 up (%3 in space)</source>
+        <translation>%1, %2 hacia arriba (%3 en el espacio)</translation>
+    </message>
+    <message>
+        <source>%1, %2 down (%3 in space)</source>
+        <translation>%1, %2 hacia abajo (%3 en el espacio)</translation>
+    </message>
+    <message>
+        <source>%1
+All sides %2, area %3</source>
+        <translation>%1
+Todos los lados %2, área %3</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2194,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Copy position: %1</source>
         <translation>Copiar posición: %1</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Medir desde aquí</translation>
     </message>
 </context>
 <context>
@@ -5211,6 +5229,18 @@ del año, otras tantas semanas</translation>
     <message>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Me&amp;asure distances</source>
+        <translation>Med&amp;ir distancias</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Click points on roofs, walls and ground: distance, height, area. Backspace removes the last point, a double click ends</source>
+        <translation>Haga clic en puntos de tejados, paredes y suelo: distancia, altura, área. Retroceso quita el último punto, un doble clic termina</translation>
     </message>
 </context>
 <context>

@@ -1854,10 +1854,6 @@ Default: %2</source>
         <translation>なし: プロセッサ</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さをメートルで入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
-    </message>
-    <message>
         <source>Plan, elevat&amp;ions, from the sun</source>
         <translation>平面図・立面図・太陽から(&amp;I)</translation>
     </message>
@@ -1890,6 +1886,24 @@ Default: %2</source>
 Press Enter or double-click to go to it</source>
         <translation>%1
 Enter またはダブルクリックで移ります</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。O: 平行投影。Shift+P: 平面図。R: 範囲。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さをメートルで入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
+    </message>
+    <message>
+        <source>%1, %2 up (%3 in space)</source>
+        <translation>%1、上に %2 (空間で %3)</translation>
+    </message>
+    <message>
+        <source>%1, %2 down (%3 in space)</source>
+        <translation>%1、下に %2 (空間で %3)</translation>
+    </message>
+    <message>
+        <source>%1
+All sides %2, area %3</source>
+        <translation>%1
+全辺 %2、面積 %3</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2194,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Copy position: %1</source>
         <translation>位置をコピー: %1</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>ここから測る</translation>
     </message>
 </context>
 <context>
@@ -5211,6 +5229,18 @@ of the year, as many weeks</source>
     <message>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Me&amp;asure distances</source>
+        <translation>距離を測る(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Click points on roofs, walls and ground: distance, height, area. Backspace removes the last point, a double click ends</source>
+        <translation>屋根・壁・地面の点をクリック: 距離、高さ、面積。Backspace で最後の点を消し、ダブルクリックで終わります</translation>
     </message>
 </context>
 <context>

@@ -52,7 +52,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                             "look alike are computed once"),
                          false)),
       measure_(
-          makeSwitch(this, tr("M&easure distances"), QKeySequence(tr("Shift+M")),
+          makeSwitch(this, tr("Me&asure distances"), QKeySequence(tr("Shift+M")),
                      tr("Click points on roofs, walls and ground: distance, height, area. Backspace removes "
                         "the last point, a double click ends"),
                      false)),
