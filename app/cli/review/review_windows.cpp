@@ -29,8 +29,6 @@ struct WindowAnswer {
     BookSettings sheets;
 };
 
-const Evidence givenByUser{FigureStatus::unconfirmed, "Given by the user"};
-
 /// The rule with what the options change.
 Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
     if (windows.wallM) {
@@ -45,7 +43,7 @@ Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
         return failure("The sun must shine in one month at least", "--sunshine");
     rule.sunshine.emplace();
     std::ranges::copy(windows.sunshine, rule.sunshine->byMonth.begin());
-    rule.sunshine->evidence = givenByUser;
+    rule.sunshine->evidence = {FigureStatus::unconfirmed, "Given by the user"};
     rule.readings.push_back("Hours of sun are weighted by the monthly probabilities that the user gave");
     return rule;
 }
