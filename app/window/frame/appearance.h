@@ -8,8 +8,8 @@ namespace noonmark {
 /// created.
 void chooseRenderer();
 
-/// Sets application name, style, palette, language and units: the same look on every desktop, light or dark as
-/// the desktop is while the window is open, or as the user chose.
+/// Sets application name, style, palette, language and units: the same look on every desktop, light or dark
+/// as the desktop is while the window is open, or as the user chose.
 void applyAppearance(QApplication& application);
 
 }  // namespace noonmark
