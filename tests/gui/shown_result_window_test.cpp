@@ -87,7 +87,8 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     keep("June");
     showSaved("June");
     EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("saved"))),
-              QStringList({QStringLiteral("result.json"), QStringLiteral("result.tif")}));
+              QStringList({QStringLiteral("result.json"), QStringLiteral("result.pdf"),
+                           QStringLiteral("result.png"), QStringLiteral("result.tif")}));
 }
 
 TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
