@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <set>
@@ -85,6 +86,18 @@ TEST_F(TourWindow, AStepIsDoneWhenTheUserDoesIt) {
     EXPECT_TRUE(waitFor([&] { return tour->step() == 1; }));
     press("tourEnd");
     EXPECT_EQ(window->tours().running(), nullptr);
+}
+
+TEST_F(TourWindow, ADockBehindOthersIsShownByItsTab) {
+    auto* tower = window->findChild<QDockWidget*>(QStringLiteral("towerDock"));
+    window->findChild<QDockWidget*>(QStringLiteral("studyDock"))->raise();
+    QCoreApplication::processEvents();
+    const TourControl control(*window, listTours()[0].steps[0], [] {});
+    const QRect tab = control.area();
+    EXPECT_TRUE(window->rect().contains(tab)) << "the dock itself lies outside of the window";
+    EXPECT_LT(tab.height(), 60);
+    tower->raise();
+    EXPECT_TRUE(waitFor([&] { return control.area().height() > 60; })) << "the dock in front";
 }
 
 TEST_F(TourWindow, EveryControlIsFoundAndEveryTourIsOnTheStartPage) {

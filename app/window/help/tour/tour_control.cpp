@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QToolButton>
 
 namespace noonmark {
@@ -40,6 +41,15 @@ QAction* findEntry(const QWidget& menu, const QString& name) {
         if (QAction* found = findEntry(*entry->menu(), name)) return found;
     }
     return nullptr;
+}
+
+// The tab of a dock that lies behind others. Qt keeps such docks visible, outside of the window.
+QRect findTabBehind(const QDockWidget& dock, const QMainWindow& window) {
+    for (const QTabBar* bar : window.findChildren<QTabBar*>())
+        for (int tab = 0; tab < bar->count(); ++tab)
+            if (bar->tabText(tab) == dock.windowTitle() && tab != bar->currentIndex() && bar->isVisible())
+                return inWindow(*bar, bar->tabRect(tab), window);
+    return {};
 }
 
 }  // namespace
@@ -84,6 +94,8 @@ void TourControl::watchList() {
 
 QRect TourControl::area() const {
     if (action_ != nullptr) return actionArea();
+    if (const auto* dock = qobject_cast<QDockWidget*>(widget_))
+        if (const QRect tab = findTabBehind(*dock, window_); !tab.isEmpty()) return tab;
     if (widget_ == nullptr || !widget_->isVisible()) return {};
     return inWindow(*widget_, widget_->rect(), window_);
 }
