@@ -1,7 +1,7 @@
 #include "app/cli/options/picture_option.h"
 
 #include "app/cli/options/number_range.h"
-#include "app/report/sheets/sheet.h"
+#include "app/report/sheets/picture_width.h"
 
 namespace noonmark::cli {
 

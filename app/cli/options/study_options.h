@@ -11,7 +11,7 @@
 
 #include "app/cli/options/period_options.h"
 #include "app/cli/options/read_options.h"
-#include "app/report/sheets/sheet.h"
+#include "app/report/sheets/picture_width.h"
 #include "core/study/elements/element_study.h"
 
 namespace noonmark::cli {

@@ -12,6 +12,7 @@
 
 #include "app/report/maps/map_painter.h"
 #include "app/report/sheets/headline.h"
+#include "app/report/sheets/picture_width.h"
 #include "app/report/sheets/study_words.h"
 #include "app/report/sheets/text_column.h"
 
@@ -46,11 +47,9 @@ struct Sheet {
 /// Writes an A4 page. False if the device did not accept it.
 bool writePdf(const Sheet& sheet, QIODevice& device);
 
-/// Width of a picture, pixels: usual, and the range.
-constexpr int pictureWidth = 1600, leastPictureWidth = 400, mostPictureWidth = 12000;
-
 /// A picture for screens, slides and print: title, map, legend, scale bar, north arrow, data credit. All text
-/// grows with its width (pixels, in the range above); its height follows from the region's shape.
+/// grows with its width (pixels, in the range of picture_width.h); its height follows from the region's
+/// shape.
 QImage makePicture(const Sheet& sheet, int width = pictureWidth);
 
 }  // namespace noonmark
