@@ -13,8 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::istringstream lines{std::string(formatText(data, size))};
     std::vector<std::string> arguments;
     for (std::string line; std::getline(lines, line);) arguments.push_back(line);
-    const auto study = cli::parseArguments(arguments);
-    if (!study) return requireSound(study.error()), 0;
-    require(validate(study->settings.period).has_value(), "a study that is accepted has a valid period");
+    const auto options = cli::parseArguments(arguments, {"city.gpkg"});
+    if (!options) return requireSound(options.error()), 0;
+    const auto period = cli::periodFrom(options->study.period);
+    if (!period) return requireSound(period.error()), 0;
+    require(validate(*period).has_value(), "a period that is accepted is valid");
     return 0;
 }
