@@ -37,7 +37,7 @@ struct BuildingReview {
 };
 
 /// Windows by building, in the order in which buildings occur. Where the rule demands shares, they decide a
-/// building's verdict; else its worst window does. A share is counted: it is borderline only if it hangs on
+/// building's verdict; else its worst window does. A share is counted: it is borderline only if it depends on
 /// windows that are.
 std::vector<BuildingReview> reviewBuildings(const Rule& rule, const std::vector<WindowReview>& windows);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/io/files/file_kind.h"
 #include "core/io/read_part.h"
 
 namespace noonmark {
@@ -14,12 +13,10 @@ Result<FootprintScan> scanCityJson(const std::filesystem::path& file, const Read
                                    Progress& progress, std::stop_token stop) {
     const auto piece = readCityJson(file, settings, progress, std::move(stop));
     if (!piece) return tl::make_unexpected(piece.error());
-    if (piece->terrain)
-        return failure("A terrain within CityJSON cannot be divided among tasks", file.string(),
-                       "Write the terrain to a GeoTIFF and the buildings to files of their own");
     FootprintScan scan;
     scan.frame = piece->frame.value_or(settings.frame.value_or(Frame()));
     scan.indexed = false;
+    scan.hasTerrain = piece->terrain != nullptr;
     for (const auto& building : piece->buildings) scan.add(*building, scan.frame);
     return scan;
 }
@@ -38,12 +35,10 @@ LonLatBox boxOf(const Building& building, const Frame& frame) {
 
 }  // namespace
 
-Result<FootprintScan> scanBuildings(const std::filesystem::path& file, const ReadSettings& settings,
-                                    Progress& progress, std::stop_token stop) {
-    const auto kind = detectFileKind(file);
-    if (!kind) return tl::make_unexpected(kind.error());
-    return *kind == FileKind::cityJson ? scanCityJson(file, settings, progress, std::move(stop))
-                                       : scanFootprints(file, settings, progress, std::move(stop));
+Result<FootprintScan> scanBuildings(const std::filesystem::path& file, FileKind kind,
+                                    const ReadSettings& settings, Progress& progress, std::stop_token stop) {
+    return kind == FileKind::cityJson ? scanCityJson(file, settings, progress, std::move(stop))
+                                      : scanFootprints(file, settings, progress, std::move(stop));
 }
 
 void FootprintScan::add(const UnplacedFeature& feature) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/geo/lon_lat_box.h"
+#include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_features.h"
 
 namespace noonmark {
@@ -19,6 +20,7 @@ struct FootprintScan {
     LonLatBox box = emptyLonLatBox;     ///< around all features
     std::size_t features = 0;           ///< usable as buildings
     bool indexed = true;                ///< ReadSettings::window reads only what it needs
+    bool hasTerrain = false;            ///< the file has a terrain too, which is not divided
     std::map<Cell, double> tallestM{};  ///< highest top above the ground among the features that touch a cell
 
     void add(const UnplacedFeature& feature);
@@ -28,10 +30,10 @@ private:
     void add(const LonLatBox& own, double heightM);
 };
 
-/// The same of any file of buildings. A file without a spatial index is read whole; CityJSON with a terrain
-/// in it is refused. Errors as readCity().
-Result<FootprintScan> scanBuildings(const std::filesystem::path& file, const ReadSettings& settings,
-                                    Progress& progress, std::stop_token stop);
+/// The same of a file of this kind, footprints or CityJSON. A file without a spatial index is read whole.
+/// Errors as readCity().
+Result<FootprintScan> scanBuildings(const std::filesystem::path& file, FileKind kind,
+                                    const ReadSettings& settings, Progress& progress, std::stop_token stop);
 
 /// Errors as readFootprints(). Some 10 us a feature; memory 24 bytes a feature. Backend:
 /// read_footprints_gdal.cpp.

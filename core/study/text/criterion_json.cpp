@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/review/rule_names.h"
+#include "core/review/rule_text.h"
 
 namespace noonmark {
 
@@ -46,13 +47,18 @@ Json criterionJson(const Criterion& criterion, const CriterionResult& result) {
             {"borderline_days", result.borderlineDays}};
 }
 
-Json figuresJson(const Rule& rule) {
-    Json figures = Json::array();
+Json ruleJson(const Rule& rule) {
+    Json figures = Json::array(), chosen = Json::object();
+    for (const auto& [choice, option] : rule.chosen) chosen[choice] = option;
     for (const StatedFigure& figure : rule.figures)
         figures.push_back({{"text", figure.text},
                            {"status", ruleNameOf(figureStatusNames(), figure.evidence.status)},
                            {"source", figure.evidence.source}});
-    return figures;
+    return {{"rule_name", rule.name},
+            {"choices", chosen},
+            {"status", ruleNameOf(figureStatusNames(), leastSure(rule))},
+            {"readings", rule.readings},
+            {"figures", figures}};
 }
 
 }  // namespace noonmark

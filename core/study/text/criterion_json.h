@@ -15,7 +15,7 @@ nlohmann::ordered_json numberOrNull(double value);  ///< the same; null if it is
 nlohmann::ordered_json measuredJson(const std::optional<Measured>& measured);
 /// A criterion with its limits and what it found.
 nlohmann::ordered_json criterionJson(const Criterion& criterion, const CriterionResult& result);
-/// The figures that a rule states, with status and source.
-nlohmann::ordered_json figuresJson(const Rule& rule);
+/// What a review says of its rule: name, chosen options, status, readings, and figures with their sources.
+nlohmann::ordered_json ruleJson(const Rule& rule);
 
 }  // namespace noonmark

@@ -126,31 +126,26 @@ Json contributionsJson(const ReviewStudy& study) {
 }  // namespace
 
 Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
-    Json places = Json::array(), chosen = Json::object();
+    Json places = Json::array();
     for (const PlaceReview& review : study.places) places.push_back(placeJson(review));
-    for (const auto& [choice, option] : study.rule.chosen) chosen[choice] = option;
     Json json{{"rule", study.rule.key},
               {"from", labels.from},
               {"to", labels.to},
               {"places", places},
               {"not_checked", study.notChecked},
-              {"program", std::string("Noonmark ") + std::string(version())},
-              {"rule_name", study.rule.name},
-              {"choices", chosen},
-              {"status", ruleNameOf(figureStatusNames(), leastSure(study.rule))},
-              {"readings", study.rule.readings},
-              {"figures", figuresJson(study.rule)},
-              {"table", tableJson(study)},
-              {"contributions", contributionsJson(study)},
-              {"year", study.year},
-              {"clock", study.clock},
-              {"engine", study.engine},
-              {"step_min", study.stepMinutes},
-              {"cell_m", study.settings.cellM},
-              {"error",
-               "Each run is uncertain by a step, each area by a cell; a value within its error of the "
-               "limit is borderline"},
-              {"warnings", warningsJson(study.warnings)}};
+              {"program", std::string("Noonmark ") + std::string(version())}};
+    json.update(ruleJson(study.rule));
+    json.update({{"table", tableJson(study)},
+                 {"contributions", contributionsJson(study)},
+                 {"year", study.year},
+                 {"clock", study.clock},
+                 {"engine", study.engine},
+                 {"step_min", study.stepMinutes},
+                 {"cell_m", study.settings.cellM},
+                 {"error",
+                  "Each run is uncertain by a step, each area by a cell; a value within its error of the "
+                  "limit is borderline"},
+                 {"warnings", warningsJson(study.warnings)}});
     addProvenance(json, labels.provenance);
     addRepeat(json, makeRepeatCommand(study, labels));
     return json;

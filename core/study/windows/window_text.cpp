@@ -170,12 +170,10 @@ ElementTable makeWindowTable(const WindowStudy& study, const ReviewLabels& label
 }
 
 Json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels) {
-    Json windows = Json::array(), buildings = Json::array(), chosen = Json::object(),
-         seconds = Json::object();
+    Json windows = Json::array(), buildings = Json::array(), seconds = Json::object();
     for (const WindowReview& review : study.windows) windows.push_back(windowJson(study, review));
     for (const BuildingReview& building : study.buildings)
         buildings.push_back(buildingJson(study.rule, building));
-    for (const auto& [choice, option] : study.rule.chosen) chosen[choice] = option;
     for (const auto& [stage, time] : study.seconds) seconds[stage] = round4(time);
     Json json{
         {"rule", study.rule.key},
@@ -186,24 +184,21 @@ Json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels) {
         {"buildings", buildings},
         {"windows", windows},
         {"not_checked", study.notChecked},
-        {"program", std::string("Noonmark ") + std::string(version())},
-        {"rule_name", study.rule.name},
-        {"choices", chosen},
-        {"status", ruleNameOf(figureStatusNames(), leastSure(study.rule))},
-        {"readings", study.rule.readings},
-        {"figures", figuresJson(study.rule)},
-        {"year", study.year},
-        {"clock", study.clock.text()},
-        {"engine", study.engine},
-        {"step_min", study.stepMinutes},
-        {"steps", study.steps},
-        {"error",
-         fmt::format(
-             "Each run is uncertain by a step, a sky component by {:g} %; a value within its error of "
-             "the limit is borderline",
-             skyComponentErrorPct)},
-        {"seconds", seconds},
-        {"warnings", warningsJson(study.warnings)}};
+        {"program", std::string("Noonmark ") + std::string(version())}};
+    json.update(ruleJson(study.rule));
+    json.update(
+        {{"year", study.year},
+         {"clock", study.clock.text()},
+         {"engine", study.engine},
+         {"step_min", study.stepMinutes},
+         {"steps", study.steps},
+         {"error",
+          fmt::format(
+              "Each run is uncertain by a step, a sky component by {:g} %; a value within its error of "
+              "the limit is borderline",
+              skyComponentErrorPct)},
+         {"seconds", seconds},
+         {"warnings", warningsJson(study.warnings)}});
     addProvenance(json, labels.provenance);
     if (study.windowsFile) json["windows_file"] = inputsJson({*study.windowsFile});
     addRepeat(json, makeRepeatCommand(study, labels));

@@ -2,6 +2,7 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
+#include "app/report/book/review/verdict_colour.h"
 #include "app/report/sheets/study_words.h"
 #include "core/review/rule_names.h"
 #include "core/review/rule_text.h"
@@ -11,21 +12,6 @@
 namespace noonmark {
 
 namespace {
-
-QColor colourOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass:
-            return {0x00, 0x9e, 0x73};
-        case Verdict::borderline:
-            return {0xe6, 0x9f, 0x00};
-        case Verdict::fail:
-            return {0xb0, 0x2a, 0x1a};
-        case Verdict::notApplicable:
-        case Verdict::notChecked:
-            break;
-    }
-    return ink::line;
-}
 
 /// Places that fail, then borderline ones, then the others; among equals those with most incremental shadow.
 std::vector<const PlaceReview*> worstFirst(const ReviewStudy& study) {
@@ -54,7 +40,7 @@ PageTable verdictTable(const ReviewScene& scene, double points) {
                               QString::fromStdString(formatArea(place.areaM2, scene.settings.units)),
                               plainText(nameOf(place.verdict)),
                               plainText(describeReason(place, scene.settings.units))});
-        table.marks.push_back(colourOf(place.verdict));
+        table.marks.push_back(verdictMark(place.verdict));
     }
     return table;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
+#include "app/report/book/review/verdict_colour.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
 #include "core/review/rule_names.h"
@@ -14,19 +15,6 @@ namespace noonmark {
 namespace {
 
 constexpr double windowTablePt = 7;
-
-QColor markOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass:
-            return {0x00, 0x9e, 0x73};
-        case Verdict::borderline:
-            return {0xe6, 0x9f, 0x00};
-        case Verdict::fail:
-            return {0xb0, 0x2a, 0x1a};
-        default:
-            return ink::line;
-    }
-}
 
 QString countsText(const VerdictCounts& counts) {
     return QStringLiteral("%1 pass, %2 borderline, %3 fail, %4 not applicable")
@@ -73,7 +61,7 @@ NamedTable buildingTable(const WindowBookSource& source, double points) {
              describeCount(building.windows.before.fail), describeCount(building.windows.after.fail),
              describeCount(building.windows.worse), plainText(nameOf(building.formerVerdict)),
              plainText(nameOf(building.verdict))});
-        table.marks.push_back(markOf(building.verdict));
+        table.marks.push_back(verdictMark(building.verdict));
     }
     return {QStringLiteral("Buildings"), {}, std::move(table)};
 }
@@ -111,7 +99,7 @@ NamedTable windowTable(const WindowBookSource& source, double points) {
     for (const WindowReview* review : sortWorstFirst(study.windows)) {
         if (table.rows.size() == mostWindowRows) break;
         table.rows.push_back(windowRow(study, *review));
-        table.marks.push_back(markOf(review->verdict));
+        table.marks.push_back(verdictMark(review->verdict));
     }
     QString note = QStringLiteral("%1, clock: %2. Minutes, or percent where stated")
                        .arg(plainText(study.rule.name), plainText(study.clock.text()));

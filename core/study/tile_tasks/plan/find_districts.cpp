@@ -45,6 +45,14 @@ Result<void> checkFileSizes(const InputsScan& scan) {
     return {};
 }
 
+// CityJSON and files without an index are read whole: of one such file, there is nothing to divide.
+bool mayBeDivided(const std::vector<FileKind>& kinds) {
+    const auto isReadable = [&](FileKind kind) {
+        return kind == FileKind::footprints || (kind == FileKind::cityJson && kinds.size() > 1);
+    };
+    return !kinds.empty() && std::ranges::all_of(kinds, isReadable);
+}
+
 void join(FootprintScan& all, FootprintScan piece) {
     if (all.features == 0) {
         all = std::move(piece);
@@ -118,34 +126,34 @@ std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& files
 Result<InputsScan> scanInputs(const TaskPlanRequest& request, Progress& progress,
                               const std::stop_token& stop) {
     InputsScan scan;
-    bool divisible = true;
+    std::vector<FileKind> kinds;
     for (const std::string& file : request.files) {
         const auto kind = detectFileKind(file);
         if (!kind) return tl::make_unexpected(kind.error());
         (*kind == FileKind::terrain ? scan.terrain : scan.buildings).emplace_back(file);
-        divisible = divisible && (*kind == FileKind::footprints || *kind == FileKind::terrain ||
-                                  (*kind == FileKind::cityJson && request.files.size() > 1));
+        if (*kind != FileKind::terrain) kinds.push_back(*kind);
     }
-    for (std::size_t i = 0; divisible && i < scan.buildings.size(); ++i) {
-        ProgressShare share(progress, i, scan.buildings.size());
-        auto piece = scanBuildings(scan.buildings[i], request.reading, share, stop);
+    bool divisible = mayBeDivided(kinds);
+    for (std::size_t i = 0; divisible && i < kinds.size(); ++i) {
+        ProgressShare share(progress, i, kinds.size());
+        auto piece = scanBuildings(scan.buildings[i], kinds[i], request.reading, share, stop);
         if (!piece) return tl::make_unexpected(piece.error());
+        divisible = !piece->hasTerrain;
         scan.boxes.push_back(piece->box);
         scan.indexed.push_back(piece->indexed);
         join(scan.footprints, *std::move(piece));
     }
-    const bool severalFiles = scan.buildings.size() > 1;
-    scan.byWindow = divisible && !scan.buildings.empty() && (scan.footprints.indexed || severalFiles);
-    if (scan.byWindow) return checkFileSizes(scan).map([&] { return std::move(scan); });
-    return checkWholeSize(request.files).map([&] { return std::move(scan); });
+    scan.byWindow = divisible && (scan.footprints.indexed || kinds.size() > 1);
+    const auto sizes = scan.byWindow ? checkFileSizes(scan) : checkWholeSize(request.files);
+    return sizes.map([&] { return std::move(scan); });
 }
 
 std::vector<LonLatBox> InputsScan::boxesOf(const std::vector<std::string>& files) const {
     std::vector<LonLatBox> all;
-    for (const std::filesystem::path file : files) {
-        const auto found = std::ranges::find(buildings, file);
-        const bool known = found != buildings.end() && !boxes.empty();
-        all.push_back(known ? boxes[std::size_t(found - buildings.begin())] : LonLatBox{-180, -90, 180, 90});
+    std::size_t next = 0;  // of `buildings`, which has the order of `files`
+    for (const std::string& file : files) {
+        const bool isNext = byWindow && next < buildings.size() && buildings[next] == file;
+        all.push_back(isNext ? boxes[next++] : LonLatBox{-180, -90, 180, 90});
     }
     return all;
 }
