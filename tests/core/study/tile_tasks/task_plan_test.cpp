@@ -271,8 +271,8 @@ TEST_F(TaskPlanTest, ATaskOfSeveralWindowsEqualsOneStudyToTheLastBit) {
     expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
 }
 
-// Three files of towers, 400 m apart from west to east.
-std::vector<std::string> writeCityJsonTiles(const TemporaryFolder& folder) {
+// Three files of towers, 400 m apart from west to east; each may have a terrain of its own.
+std::vector<std::string> writeCityJsonTiles(const TemporaryFolder& folder, bool withTerrain = false) {
     std::vector<std::string> files;
     for (int tile = 0; tile < 3; ++tile) {
         CityJsonMaker maker;
@@ -280,6 +280,12 @@ std::vector<std::string> writeCityJsonTiles(const TemporaryFolder& folder) {
             const double west = 400.0 * tile + 30 * i, south = 25.0 * i;
             maker.addBuilding("tower " + std::to_string(i),
                               maker.boxSolid({west, south, 0}, {west + 12, south + 15, 20.0 + 10 * i}));
+        }
+        if (withTerrain) {
+            const int first = maker.addBox({400.0 * tile - 50, -50, -0.5}, {400.0 * tile + 150, 150, 0});
+            const Json faces{{{first, first + 1, first + 3}}, {{first, first + 3, first + 2}}};
+            maker.addBuilding("ground", {{"type", "CompositeSurface"}, {"lod", "1"}, {"boundaries", faces}},
+                              "TINRelief");
         }
         const std::string name = "tile " + std::to_string(tile) + ".city.json";
         files.push_back(folder.file(name, maker.document().dump()).string());
@@ -305,6 +311,15 @@ TEST_F(TaskPlanTest, TasksOpenOnlyTheCityJsonFilesThatTheirWindowsTouch) {
     withoutCheck.inputs.clear();
     EXPECT_TRUE(run(withoutCheck, 0)) << "the westernmost tile does not need the easternmost file";
     EXPECT_FALSE(run(withoutCheck, made.taskCount - 1));
+}
+
+TEST_F(TaskPlanTest, CityJsonWithATerrainIsReadWholeByEveryTask) {
+    request.files = writeCityJsonTiles(folder, true);
+    request.reading.terrainFromBases = TerrainFromBases::never;
+    request.settings.period.zone = "Europe/Amsterdam";
+    const TaskPlan made = plan();
+    EXPECT_FALSE(made.byWindow);
+    EXPECT_FALSE(made.districts[0].terrainHash.empty());
 }
 
 TEST_F(TaskPlanTest, MonthsEqualThoseOfOneMachineToTheLastBit) {
