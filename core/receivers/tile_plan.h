@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <glm/vec2.hpp>
+#include <optional>
 
 #include "core/geo/grid.h"
 
@@ -24,6 +27,16 @@ struct TilePlan {
         const int south = std::max(0, north - side);
         return {whole.westM + west * whole.cellM, whole.southM + south * whole.cellM, whole.cellM,
                 std::min(side, whole.columns - west), north - south};
+    }
+
+    /// The tile that a point lies in; a point on the edge of two cells lies in the eastern and northern one.
+    [[nodiscard]] std::optional<std::size_t> tileAt(glm::dvec2 pointM) const {
+        const double column = std::floor((pointM.x - whole.westM) / whole.cellM);
+        const double row = std::floor((pointM.y - whole.southM) / whole.cellM);
+        const bool inside = column >= 0 && row >= 0 && column < whole.columns && row < whole.rows;
+        if (!inside) return std::nullopt;
+        const std::size_t fromNorth = std::size_t(whole.rows - 1 - int(row)) / std::size_t(side);
+        return fromNorth * std::size_t(columns()) + std::size_t(column) / std::size_t(side);
     }
 };
 

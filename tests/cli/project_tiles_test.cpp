@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include "core/io/write_raster.h"
 #include "core/study/tile_tasks/plan/task_plan.h"
 #include "tests/cli/project_command.h"
@@ -68,11 +70,43 @@ TEST_F(ProjectTiles, AScoreEqualsThatOfOneCommand) {
     expectEqualMaps("score", {});
 }
 
+TEST_F(ProjectTiles, TimelinesEqualThoseOfOneCommand) {
+    ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
+    ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
+    const std::string places = folder_
+                                   .file("places.geojson", R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"name": "Sheep Meadow"}, "geometry": {"type": "Polygon", "coordinates":
+            [[[-73.979, 40.766], [-73.974, 40.766], [-73.974, 40.772], [-73.979, 40.772], [-73.979, 40.766]]]}}]})")
+                                   .string();
+    ASSERT_EQ(noonmarkCli({"project", "place", "read", file_, places}).code, 0);
+    const Spoken made = plan({"--scenario", "Existing", "--baseline", "Before", "--timelines", places});
+    ASSERT_EQ(made.code, 0) << made.err;
+    for (std::size_t task = 0; task < made.json()["tasks"]; ++task)
+        ASSERT_EQ(noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)}).code, 0);
+    const Spoken merged = noonmarkCli({"tiles", "merge", planned_});
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_THAT(merged.out, HasSubstr("1 place"));
+
+    std::ifstream file(folder_.path("plan/merged/timelines.jsonl"));
+    const auto tiled = nlohmann::json::parse(file);
+    const auto alone =
+        noonmarkCli({"timeline", file_,      "--place", "Sheep Meadow", "--from", "Before",
+                     "--to",     "Existing", "--day",   "2026-12-21",   "--at",   "12:00",
+                     "--hours",  "1",        "--step",  "10",           "--zone", "America/New_York",
+                     "--cell",   "10",       "--json"})
+            .json();
+    EXPECT_EQ(tiled["steps"], alone["steps"]);
+    EXPECT_EQ(tiled["incremental"], alone["incremental"]);
+    EXPECT_GT(tiled["incremental"]["duration_min"], 0);
+}
+
 TEST_F(ProjectTiles, WhatTheProjectLacksIsRefused) {
     EXPECT_THAT(plan({"--weights", "none"}).err, HasSubstr("none"));
     EXPECT_EQ(plan({"--scenario", "C"}).code, 2);
     EXPECT_EQ(plan({"--baseline", "Existing"}).code, 2);  // of which scenario?
     EXPECT_THAT(plan({"--weights", "default", "--by", "month"}).err, HasSubstr("--weights"));
+    EXPECT_THAT(plan({"--timelines", "no such file.gpkg"}).err, HasSubstr("no such file.gpkg"));
+    EXPECT_EQ(plan({"--timelines", "a.gpkg", "--weights", "default"}).code, 2);
     const Spoken files = noonmarkCli({"tiles", "plan", "town.gpkg", "--region", "city", "--start",
                                       "2026-12-21", "--weights", "default", "--out", planned_});
     EXPECT_THAT(files.err, HasSubstr("Only a project"));

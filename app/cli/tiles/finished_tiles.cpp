@@ -10,7 +10,7 @@
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "core/study/remaining_time.h"
-#include "core/study/tile_tasks/merge/merge_tiles.h"
+#include "core/study/tile_tasks/merge/merge_timelines.h"
 
 namespace noonmark::cli {
 
@@ -51,6 +51,10 @@ Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
     if (!plan) return tl::make_unexpected(plan.error());
     const auto study = parseArguments(plan->arguments, plan->files);
     if (!study) return tl::make_unexpected(study.error());
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    if (!study->timelines.empty())
+        return mergeTimelines(options.folder, *plan, options.partial, progress, interrupt.token());
     StudySettings asked = study->study.settings;
     const auto period = readPeriod(*study);
     if (!period) return tl::make_unexpected(period.error());
@@ -62,13 +66,15 @@ Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
                            .provenance = provenance,
                            .maps = listMaps(*study)};
     if (!options.places.empty()) settings.places = options.places;
-    const Interrupt interrupt;
-    ProgressLine progress(console);
     return mergeTiles(options.folder, *plan, asked, settings, progress, interrupt.token());
 }
 
 // A score has no minutes of shadow.
 void print(const MergeReport& report, std::ostream& out) {
+    if (report.places > 0) {
+        out << fmt::format("{} place{}\n", report.places, report.places == 1 ? "" : "s");
+        return;
+    }
     const ShadowStatistics& shadow = report.statistics;
     out << fmt::format("{} receivers", shadow.receivers);
     if (!std::isnan(shadow.meanGrossMin))

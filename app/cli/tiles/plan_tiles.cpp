@@ -98,6 +98,7 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
     if (!question) return tl::make_unexpected(question.error());
     OutputRules rules = outputRules(study.read.files, {}, study.overwrite);
     addPlace(rules, study.region);
+    addPlace(rules, options.question.timelines);
     if (auto may = checkOutputs(study.out, {planFileName, indexFileName}, rules); !may)
         return tl::make_unexpected(may.error());
     const Interrupt interrupt;
@@ -110,11 +111,14 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
                                   .task = {options.taskSeconds, options.taskMemoryGB * 1e9},
                                   .districtM = options.districtKm * 1000,
                                   .builtUpOnly = options.builtUpOnly,
-                                  .subject = question->subject ? &*question->subject : nullptr};
+                                  .subject = question->subjectOrNull(),
+                                  .timelines = question->timelinesOrNull()};
     auto plan = makeTaskPlan(request, progress, interrupt.token(), enginesWith(request.settings.engine));
     if (!plan) return plan;
     plan->arguments = std::move(arguments);
-    auto inputs = describeInputs(*files);
+    std::vector<std::string> read = *files;
+    if (!options.question.timelines.empty()) read.push_back(options.question.timelines);
+    auto inputs = describeInputs(read);
     if (!inputs) return tl::make_unexpected(inputs.error());
     plan->inputs = *std::move(inputs);
     const fs::path folder = study.out;
@@ -189,7 +193,11 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
     command->add_flag("--built-up", options->builtUpOnly, "Leave out tiles without a building");
     command->callback([options, command, &run] {
         auto words = listArguments(*command, {"--out", "--overwrite", "--json", "--tile", "--task-seconds",
-                                              "--task-memory", "--district", "--built-up"});
+                                              "--task-memory", "--district", "--built-up", "--timelines"});
+        if (std::string& timelines = options->question.timelines; !timelines.empty()) {
+            timelines = absolutePath(timelines);
+            words.push_back("--timelines=" + timelines);
+        }
         run = [options, words = std::move(words)](const Console& console) {
             const auto plan = makePlan(*options, words, console);
             if (!plan) return fail(console, plan.error(), exitUsage);

@@ -38,8 +38,8 @@ Result<TaskReport> runOne(const RunOptions& options, const CgroupLimits& limits,
     if (limits.memoryBytes) settings.memoryLimit = *limits.memoryBytes / 10 * share;
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const TaskQuestion asked{study->study.read.settings, settings,
-                             question->subject ? &*question->subject : nullptr};
+    const TaskQuestion asked{study->study.read.settings, settings, question->subjectOrNull(),
+                             question->timelinesOrNull()};
     return runTask(options.folder, *plan, *task, asked, progress, interrupt.token(),
                    enginesWith(settings.engine));
 }

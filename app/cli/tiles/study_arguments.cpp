@@ -30,11 +30,21 @@ void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
                         "Measure the impact of the project's --scenario: the scenario to compare it with")
             ->needs(command.get_option("--scenario"))
             ->type_name("NAME");
-    command
-        .add_option("--weights", options.weights,
-                    "Measure the shadow score: a time-weight table of the project")
-        ->excludes(baseline)
-        ->type_name("NAME");
+    CLI::Option* weights = command
+                               .add_option("--weights", options.weights,
+                                           "Measure the shadow score: a time-weight table of the project")
+                               ->excludes(baseline)
+                               ->type_name("NAME");
+    CLI::Option* timelines =
+        command
+            .add_option("--timelines", options.timelines,
+                        "Measure the timelines of the places of this file (polygons, or OpenStreetMap)")
+            ->excludes(weights)
+            ->excludes(command.get_option("--by"))
+            ->type_name("FILE");
+    command.add_flag("--all-steps", options.allSteps, "Of timelines of several days, state the steps too")
+        ->needs(timelines);
+    addPlaceOptions(command, options.places);
 }
 
 Result<TileStudyOptions> parseArguments(const std::vector<std::string>& arguments,

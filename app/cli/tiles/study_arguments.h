@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/options/place_options.h"
 #include "app/cli/options/study_options.h"
 
 namespace noonmark::cli {
@@ -11,8 +12,11 @@ namespace noonmark::cli {
 /// The options of a study in tiles, as given by the user.
 struct TileStudyOptions {
     StudyOptions study;
-    std::string baseline;  ///< scenario to compare with; empty: no comparison
-    std::string weights;   ///< time-weight table; empty: no score
+    std::string baseline;   ///< scenario to compare with; empty: no comparison
+    std::string weights;    ///< time-weight table; empty: no score
+    std::string timelines;  ///< file of places to measure; empty: no timelines
+    PlaceOptions places;    ///< of that file
+    bool allSteps = false;  ///< of timelines of several days
 };
 
 /// Adds the options of every study, and those that say what is measured in tiles.

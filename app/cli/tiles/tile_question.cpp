@@ -3,6 +3,7 @@
 #include "app/cli/load_city.h"
 #include "app/cli/project/project_question.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/study_hash.h"
 #include "scenarios/impact/impact_tiles.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/weights/score_tiles.h"
@@ -44,6 +45,21 @@ Result<TileSubject> impactIn(const Project& project, const TileStudyOptions& opt
     return makeImpactSubject(cities);
 }
 
+// The cities to measure timelines of: the baseline first, where there is one.
+Result<TileSubject> timelinesIn(const Project& project, const TileStudyOptions& options,
+                                std::shared_ptr<const City> city, Region region) {
+    TileSubject subject{.key = "timelines;" + hashCity(*city), .region = std::move(region)};
+    if (!options.baseline.empty()) {
+        auto before = sharedCity(project, options.baseline);
+        if (!before) return tl::make_unexpected(before.error());
+        subject.key += ';' + hashCity(**before);
+        subject.cities.push_back(*std::move(before));
+    }
+    subject.cities.push_back(std::move(city));
+    subject.fields = double(subject.cities.size());
+    return subject;
+}
+
 Result<TileSubject> subjectIn(const Project& project, const TileStudyOptions& options) {
     const StudyOptions& study = options.study;
     const std::string scenario = study.scenario.empty() ? existingCity : study.scenario;
@@ -52,6 +68,8 @@ Result<TileSubject> subjectIn(const Project& project, const TileStudyOptions& op
     if (!city) return tl::make_unexpected(city.error());
     auto region = regionIn(project, compares || scores ? *project.city : **city, study.region);
     if (!region) return tl::make_unexpected(region.error());
+    if (!options.timelines.empty())
+        return timelinesIn(project, options, *std::move(city), *std::move(region));
     if (compares) return impactIn(project, options, {nullptr, *city, *region});
     if (!scores) return TileSubject{.key = "study", .cities = {*city}, .region = *region};
     return findWeights(project, options.weights).map([&](TimeWeights weights) {
@@ -76,14 +94,41 @@ Result<TileQuestionRead> questionIn(const Project& project, const TileStudyOptio
         });
 }
 
+TimelineLabels labelsOf(const TileStudyOptions& options, Zone zone) {
+    const std::string& scenario = options.study.scenario;
+    const std::string city = scenario.empty() ? existingCity : scenario;
+    if (options.baseline.empty()) return {city, {}, std::move(zone)};
+    return {options.baseline, city, std::move(zone)};
+}
+
+Result<TileQuestionRead> addTimelines(TileQuestionRead question, const TileStudyOptions& options) {
+    auto ground = checkOnGround(question.settings.receivers.places);
+    if (!ground) return tl::make_unexpected(ground.error());
+    question.settings.errorSample.receivers = 0;
+    const auto file = describeInputFile(options.timelines);
+    if (!file) return tl::make_unexpected(file.error());
+    return Zone::named(question.settings.period.zone).map([&](Zone zone) {
+        question.timelines = TimelineRequest{.places = options.timelines,
+                                             .reading = options.places.settings,
+                                             .placesHash = file->sha256,
+                                             .allSteps = options.allSteps,
+                                             .labels = labelsOf(options, std::move(zone))};
+        return std::move(question);
+    });
+}
+
 }  // namespace
 
 Result<TileQuestionRead> readQuestion(const TileStudyOptions& options) {
     const ReadOptions& read = options.study.read;
-    if (!namesProject(read)) return questionOfFiles(options);
-    return checkProjectAlone(read)
-        .and_then([&] { return ProjectFile::open(read.files.front()); })
-        .and_then([&](const ProjectFile& disk) { return questionIn(disk.project(), options); });
+    auto question =
+        namesProject(read)
+            ? checkProjectAlone(read)
+                  .and_then([&] { return ProjectFile::open(read.files.front()); })
+                  .and_then([&](const ProjectFile& disk) { return questionIn(disk.project(), options); })
+            : questionOfFiles(options);
+    if (!question || options.timelines.empty()) return question;
+    return addTimelines(*std::move(question), options);
 }
 
 Result<Period> readPeriod(const TileStudyOptions& options) {

@@ -11,10 +11,15 @@ namespace noonmark::cli {
 struct TileQuestionRead {
     StudySettings settings;              ///< with the period, without region
     std::optional<TileSubject> subject;  ///< of a project: a scenario, its impact or its score
+    std::optional<TimelineRequest> timelines{};
+
+    [[nodiscard]] const TileSubject* subjectOrNull() const { return subject ? &*subject : nullptr; }
+    [[nodiscard]] const TimelineRequest* timelinesOrNull() const { return timelines ? &*timelines : nullptr; }
 };
 
 /// Reads the project, if the files are one. Error: scenarios, periods by name or weights without a project;
-/// the project cannot be read, or lacks what the options name; months or roofs of an impact or a score.
+/// the project cannot be read, or lacks what the options name; months or roofs of an impact, a score or
+/// timelines; the file of places cannot be read.
 Result<TileQuestionRead> readQuestion(const TileStudyOptions& options);
 
 /// The period alone; reads the project only if it is a period by name.

@@ -20,9 +20,9 @@ Result<void> checkTask(const TaskPlan& plan, std::size_t task, const TaskQuestio
         return failure(fmt::format("There is no task {}: the plan has tasks 0 to {}", task,
                                    plan.taskCount == 0 ? 0 : plan.taskCount - 1),
                        "task", "Set the size of the array to the number of tasks");
-    if (hashQuestion(question.settings, question.subject) == plan.settingsHash) return {};
-    return failure("The plan was made by another version of Noonmark, or for other scenarios", planFileName,
-                   "Plan again with this version");
+    if (hashQuestion(question) == plan.settingsHash) return {};
+    return failure("The plan was made by another version of Noonmark, for other scenarios or other places",
+                   planFileName, "Plan again with this version");
 }
 
 // A hash of large files would take longer than the task: the size tells most changes. A project changes
@@ -46,7 +46,7 @@ bool isDone(const PlannedTile& tile, const TileJournal& journal) {
     const auto found = journal.finished().find(tile.number);
     if (found == journal.finished().end() || found->second.contentHash != tile.contentHash) return false;
     if (found->second.empty()) return true;
-    const auto file = describeInputFile(journal.fileOf(tile.number));
+    const auto file = describeInputFile(journal.fileOf(found->second));
     return file && file->sha256 == found->second.fileSha256;
 }
 
@@ -91,24 +91,23 @@ TilesLeft makeTilesLeft(const std::vector<PlannedTile>& window, TileCount done, 
     return left;
 }
 
-std::unique_ptr<TileMeasure> makeMeasure(const City& city, const TileSubject* subject,
-                                         const TileQuestion& question) {
-    if (subject != nullptr && subject->measure) return subject->measure(question);
-    return std::make_unique<ShadowMeasure>(city, question);
+const City* baselineOf(const TileSubject* subject) {
+    return subject == nullptr || subject->cities.size() < 2 ? nullptr : subject->cities.front().get();
 }
 
-Result<void> compute(const TilesLeft& left, const City& city, const TaskQuestion& question,
-                     const District& district, TileJournal& journal, Progress& progress,
-                     const std::stop_token& stop, const EngineList& engines) {
-    const StudySettings& settings = question.settings;
-    const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
-    if (!engine) return tl::make_unexpected(engine.error());
-    const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
-    if (!sun) return tl::make_unexpected(sun.error());
-    const auto measure =
-        makeMeasure(city, question.subject, {settings, *sun, **engine, district.tiles.whole});
-    TileRunner runner(*measure, district.tiles, city.frame, journal);
-    return runTiles(runner, district.tiles, left, progress, stop);
+/// `places`: of timelines.
+std::unique_ptr<TileMeasure> makeMeasure(const City& city, const TaskQuestion& question,
+                                         const TileQuestion& inTiles, const PlacesOfTiles& places) {
+    const TileSubject* subject = question.subject;
+    if (question.timelines != nullptr) {
+        const City* baseline = baselineOf(subject);
+        return baseline == nullptr
+                   ? std::make_unique<TimelineMeasure>(city, nullptr, places, *question.timelines, inTiles)
+                   : std::make_unique<TimelineMeasure>(*baseline, &city, places, *question.timelines,
+                                                       inTiles);
+    }
+    if (subject != nullptr && subject->measure) return subject->measure(inTiles);
+    return std::make_unique<ShadowMeasure>(city, inTiles);
 }
 
 /// One run of a task.
@@ -151,12 +150,36 @@ private:
             return fits;
         const TileCount count = countTiles(window, district_.tiles);
         later_.subtract(count);
-        return compute(makeTilesLeft(window, done_, later_), *city, question_, district_, journal_, progress,
-                       stop, engines_)
-            .map([&] {
-                done_.add(count);
-                report_.computed += window.size();
-            });
+        return compute(makeTilesLeft(window, done_, later_), *city, progress, stop).map([&] {
+            done_.add(count);
+            report_.computed += window.size();
+        });
+    }
+
+    Result<void> compute(const TilesLeft& left, const City& city, Progress& progress,
+                         const std::stop_token& stop) {
+        const StudySettings& settings = question_.settings;
+        const auto engine = makeEngine(settings.engine, settings.engineSettings, engines_);
+        if (!engine) return tl::make_unexpected(engine.error());
+        const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
+        if (!sun) return tl::make_unexpected(sun.error());
+        if (auto read = readPlacesOnce(progress, stop); !read) return read;
+        const auto measure =
+            makeMeasure(city, question_, {settings, *sun, **engine, district_.tiles.whole}, *places_);
+        TileRunner runner(*measure, district_.tiles, city.frame, journal_);
+        return runTiles(runner, district_.tiles, left, progress, stop);
+    }
+
+    Result<void> readPlacesOnce(Progress& progress, const std::stop_token& stop) {
+        if (places_) return {};
+        std::vector<Place> places;
+        if (const TimelineRequest* timelines = question_.timelines) {
+            auto read = readPlaces(timelines->places, timelines->reading, district_.frame, progress, stop);
+            if (!read) return tl::make_unexpected(read.error());
+            places = std::move(read->places);
+        }
+        places_.emplace(std::move(places), district_.tiles);
+        return {};
     }
 
     const TaskPlan& plan_;
@@ -167,6 +190,7 @@ private:
     TaskReport report_;
     TileCount done_, later_;
     std::shared_ptr<const Terrain> terrain_;  ///< of the district, once the first window was read
+    std::optional<PlacesOfTiles> places_;     ///< of timelines, else none
 };
 
 Result<TaskReport> run(const std::filesystem::path& folder, const TaskPlan& plan, std::size_t task,

@@ -35,6 +35,16 @@ Result<TaskStatus> findStatus(const std::filesystem::path& folder, const TaskPla
     return status;
 }
 
+Result<TaskStatus> findMergeable(const std::filesystem::path& folder, const TaskPlan& plan, bool partial) {
+    auto status = findStatus(folder, plan);
+    if (!status || status->complete() || partial) return status;
+    return failure(
+        fmt::format("{} of {} tiles are missing", status->allTiles - status->doneTiles, status->allTiles),
+        folder.string(),
+        "Run the tasks " + formatRanges(status->unfinishedTasks) +
+            " again, or merge what there is with --partial");
+}
+
 std::string formatRanges(const std::vector<std::size_t>& numbers) {
     std::string text;
     for (std::size_t i = 0; i < numbers.size();) {

@@ -29,6 +29,9 @@ struct TaskStatus {
 /// Reads the journals of all tasks, also while they are written. Error: a journal of another study.
 Result<TaskStatus> findStatus(const std::filesystem::path& folder, const TaskPlan& plan);
 
+/// The same, to be merged. Error: tiles are missing, unless `partial`.
+Result<TaskStatus> findMergeable(const std::filesystem::path& folder, const TaskPlan& plan, bool partial);
+
 /// "0-3,7,9": as schedulers take a list of array tasks.
 std::string formatRanges(const std::vector<std::size_t>& numbers);
 

@@ -30,7 +30,7 @@ Result<void> copyTile(GeoTiffWriter& writer, const Grid& tile,
 TileFiles listFiles(const TileJournal& journal) {
     TileFiles files;
     for (const auto& [number, result] : journal.finished())
-        files[number] = result.empty() ? std::nullopt : std::optional(journal.fileOf(number));
+        files[number] = result.empty() ? std::nullopt : std::optional(journal.fileOf(result));
     return files;
 }
 

@@ -71,8 +71,8 @@ Result<std::map<std::size_t, TileResult>> TileJournal::peek(const std::filesyste
     });
 }
 
-std::filesystem::path TileJournal::fileIn(const std::filesystem::path& folder, std::size_t tile) {
-    return folder / fmt::format("tile-{:05}.tif", tile);
+std::filesystem::path TileJournal::fileIn(const std::filesystem::path& folder, const TileResult& tile) {
+    return folder / fmt::format("tile-{:05}.{}", tile.number, tile.lines > 0 ? "jsonl" : "tif");
 }
 
 Result<void> TileJournal::read(const std::string& text, const std::string& first, const TilePlan& plan) {
@@ -90,10 +90,10 @@ void TileJournal::take(const std::string& line, const TilePlan& plan) {
     auto result = tileResultFrom(Json::parse(line, nullptr, false));
     if (!result || result->number >= plan.count()) return;
     const std::size_t tile = result->number;
-    if (result->empty() || isWhole(fileOf(tile), *result)) finished_[tile] = *std::move(result);
+    if (result->empty() || isWhole(fileOf(*result), *result)) finished_[tile] = *std::move(result);
 }
 
-std::filesystem::path TileJournal::fileOf(std::size_t tile) const { return fileIn(folder_, tile); }
+std::filesystem::path TileJournal::fileOf(const TileResult& tile) const { return fileIn(folder_, tile); }
 
 Result<void> TileJournal::add(TileResult result) {
     if (auto kept = append(toJson(result).dump()); !kept) return kept;

@@ -30,10 +30,11 @@ public:
     /// By tile number.
     [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
 
-    /// The file with the cells of a tile: the bands of all maps (tile_maps.h). Empty tiles have none.
-    [[nodiscard]] std::filesystem::path fileOf(std::size_t tile) const;
+    /// The file of a tile: its cells in the bands of all maps (tile_maps.h), or its lines of JSON. Empty
+    /// tiles have none.
+    [[nodiscard]] std::filesystem::path fileOf(const TileResult& tile) const;
     /// The same for a journal in this folder.
-    static std::filesystem::path fileIn(const std::filesystem::path& folder, std::size_t tile);
+    static std::filesystem::path fileIn(const std::filesystem::path& folder, const TileResult& tile);
 
     /// Marks a tile as finished; its file must exist.
     Result<void> add(TileResult result);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -14,6 +15,8 @@ struct TileAnswer {
     TileResult result;  ///< without its number and its time
     /// The values of the bands of all maps, each in grid order; none if the tile has no receiver
     std::vector<std::vector<float>> bands{};
+    /// Lines of JSON instead, of a measure without maps: TileResult::lines of them
+    std::string lines{};
 };
 
 /// What is measured in the tiles of a study.

@@ -1,6 +1,7 @@
 #include "core/study/tiles/tile_runner.h"
 
 #include "core/base/stopwatch.h"
+#include "core/io/files/write_text.h"
 #include "core/io/write_raster.h"
 #include "core/study/provenance/provenance.h"
 
@@ -36,22 +37,28 @@ Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::st
     return measure_.measure(plan_.tile(tile), progress, stop)
         .and_then([&](TileAnswer answer) -> Result<TileResult> {
             answer.result.number = tile;
-            return writeTile(tile, answer.bands).map([&] { return std::move(answer.result); });
+            return write(answer).map([&] { return std::move(answer.result); });
         })
         .and_then([&](TileResult result) {
             result.seconds = watch.seconds();
-            return withFile(std::move(result), journal_.fileOf(tile), contentHash);
+            const std::filesystem::path file = journal_.fileOf(result);
+            return withFile(std::move(result), file, contentHash);
         })
         .and_then([&](TileResult result) { return journal_.add(std::move(result)); });
 }
 
-Result<void> TileRunner::writeTile(std::size_t tile, const std::vector<std::vector<float>>& values) const {
-    if (values.empty()) return {};
-    const Grid grid = plan_.tile(tile);
-    auto writer = GeoTiffWriter::create(journal_.fileOf(tile), frame_, grid, bands_);
+Result<void> TileRunner::write(const TileAnswer& answer) const {
+    const std::filesystem::path file = journal_.fileOf(answer.result);
+    if (answer.result.lines > 0) return writeText(file, answer.lines);
+    return answer.bands.empty() ? Result<void>() : writeMaps(file, answer);
+}
+
+Result<void> TileRunner::writeMaps(const std::filesystem::path& file, const TileAnswer& answer) const {
+    const Grid grid = plan_.tile(answer.result.number);
+    auto writer = GeoTiffWriter::create(file, frame_, grid, bands_);
     if (!writer) return tl::make_unexpected(writer.error());
     std::vector<const std::vector<float>*> pointers;
-    for (const std::vector<float>& band : values) pointers.push_back(&band);
+    for (const std::vector<float>& band : answer.bands) pointers.push_back(&band);
     return writer->write(grid, pointers).and_then([&] { return writer->finish(false); });
 }
 

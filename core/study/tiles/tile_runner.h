@@ -14,14 +14,14 @@ class TileRunner {
 public:
     TileRunner(TileMeasure& measure, const TilePlan& plan, const Frame& frame, TileJournal& journal);
 
-    /// Writes the tile's cells to its file and its numbers to the journal. `contentHash`: stored with the
-    /// tile, and if it is not empty, so are the size and the hash of its file.
+    /// Writes the tile's cells, or its lines, to its file and its numbers to the journal. `contentHash`:
+    /// stored with the tile, and if it is not empty, so are the size and the hash of its file.
     Result<void> run(std::size_t tile, Progress& progress, const std::stop_token& stop,
                      const std::string& contentHash = {});
 
 private:
-    [[nodiscard]] Result<void> writeTile(std::size_t tile,
-                                         const std::vector<std::vector<float>>& values) const;
+    [[nodiscard]] Result<void> write(const TileAnswer& answer) const;
+    [[nodiscard]] Result<void> writeMaps(const std::filesystem::path& file, const TileAnswer& answer) const;
 
     TileMeasure& measure_;
     const TilePlan& plan_;

@@ -24,7 +24,7 @@ protected:
         return TileJournal::open(path, study, plan);
     }
     void finish(TileJournal& journal, std::size_t tile) const {
-        std::ofstream(journal.fileOf(tile)) << "cells";
+        std::ofstream(journal.fileOf({.number = tile})) << "cells";
         TileResult result{.number = tile, .sums = {7, 0.1, 1.0 / 3, 2, 3}};
         result.engineKey = "ray";
         result.engine = "Ray reference";
@@ -67,7 +67,7 @@ TEST_F(TileJournalTest, RunsThatWereNotCountedComeBackAsSuch) {
         auto journal = opened();
         TileResult result{.number = 1, .sums = {7, 0.1, none, 2, 0}};
         result.compared = {{{1.5, 2.5}, 1, 2, none, 4}};
-        std::ofstream(journal->fileOf(1)) << "cells";
+        std::ofstream(journal->fileOf({.number = 1})) << "cells";
         ASSERT_TRUE(journal->add(result));
     }
     const auto again = opened();
@@ -98,7 +98,7 @@ TEST_F(TileJournalTest, ATileWithoutItsFileIsNotFinished) {
         auto journal = opened();
         finish(*journal, 1);
         finish(*journal, 2);
-        std::filesystem::remove(journal->fileOf(2));
+        std::filesystem::remove(journal->fileOf({.number = 2}));
     }
     EXPECT_THAT(opened()->finished(), ElementsAre(Key(1)));
 }

@@ -30,7 +30,6 @@ public:
     Merge(const fs::path& folder, const TaskPlan& plan, const StudySettings& settings,
           const MergeSettings& merge, Progress& progress, std::stop_token stop)
         : folder_(folder),
-          merged_(folder / "merged"),
           plan_(plan),
           settings_(settings),
           merge_(merge),
@@ -38,18 +37,13 @@ public:
           stop_(std::move(stop)) {}
 
     Result<MergeReport> run() {
-        auto status = findStatus(folder_, plan_);
+        auto status = findMergeable(folder_, plan_, merge_.partial);
         if (!status) return tl::make_unexpected(status.error());
         status_ = *std::move(status);
         report_.missingTiles = status_.allTiles - status_.doneTiles;
-        if (!status_.complete() && !merge_.partial)
-            return failure(fmt::format("{} of {} tiles are missing", report_.missingTiles, status_.allTiles),
-                           folder_.string(),
-                           "Run the tasks " + formatRanges(status_.unfinishedTasks) +
-                               " again, or merge what there is with --partial");
-        std::error_code error;
-        fs::create_directories(merged_, error);
-        if (error) return limitReached("The folder cannot be made: " + error.message(), merged_.string(), {});
+        const auto merged = makeMergedFolder(folder_);
+        if (!merged) return tl::make_unexpected(merged.error());
+        merged_ = *merged;
         for (std::size_t i = 0; i < plan_.districts.size(); ++i)
             if (auto done = mergeDistrict(i); !done) return tl::make_unexpected(done.error());
         return writeSummaries().map([&] { return std::move(report_); });
@@ -68,9 +62,10 @@ private:
             sums.add(done.result.sums);
             for (const auto& [name, value] : done.result.figures) ownFigures[name] += value;
             months.add(done.result);
-            files[tile] = done.result.empty()
-                              ? std::nullopt
-                              : std::optional(TileJournal::fileIn(taskFolder(folder_, done.task), tile));
+            files[tile] =
+                done.result.empty()
+                    ? std::nullopt
+                    : std::optional(TileJournal::fileIn(taskFolder(folder_, done.task), done.result));
         }
         StudySettings own = settings_;
         own.region = district.region;
@@ -202,6 +197,14 @@ private:
 };
 
 }  // namespace
+
+Result<fs::path> makeMergedFolder(const fs::path& plan) {
+    fs::path merged = plan / "merged";
+    std::error_code error;
+    fs::create_directories(merged, error);
+    if (error) return limitReached("The folder cannot be made: " + error.message(), merged.string(), {});
+    return merged;
+}
 
 Result<MergeReport> mergeTiles(const fs::path& folder, const TaskPlan& plan, const StudySettings& settings,
                                const MergeSettings& merge, Progress& progress, const std::stop_token& stop) {

@@ -25,8 +25,12 @@ struct MergeReport {
     std::vector<std::filesystem::path> files;
     ShadowStatistics statistics;            ///< of all districts
     std::map<std::string, double> figures;  ///< sums of the measure's own figures
+    std::size_t places = 0;                 ///< of timelines
     std::size_t missingTiles = 0;
 };
+
+/// The folder `merged` of a plan, made if it is missing.
+Result<std::filesystem::path> makeMergedFolder(const std::filesystem::path& plan);
 
 /// Joins the finished tiles of a plan, into the folder `merged` of the plan, for each district: `shadow.tif`,
 /// a Cloud Optimized GeoTIFF; `shadow.vrt`, a virtual raster over the tiles' own files; `item.json`, a STAC

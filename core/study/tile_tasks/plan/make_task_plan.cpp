@@ -30,6 +30,9 @@ Result<void> checkRequest(const TaskPlanRequest& request, const EngineList& engi
         return failure("The size of a tile is out of range", "tile size", "Choose 64 to 4096 cells");
     if (const auto period = validate(settings.period); !period) return tl::make_unexpected(period.error());
     return makeEngine(settings.engine, settings.engineSettings, engines).and_then([&](const auto& engine) {
+        if (request.timelines != nullptr && !engine->capabilities().stepMasks)
+            return Result<void>(unsupported("This engine does not state timelines of places", settings.engine,
+                                            "Choose auto, ray or projected"));
         return checkBreakdown(settings, engine->capabilities(), engines);
     });
 }
@@ -69,14 +72,17 @@ public:
           engines_(engines),
           study_(plan.studyHash(district)),
           reach_(surveyed.sun),
-          posts_(surveyed.ground.terrain ? surveyed.ground.terrain->grid.size() : 0) {}
+          posts_(surveyed.ground.terrain ? surveyed.ground.terrain->grid.size() : 0) {
+        if (request.timelines != nullptr) places_.emplace(surveyed.places, plan.districts[district].tiles);
+    }
 
     /// Nothing for a tile to leave out.
     [[nodiscard]] std::optional<PlannedTile> planned(std::size_t number) const {
-        const Grid grid = plan_.districts[district_].tiles.tile(number);
+        const Grid grid = measuredGrid(number);
+        if (grid.size() == 0) return std::nullopt;
         const TileHalo halo = findHalo(surveyed_.survey, reach_, grid);
         if (request_.builtUpOnly && halo.buildingsInTile == 0) return std::nullopt;
-        const TileCost cost = estimateTile(halo, grid, request_.settings, surveyed_.sun, posts_, engines_);
+        const TileCost cost = estimateTile(halo, grid, loadSettings(), surveyed_.sun, posts_, engines_);
         const double fields = request_.subject == nullptr ? 1 : request_.subject->fields;
         PlannedTile tile{.district = district_,
                          .number = number,
@@ -92,6 +98,21 @@ public:
     }
 
 private:
+    // The cells of the tile, or around its places.
+    [[nodiscard]] Grid measuredGrid(std::size_t number) const {
+        if (!places_) return plan_.districts[district_].tiles.tile(number);
+        const Box2 box = places_->boxOf(number);
+        if (box.empty()) return {};
+        return gridOver(makeRegionFromLocalBox(box), request_.settings.receivers).value_or(Grid{});
+    }
+
+    // "auto" states the masks of timelines by one of two engines.
+    [[nodiscard]] StudySettings loadSettings() const {
+        StudySettings settings = request_.settings;
+        if (places_ && settings.engine == "auto") settings.engine = posts_ == 0 ? "projected" : "ray";
+        return settings;
+    }
+
     const TaskPlan& plan_;
     const TaskPlanRequest& request_;
     const SurveyedDistrict& surveyed_;
@@ -100,6 +121,7 @@ private:
     std::string study_;
     ShadowReach reach_;
     std::size_t posts_;
+    std::optional<PlacesOfTiles> places_;  ///< of timelines
 };
 
 Result<void> addDistrict(TaskPlan& plan, std::size_t number, const TaskPlanRequest& request,
@@ -130,7 +152,7 @@ Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, co
     if (!scan) return tl::make_unexpected(scan.error());
     TaskPlan plan{
         .files = request.files, .fileBoxes = scan->boxesOf(request.files), .byWindow = scan->byWindow};
-    plan.settingsHash = hashQuestion(request.settings, request.subject);
+    plan.settingsHash = hashQuestion(request.question());
     auto districts = scan->byWindow ? findDistricts(request, *scan) : std::vector<District>(1);
     if (!districts) return tl::make_unexpected(districts.error());
     plan.districts = *std::move(districts);
@@ -140,7 +162,9 @@ Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, co
             return tl::make_unexpected(added.error());
     }
     if (plan.tiles.empty())
-        return failure("No tile of the region holds a building", request.region, "Choose another region");
+        return failure(request.timelines == nullptr ? "No tile of the region holds a building"
+                                                    : "No place of the file lies in the region",
+                       request.region, "Choose another region");
     packTasks(plan, request.task);
     return plan;
 }

@@ -23,6 +23,9 @@ struct TaskPlanRequest {
     bool builtUpOnly = false;  ///< leave out tiles without a building
     /// Measured instead of the city in `files`; they are then not read, and `region` is not used
     const TileSubject* subject = nullptr;
+    const TimelineRequest* timelines = nullptr;  ///< as in TaskQuestion
+
+    [[nodiscard]] TaskQuestion question() const { return {reading, settings, subject, timelines}; }
 };
 
 /// Files that have to be read whole by every task may not be larger than this together.
@@ -32,8 +35,9 @@ inline constexpr std::uintmax_t mostBytesReadWhole = 2'000'000'000;
 /// are read in one pass and then window by window, so that memory does not grow with the country; a terrain
 /// is read for each district. Of several files, every task reads only those that its windows touch, whole if
 /// they have no index: so a country may be a folder of CityJSON. One file of another format is read whole,
-/// here and by every task. The study's own errors,
-/// and: files that are too large to be read whole; a terrain from bases, which needs the whole city.
+/// here and by every task. Of timelines, only tiles with places are planned, and their halo is that of their
+/// places. The study's own errors, those of readPlaces(), and: files that are too large to be read whole; a
+/// terrain from bases, which needs the whole city.
 /// `arguments` and `inputs` of the plan are the caller's.
 Result<TaskPlan> makeTaskPlan(const TaskPlanRequest& request, Progress& progress, const std::stop_token& stop,
                               const EngineList& engines = coreEngines());

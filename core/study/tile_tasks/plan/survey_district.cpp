@@ -11,6 +11,8 @@
 
 #include "core/io/read_region.h"
 #include "core/io/read_window.h"
+#include "core/measures/place_run.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
@@ -76,7 +78,27 @@ Result<SunSteps> sunOver(const City& ground, const TaskPlanRequest& request, con
                          const std::stop_token& stop) {
     StudySettings settings = request.settings;
     settings.region = region;
-    return computeDaylightSteps(settings.period, makeObserver(ground, settings), stop);
+    const Observer observer =
+        request.timelines == nullptr ? makeObserver(ground, settings) : observerOfPlaces(ground);
+    return computeDaylightSteps(settings.period, observer, stop);
+}
+
+Result<std::vector<Place>> placesOver(const Frame& frame, const TaskPlanRequest& request, Progress& progress,
+                                      const std::stop_token& stop) {
+    if (request.timelines == nullptr) return std::vector<Place>{};
+    return readPlaces(request.timelines->places, request.timelines->reading, frame, progress, stop)
+        .map([](PlacesRead read) { return std::move(read.places); });
+}
+
+// The region with all of each place that may belong to one of its tiles.
+Box2 measuredBox(const Region& region, const std::vector<Place>& places) {
+    const Box2 own = bounds(region);
+    Box2 box = own;
+    for (const Place& place : places) {
+        const Box2 around = bounds(place);
+        if (distanceBetween(around, own) <= 0) box.add(around);
+    }
+    return box;
 }
 
 bool anyBuilding(const FootprintScan& scan, const Frame& frame, const Box2& block) {
@@ -149,8 +171,12 @@ Result<SurveyedDistrict> surveyWindows(District& district, const TaskPlanRequest
     Region region = whole ? makeRegionFromLocalBox(all) : district.region;
     auto sun = sunOver(*ground, request, region, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    Box2 box = whole ? all : reachingBox(bounds(region), scan, *ground, *sun, reading.farAwayM);
-    SurveyedDistrict made{OccluderSurvey(box), *ground, *std::move(sun)};
+    auto places = placesOver(district.frame, request, progress, stop);
+    if (!places) return tl::make_unexpected(places.error());
+    const Box2 measured = measuredBox(region, *places);
+    Box2 box =
+        whole ? grown(measured, borderM) : reachingBox(measured, scan, *ground, *sun, reading.farAwayM);
+    SurveyedDistrict made{OccluderSurvey(box), *ground, *std::move(sun), *std::move(places)};
     if (ground->terrain) made.survey.addTerrain(*ground->terrain);
     const auto surveyed = surveyWholeFiles(made, box, reading, scan, progress, stop).and_then([&] {
         return surveyByWindow(made, box, reading, scan, progress, stop);
@@ -177,13 +203,17 @@ City unionOf(std::span<const City* const> cities) {
 
 // Cities of one frame and terrain.
 Result<SurveyedDistrict> surveyCities(const District& district, std::span<const City* const> cities,
-                                      const TaskPlanRequest& request, const std::stop_token& stop) {
-    Box2 box = bounds(district.region);
+                                      const TaskPlanRequest& request, Progress& progress,
+                                      const std::stop_token& stop) {
+    auto places = placesOver(district.frame, request, progress, stop);
+    if (!places) return tl::make_unexpected(places.error());
+    Box2 box = measuredBox(district.region, *places);
     for (const City* city : cities) box.add(bounds(*city));
     City ground{.frame = district.frame, .terrain = cities.back()->terrain};
     auto sun = sunOver(ground, request, district.region, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    SurveyedDistrict made{OccluderSurvey(grown(box, borderM)), std::move(ground), *std::move(sun)};
+    SurveyedDistrict made{OccluderSurvey(grown(box, borderM)), std::move(ground), *std::move(sun),
+                          *std::move(places)};
     if (made.ground.terrain) made.survey.addTerrain(*made.ground.terrain);
     made.survey.add(unionOf(cities), grown(box, borderM));
     return made;
@@ -203,16 +233,16 @@ Result<SurveyedDistrict> surveyWhole(District& district, const TaskPlanRequest& 
         district.region = *std::move(region);
     }
     const City* const cities[]{&read->city};
-    return surveyCities(district, cities, request, stop);
+    return surveyCities(district, cities, request, progress, stop);
 }
 
-Result<SurveyedDistrict> surveySubject(District& district, const TaskPlanRequest& request,
+Result<SurveyedDistrict> surveySubject(District& district, const TaskPlanRequest& request, Progress& progress,
                                        const std::stop_token& stop) {
     std::vector<const City*> cities;
     for (const auto& city : request.subject->cities) cities.push_back(city.get());
     district.frame = cities.back()->frame;
     district.region = request.subject->region;
-    return surveyCities(district, cities, request, stop);
+    return surveyCities(district, cities, request, progress, stop);
 }
 
 }  // namespace
@@ -220,7 +250,7 @@ Result<SurveyedDistrict> surveySubject(District& district, const TaskPlanRequest
 Result<SurveyedDistrict> surveyDistrict(District& district, const TaskPlanRequest& request,
                                         const InputsScan& scan, Progress& progress,
                                         const std::stop_token& stop) {
-    if (request.subject != nullptr) return surveySubject(district, request, stop);
+    if (request.subject != nullptr) return surveySubject(district, request, progress, stop);
     return scan.byWindow ? surveyWindows(district, request, scan, progress, stop)
                          : surveyWhole(district, request, progress, stop);
 }

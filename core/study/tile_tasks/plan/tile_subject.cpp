@@ -5,13 +5,15 @@
 
 namespace noonmark {
 
-std::string hashQuestion(StudySettings settings, const TileSubject* subject) {
+std::string hashQuestion(const TaskQuestion& question) {
+    StudySettings settings = question.settings;
     settings.region = {};
     const std::string hash = hashSettings(settings);
-    if (subject == nullptr) return hash;
+    if (question.subject == nullptr && question.timelines == nullptr) return hash;
     Sha256 sum;
     sum.add(hash);
-    sum.add(subject->key);
+    if (question.subject != nullptr) sum.add(question.subject->key);
+    if (question.timelines != nullptr) sum.add(question.timelines->key());
     return sum.hex();
 }
 

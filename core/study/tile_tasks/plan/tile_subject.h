@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/study/tiles/tile_measure.h"
+#include "core/study/tiles/timeline_measure.h"
 
 namespace noonmark {
 
@@ -28,9 +28,12 @@ struct TaskQuestion {
     ReadSettings reading;
     StudySettings settings;                ///< without region
     const TileSubject* subject = nullptr;  ///< null: the files of the plan
+    /// Not null: the timelines of places instead, of the last city of the subject, and compared with its
+    /// first city if it has two
+    const TimelineRequest* timelines = nullptr;
 };
 
-/// Identifies settings and subject. The region of the settings is not counted.
-std::string hashQuestion(StudySettings settings, const TileSubject* subject);
+/// Identifies settings, subject and timelines. The region of the settings is not counted.
+std::string hashQuestion(const TaskQuestion& question);
 
 }  // namespace noonmark

@@ -1,0 +1,146 @@
+#include "core/study/tile_tasks/merge/merge_timelines.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+
+#include "core/base/csv_field.h"
+#include "core/io/files/pending_file.h"
+
+namespace noonmark {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array shadowNames{"baseline", "scenario", "incremental", "gained"};
+constexpr std::array shadowFields{"enters",     "exits",          "duration_min",    "largest_m2",
+                                  "largest_at", "area_hours_m2h", "longest_stay_min"};
+constexpr std::array dayFields{"sunlit_min", "theoretical_m2h", "full_cover_min", "all_sun_taken_min"};
+
+std::string headRow() {
+    std::string row = "place,kind,source,day,area_m2";
+    for (const char* name : dayFields) row += fmt::format(",{}", name);
+    for (const char* shadow : shadowNames)
+        for (const char* name : shadowFields) row += fmt::format(",{}_{}", shadow, name);
+    return row + '\n';
+}
+
+std::string fieldOf(const Json& of, const char* name) {
+    const auto found = of.find(name);
+    if (found == of.end() || found->is_null()) return "";
+    return found->is_string() ? csvField(found->get<std::string>()) : found->dump();
+}
+
+std::string rowOf(const Json& place, const Json& day) {
+    std::string row = fmt::format("{},{},{},{},{}", fieldOf(place, "place"), fieldOf(place, "kind"),
+                                  fieldOf(place, "source"), fieldOf(day, "day"), fieldOf(place, "area_m2"));
+    for (const char* name : dayFields) row += ',' + fieldOf(day, name);
+    for (const char* shadow : shadowNames) {
+        const bool stated = shadow == shadowNames.front() || !place.at("to").is_null();
+        for (const char* name : shadowFields) row += ',' + (stated ? fieldOf(day.at(shadow), name) : "");
+    }
+    return row + '\n';
+}
+
+std::string rowsOf(const Json& place) {
+    if (!place.contains("days")) return rowOf(place, place);
+    std::string rows;
+    for (const Json& day : place.at("days")) rows += rowOf(place, day);
+    return rows;
+}
+
+/// A file that is complete, or not there.
+class GrowingFile {
+public:
+    explicit GrowingFile(fs::path file)
+        : file_(std::move(file)), pending_(file_), stream_(pending_.path(), std::ios::binary) {}
+
+    void add(const std::string& text) { stream_ << text; }
+    Result<fs::path> finish() {
+        stream_.close();
+        if (!stream_)
+            return limitReached("The file cannot be written", file_.string(),
+                                "Check that the disk has space");
+        return pending_.commit().map([&] { return file_; });
+    }
+
+private:
+    fs::path file_;
+    PendingFile pending_;
+    std::ofstream stream_;
+};
+
+/// One run of mergeTimelines().
+class TimelineMerge {
+public:
+    explicit TimelineMerge(const fs::path& merged)
+        : lines_(merged / "timelines.jsonl"), table_(merged / "timelines.csv") {
+        table_.add(headRow());
+    }
+
+    Result<void> addTile(const fs::path& file, std::size_t district) try {
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream) return failure("A finished tile cannot be read", file.string(), "Run its task again");
+        for (std::string line; std::getline(stream, line);) addPlace(line, district);
+        return {};
+    } catch (const Json::exception&) {
+        return failure("A finished tile is damaged", file.string(), "Remove it and run its task again");
+    }
+
+    Result<MergeReport> finish() {
+        MergeReport report{.places = places_};
+        for (GrowingFile* file : {&lines_, &table_}) {
+            auto done = file->finish();
+            if (!done) return tl::make_unexpected(done.error());
+            report.files.push_back(*std::move(done));
+        }
+        return report;
+    }
+
+private:
+    void addPlace(const std::string& line, std::size_t district) {
+        const Json place = Json::parse(line);
+        std::string feature = place.at("source");
+        if (feature.empty()) feature = place.at("place");
+        if (firstDistrict_.emplace(std::move(feature), district).first->second != district) return;
+        ++places_;
+        lines_.add(line + '\n');
+        table_.add(rowsOf(place));
+    }
+
+    GrowingFile lines_, table_;
+    std::unordered_map<std::string, std::size_t>
+        firstDistrict_;  ///< by the feature that a place was read from
+    std::size_t places_ = 0;
+};
+
+}  // namespace
+
+Result<MergeReport> mergeTimelines(const fs::path& folder, const TaskPlan& plan, bool partial,
+                                   Progress& progress, const std::stop_token& stop) {
+    const auto status = findMergeable(folder, plan, partial);
+    if (!status) return tl::make_unexpected(status.error());
+    const auto merged = makeMergedFolder(folder);
+    if (!merged) return tl::make_unexpected(merged.error());
+    TimelineMerge merge(*merged);
+    std::size_t done = 0;
+    for (std::size_t district = 0; district < status->finished.size(); ++district)
+        for (const auto& [number, tile] : status->finished[district]) {
+            if (stop.stop_requested()) return cancelled();
+            progress.report(double(done++) / double(status->doneTiles), "joining the timelines");
+            if (tile.result.empty()) continue;
+            const fs::path file = TileJournal::fileIn(taskFolder(folder, tile.task), tile.result);
+            if (auto added = merge.addTile(file, district); !added) return tl::make_unexpected(added.error());
+        }
+    return merge.finish().map([&](MergeReport report) {
+        report.missingTiles = status->allTiles - status->doneTiles;
+        return report;
+    });
+}
+
+}  // namespace noonmark

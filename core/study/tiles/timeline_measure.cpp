@@ -1,0 +1,92 @@
+#include "core/study/tiles/timeline_measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+glm::dvec2 middleOf(const Box2& box) { return (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0; }
+
+std::string kindsOf(const PlaceSettings& reading) {
+    std::string text;
+    for (const PlaceKind kind : reading.kinds) text += fmt::format("{},", nameOf(kind));
+    return text;
+}
+
+/// A line for each place of a study, with the warnings about it.
+std::string linesOf(PlaceStudy study, const TimelineLabels& labels) {
+    const Warnings all = std::move(study.warnings);
+    std::string lines;
+    for (const PlaceTimeline& place : study.places) {
+        study.warnings.clear();
+        std::ranges::copy_if(all, std::back_inserter(study.warnings),
+                             [&](const Warning& warning) { return warning.where == place.place.name; });
+        lines += timelineJson(study, place, labels).dump() + '\n';
+    }
+    return lines;
+}
+
+std::size_t countCells(const PlaceStudy& study) {
+    double areaM2 = 0;
+    for (const PlaceTimeline& place : study.places)
+        if (!place.days.empty()) areaM2 += place.days.front().areaM2;
+    return std::size_t(std::llround(areaM2 / (study.cellM * study.cellM)));
+}
+
+}  // namespace
+
+std::string TimelineRequest::key() const {
+    return fmt::format("timelines;{};{};{};{};{};{};{};{};{};{};{};{};{};{}", placesHash, kindsOf(reading),
+                       reading.streets, reading.sidewalkM, reading.unnamed, reading.leastAreaM2,
+                       reading.farAwayM, reading.nameField, nameOf(reading.kind), reading.layer,
+                       reading.crs.value_or(""), allSteps, labels.from, labels.to);
+}
+
+PlacesOfTiles::PlacesOfTiles(std::vector<Place> places, const TilePlan& plan)
+    : plan_(plan), byTile_(plan.count()) {
+    for (Place& place : places)
+        if (const auto tile = plan.tileAt(middleOf(bounds(place))))
+            byTile_[*tile].push_back(std::move(place));
+}
+
+const std::vector<Place>& PlacesOfTiles::in(const Grid& tile) const {
+    return of(plan_.tileAt({(tile.westM + tile.eastM()) / 2, (tile.southM + tile.northM()) / 2}).value());
+}
+
+Box2 PlacesOfTiles::boxOf(std::size_t tile) const {
+    Box2 box;
+    for (const Place& place : of(tile)) box.add(bounds(place));
+    return box;
+}
+
+TimelineMeasure::TimelineMeasure(const City& baseline, const City* scenario, const PlacesOfTiles& places,
+                                 const TimelineRequest& request, const TileQuestion& question)
+    : baseline_(baseline), scenario_(scenario), places_(places), request_(request), question_(question) {}
+
+Result<TileAnswer> TimelineMeasure::measure(const Grid& tile, Progress& progress,
+                                            const std::stop_token& stop) {
+    const std::vector<Place>& places = places_.in(tile);
+    if (places.empty()) return TileAnswer{};
+    const StudySettings& settings = question_.settings;
+    const PlaceStudySettings asked{.period = settings.period,
+                                   .cellM = settings.receivers.cellM,
+                                   .allSteps = request_.allSteps || settings.period.days == 1};
+    return runPlaceStudy(baseline_, scenario_, places, asked, question_.engine, progress, stop)
+        .map([&](PlaceStudy study) {
+            TileAnswer answer;
+            answer.result.lines = study.places.size();
+            answer.result.sums.receivers = countCells(study);
+            answer.result.engineKey = settings.engine;
+            answer.result.engine = study.engine;
+            answer.lines = linesOf(std::move(study), request_.labels);
+            return answer;
+        });
+}
+
+}  // namespace noonmark
