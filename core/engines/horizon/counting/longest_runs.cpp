@@ -11,9 +11,9 @@ namespace {
 using Horizons = std::span<const RunLanes>;
 
 // The fastest choice measured in a dense city at 41 deg north. The bounds of larger groups exclude fewer
-// days. Single days have bounds too, which leave one day in eight to be walked.
+// days. Single days have rough bounds too; a bound bin by bin would cost more than to walk the day.
 constexpr Likeness alike{.declination = 0.03F, .mostDays = 16}, alone{.declination = 0, .mostDays = 1};
-constexpr std::uint16_t binsTogether = 3;
+constexpr std::uint16_t binsTogether = 4;
 
 bool beats(const RunLanes& most, const RunLanes& longest) {
     bool any = false;
@@ -47,11 +47,10 @@ LongestRuns::LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps>
     std::vector<TimedStep> rough = steps_;
     for (TimedStep& step : rough) step.place.bin /= binsTogether;
     for (DayGroup& group : groupDays(steps_, days, alike)) {
-        std::vector<DayGroup> roughly = groupDays(rough, group.days, alone),
-                              each = groupDays(steps_, group.days, alone);
+        std::vector<DayGroup> single = groupDays(rough, group.days, alone);
         const auto number = std::uint32_t(days_.size());
         days_.insert(days_.end(), group.days.begin(), group.days.end());
-        groups_.push_back({std::move(group), std::move(roughly), std::move(each), number});
+        groups_.push_back({std::move(group), std::move(single), number});
     }
 }
 
@@ -117,12 +116,9 @@ int LongestRuns::searched(std::size_t lane, const Bounds& bounds, RunSearch& sea
 
 void LongestRuns::walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest,
                        const Groups& groups, Found& found) const {
-    const auto mayBeat = [&](std::span<const RunLanes> of, const DayGroup& day) {
-        return beats(boundOf(of, day), found.longest);
-    };
-    for (std::size_t i = 0; i < groups.each.size(); ++i) {
+    for (std::size_t i = 0; i < groups.days.size(); ++i) {
+        if (!beats(boundOf(highest, groups.days[i]), found.longest)) continue;
         const DaySteps& day = groups.all.days[i];
-        if (!mayBeat(highest, groups.roughly[i]) || !mayBeat(horizons, groups.each[i])) continue;
         const RunLanes before = found.longest;
         walkSteps(horizons, steps().subspan(day.first, day.end - day.first), found.longest);
         for (std::size_t lane = 0; lane < lanesPerPart; ++lane)

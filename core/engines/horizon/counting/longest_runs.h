@@ -68,8 +68,8 @@ public:
 private:
     struct Groups {
         DayGroup all;
-        std::vector<DayGroup> roughly, each;  // the group's days, individually
-        std::uint32_t number = 0;             // index of its first day in days_
+        std::vector<DayGroup> days;  // the group's days, individually, with rough bounds
+        std::uint32_t number = 0;    // index of its first day in days_
     };
     void walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest, const Groups& groups,
               Found& found) const;
