@@ -31,10 +31,11 @@ function(noonmark_install_descriptions component name pages)
   install(FILES ${descriptions}/fish/${name}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT ${component})
 endfunction()
 
-# Both programs start the mesh reader, so each component brings it.
+# Both programs start the mesh reader and load the movie encoder, so each component brings them.
 function(noonmark_install_program component target)
   install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
   install(TARGETS noonmark-mesh-reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/noonmark COMPONENT ${component})
+  install(TARGETS noonmark-movie-encoder LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/noonmark COMPONENT ${component})
 endfunction()
 
 noonmark_install_program(command-line noonmark-cli)

@@ -1,9 +1,15 @@
+#include <cstdlib>
 #include <iostream>
 
 #include "app/cli/command_line.h"
 #include "core/base/process.h"
 
+// Everything is written and closed by then. What is left to free ends with the process: the destructors of
+// GDAL and Qt would take some 10 ms.
 int main(int argc, char** argv) {
-    return noonmark::cli::runCommandLine(
+    const int status = noonmark::cli::runCommandLine(
         argc, argv, {std::cout, std::cerr, noonmark::isTerminal(noonmark::StandardStream::error)});
+    std::cout.flush();
+    std::cerr.flush();
+    std::_Exit(status);
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 // The folder app/report/movie makes moving pictures. shadow_movie.h paints the frames of a day, of a year or
-// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF.
+// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with the
+// library that encoder/ makes.
 
 #include <QImage>
 #include <filesystem>
@@ -20,12 +21,12 @@ struct MovieFormat {
 Result<void> validate(const MovieFormat& format);
 
 /// Writes frames one after the other into a file: H.264 in MP4, which every player opens, or an endless GIF
-/// where the name ends with .gif. Memory does not grow with the number of frames. Backend:
-/// movie_writer_av.cpp.
+/// where the name ends with .gif. Memory does not grow with the number of frames. The first movie loads FFmpeg.
 class MovieWriter {
 public:
     /// Creates the file, replacing what is there; write through PendingFile. Error: another ending, a format
-    /// out of range, no encoder, or the file cannot be created.
+    /// out of range, no encoder, the file cannot be created, or the library is missing. Needs a
+    /// QCoreApplication.
     static Result<MovieWriter> create(const std::filesystem::path& file, const MovieFormat& format);
     MovieWriter(MovieWriter&&) noexcept;
     MovieWriter& operator=(MovieWriter&&) noexcept;

@@ -1,0 +1,108 @@
+#include "app/report/movie/movie_writer.h"
+
+#include <fmt/format.h>
+
+#include <QCoreApplication>
+#include <QLibrary>
+#include <algorithm>
+#include <array>
+
+#include "app/report/movie/encoder/movie_encoder.h"
+#include "app/report/movie/frame_colours.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int leastSide = 64, mostSide = 4096;
+constexpr double leastRate = 0.5, mostRate = 60;
+constexpr const char* libraryName = "noonmark-movie-encoder.so";
+
+bool isGif(const std::filesystem::path& file) { return file.extension() == ".gif"; }
+
+Error cannotWrite(const std::string& file, const char* what) {
+    return {std::string("The movie cannot be written: ") + what, file,
+            "Check that the folder exists, is writable and has space"};
+}
+
+// Beside the program, or where an installed program has its helpers. The library stays loaded.
+Result<MakeMovieEncoder> loadEncoder() {
+    const QString folder = QCoreApplication::applicationDirPath();
+    QString problem;
+    for (const QString& below : {QString(), QStringLiteral("/" NOONMARK_HELPER_FOLDER)}) {
+        QLibrary library(folder + below + '/' + libraryName);
+        if (const auto make = library.resolve(makeMovieEncoderName))
+            return reinterpret_cast<MakeMovieEncoder>(make);
+        if (problem.isEmpty()) problem = library.errorString();
+    }
+    return failure("The library that writes movies cannot be loaded: " + problem.toStdString(), libraryName,
+                   "Install Noonmark again");
+}
+
+}  // namespace
+
+struct MovieWriter::Parts {
+    std::string file;
+    MovieFormat format;
+    bool gif = false;
+    std::unique_ptr<MovieEncoder> encoder;
+
+    [[nodiscard]] Result<void> resultOf(const char* problem) const {
+        if (problem == nullptr) return {};
+        return tl::make_unexpected(cannotWrite(file, problem));
+    }
+    const char* addIndices(const QImage& image) {
+        const QImage indices = reduceColours(image);
+        std::array<std::uint32_t, 256> colours{};
+        std::ranges::copy(indices.colorTable(), colours.begin());
+        return encoder->addIndices(indices.constBits(), int(indices.bytesPerLine()), colours.data());
+    }
+    const char* addPixels(const QImage& image) {
+        const QImage pixels = image.convertToFormat(QImage::Format_RGB32);
+        return encoder->addPixels(pixels.constBits(), int(pixels.bytesPerLine()));
+    }
+};
+
+MovieWriter::MovieWriter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+MovieWriter::MovieWriter(MovieWriter&&) noexcept = default;
+MovieWriter& MovieWriter::operator=(MovieWriter&&) noexcept = default;
+MovieWriter::~MovieWriter() = default;
+
+Result<void> validate(const MovieFormat& format) {
+    const auto fits = [](int side) { return side >= leastSide && side <= mostSide && side % 2 == 0; };
+    if (!fits(format.size.width()) || !fits(format.size.height()))
+        return failure(
+            fmt::format("The size {} x {} is not possible", format.size.width(), format.size.height()),
+            "size", fmt::format("Give even numbers of {} to {}", leastSide, mostSide));
+    if (format.framesPerSecond >= leastRate && format.framesPerSecond <= mostRate) return {};
+    return failure("The number of frames per second is out of range", "fps",
+                   fmt::format("Give {} to {}", leastRate, mostRate));
+}
+
+Result<MovieWriter> MovieWriter::create(const std::filesystem::path& file, const MovieFormat& format) {
+    if (auto valid = validate(format); !valid) return tl::make_unexpected(valid.error());
+    if (!isGif(file) && file.extension() != ".mp4")
+        return failure("The name of a movie ends with .mp4 or .gif", file.string(), "Give such a name");
+    const auto make = loadEncoder();
+    if (!make) return tl::make_unexpected(make.error());
+    const MadeMovieEncoder made = (*make)(file.c_str(), {.width = format.size.width(),
+                                                         .height = format.size.height(),
+                                                         .framesPerSecond = format.framesPerSecond,
+                                                         .gif = isGif(file)});
+    if (made.encoder == nullptr) return tl::make_unexpected(cannotWrite(file.string(), made.problem));
+    return MovieWriter(std::make_unique<Parts>(
+        Parts{file.string(), format, isGif(file), std::unique_ptr<MovieEncoder>(made.encoder)}));
+}
+
+Result<void> MovieWriter::add(const QImage& frame) {
+    Parts& parts = *parts_;
+    const QImage image =
+        frame.size() == parts.format.size
+            ? frame
+            : frame.scaled(parts.format.size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return parts.resultOf(parts.gif ? parts.addIndices(image) : parts.addPixels(image));
+}
+
+Result<void> MovieWriter::finish() { return parts_->resultOf(parts_->encoder->finish()); }
+
+}  // namespace noonmark
