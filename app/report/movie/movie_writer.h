@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder app/report/movie makes moving pictures. shadow_movie.h paints the frames of a day, of a year or
-// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with the
-// library that encoder/ makes.
+// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with
+// the library that encoder/ makes.
 
 #include <QImage>
 #include <filesystem>
@@ -21,7 +21,8 @@ struct MovieFormat {
 Result<void> validate(const MovieFormat& format);
 
 /// Writes frames one after the other into a file: H.264 in MP4, which every player opens, or an endless GIF
-/// where the name ends with .gif. Memory does not grow with the number of frames. The first movie loads FFmpeg.
+/// where the name ends with .gif. Memory does not grow with the number of frames. The first movie loads
+/// FFmpeg.
 class MovieWriter {
 public:
     /// Creates the file, replacing what is there; write through PendingFile. Error: another ending, a format
