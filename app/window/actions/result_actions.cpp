@@ -10,7 +10,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/result_display.h"
-#include "app/window/review/review_session.h"
+#include "app/window/review/windows/window_session.h"
 #include "app/window/time/time_strip.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
@@ -24,7 +24,8 @@ QString text(const std::string& name) { return QString::fromStdString(name); }
 }  // namespace
 
 ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
-                             ViewPanel& panel, ProjectDock& tree, ReviewSession& review, QWidget& window)
+                             ViewPanel& panel, ProjectDock& tree, ReviewSession& review,
+                             WindowSession& windowReview, QWidget& window)
     : workbench_(workbench),
       mode_(mode),
       display_(display),
@@ -38,7 +39,8 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
                          "export")),
       saveResult_(makeAction(this, tr("&Save result"), {},
                              tr("Stores the displayed map and figures in the project"))),
-      review_(review) {
+      review_(review),
+      windowReview_(windowReview) {
     connect(savePicture_, &QAction::triggered, this, [this] { savePicture(askForPicture(&window_)); });
     export_->setObjectName(QStringLiteral("exportResults"));
     connect(export_, &QAction::triggered, this, &ResultActions::askForExport);
@@ -86,7 +88,8 @@ void ResultActions::askForExport() {
     if (workbench_.shown() != Workbench::Shown::nothing) subjects.push_back({Subject::shown, shownText()});
     if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
         subjects.push_back({Subject::scenarios, tr("All %1 scenarios measured").arg(measured.size())});
-    if (review_.finished()) subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
+    if (windowReview_.applies() ? windowReview_.finished().has_value() : review_.finished().has_value())
+        subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
     if (subjects.empty()) return workbench_.exportShown({}, {});
     last_.scale = panel_.legend().changeScale();
     auto* dialog = new ExportDialog(

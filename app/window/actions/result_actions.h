@@ -15,6 +15,7 @@ class ModeSwitch;
 class ExportDialog;
 class ProjectDock;
 class ReviewSession;
+class WindowSession;
 class ResultDisplay;
 class ViewPanel;
 class Workbench;
@@ -26,7 +27,8 @@ class ResultActions final : public QObject {
 public:
     /// Dialogs belong to `window`. All must outlive this object.
     ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
-                  ViewPanel& panel, ProjectDock& tree, ReviewSession& review, QWidget& window);
+                  ViewPanel& panel, ProjectDock& tree, ReviewSession& review, WindowSession& windowReview,
+                  QWidget& window);
 
     [[nodiscard]] QList<QAction*> fileActions() const { return {savePicture_, export_}; }
     [[nodiscard]] QAction* saveResult() const { return saveResult_; }
@@ -55,6 +57,7 @@ private:
     QAction* export_;
     QAction* saveResult_;
     ReviewSession& review_;
+    WindowSession& windowReview_;
     ExportChoice last_;
     QString lastFolder_;
 };

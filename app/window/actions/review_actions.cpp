@@ -1,21 +1,27 @@
 #include "app/window/actions/review_actions.h"
 
+#include <QFileInfo>
+
+#include "app/report/files/window_files.h"
 #include "app/window/actions/make_action.h"
 #include "app/window/actions/place_actions.h"
 #include "app/window/editing/edit_preview.h"
+#include "app/window/files/file_dialogs.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/review/review_dock.h"
+#include "app/window/review/windows/window_session.h"
 #include "app/window/sheets/page_settings.h"
 #include "app/window/sheets/sheets_dialog.h"
 #include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
-ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, ReviewDock& dock,
-                             const EditPreview& preview, PlaceActions& places, ViewPanel& panel,
-                             QSettings& settings, QWidget& window)
+ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, WindowSession& windows,
+                             ReviewDock& dock, const EditPreview& preview, PlaceActions& places,
+                             ViewPanel& panel, QSettings& settings, QWidget& window)
     : workbench_(workbench),
       review_(review),
+      windows_(windows),
       panel_(panel),
       settings_(settings),
       window_(window),
@@ -26,17 +32,35 @@ ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, Review
                          "sheets")) {
     show_->setObjectName(QStringLiteral("reviewByRule"));
     connect(show_, &QAction::triggered, this, &ReviewActions::dockWanted);
-    connect(export_, &QAction::triggered, this, &ReviewActions::showSheets);
-    connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::showSheets);
+    connect(export_, &QAction::triggered, this, &ReviewActions::exportReview);
+    connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::exportReview);
     connect(&workbench_, &Workbench::projectOpened, this, &ReviewActions::closeSheets);
     connect(&dock, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
     connect(&dock, &ReviewDock::zoomRequested, &places, &PlaceActions::zoomTo);
     connect(&review_, &ReviewSession::failed, &panel_.messages(), &MessageBar::showError);
+    connect(&windows_, &WindowSession::failed, &panel_.messages(), &MessageBar::showError);
+    connect(&windows_, &WindowSession::written, &panel_.messages(), [this](const QString& folder) {
+        panel_.messages().showNote(tr("The review was exported to %1").arg(folder));
+    });
     connect(&review_, &ReviewSession::noted, &panel_.messages(), &MessageBar::showNote);
     connect(&preview, &EditPreview::shapeChanged, &review_, &ReviewSession::shape);
 }
 
 void ReviewActions::closeSheets() { delete sheets_; }
+
+void ReviewActions::exportReview() { windows_.applies() ? exportWindows() : showSheets(); }
+
+void ReviewActions::exportWindows() {
+    const auto review = windows_.finished();
+    if (!review) return panel_.messages().showError(review.error());
+    const QString folder = askForFolder(&window_, tr("Export the review"));
+    if (folder.isEmpty()) return;
+    QStringList inTheWay;
+    for (const std::string& name : windowFileNames())
+        if (QFileInfo::exists(folder + '/' + QString::fromStdString(name)))
+            inTheWay << QString::fromStdString(name);
+    if (mayReplace(&window_, folder, inTheWay)) windows_.write(*review, folder);
+}
 
 void ReviewActions::showSheets() {
     auto answer = review_.finished();

@@ -13,6 +13,7 @@ class EditPreview;
 class PlaceActions;
 class ReviewDock;
 class ReviewSession;
+class WindowSession;
 class SheetsDialog;
 class ViewPanel;
 class Workbench;
@@ -23,8 +24,9 @@ class ReviewActions final : public QObject {
     Q_OBJECT
 public:
     /// Dialogs belong to `window`. All must outlive this object.
-    ReviewActions(Workbench& workbench, ReviewSession& review, ReviewDock& dock, const EditPreview& preview,
-                  PlaceActions& places, ViewPanel& panel, QSettings& settings, QWidget& window);
+    ReviewActions(Workbench& workbench, ReviewSession& review, WindowSession& windows, ReviewDock& dock,
+                  const EditPreview& preview, PlaceActions& places, ViewPanel& panel, QSettings& settings,
+                  QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {show_, export_}; }
     [[nodiscard]] QAction* sheetsAction() const { return export_; }
@@ -33,11 +35,14 @@ Q_SIGNALS:
     void dockWanted();
 
 private:
+    void exportReview();
+    void exportWindows();
     void showSheets();
     void closeSheets();
 
     Workbench& workbench_;
     ReviewSession& review_;
+    WindowSession& windows_;
     ViewPanel& panel_;
     QSettings& settings_;  // the paper last chosen
     QWidget& window_;

@@ -46,6 +46,11 @@ QString askForRegion(QWidget* parent) {
                                         orAllFiles(QObject::tr("Polygons"), vectorEndings()));
 }
 
+QString askForWindows(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Windows from file"), {},
+                                        orAllFiles(QObject::tr("Points and polygons"), vectorEndings()));
+}
+
 QStringList askForPlaces(QWidget* parent) {
     return QFileDialog::getOpenFileNames(parent, QObject::tr("Read places"), {},
                                          orAllFiles(QObject::tr("Maps and polygons"), vectorEndings()));

@@ -12,6 +12,7 @@ QStringList askForCity(QWidget* parent);  ///< city files or a project
 QString askForProject(QWidget* parent, const QString& suggested);
 QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
+QString askForWindows(QWidget* parent);
 QStringList askForPlaces(QWidget* parent);
 QString askForSky(QWidget* parent);                              ///< likewise: .svg, .png or .csv
 QString askForPicture(QWidget* parent);                          ///< always with a file extension

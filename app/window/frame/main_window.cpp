@@ -50,6 +50,7 @@ QString unsavedFolder(const QSettings& settings) {
 MainWindow::MainWindow(QSettings& settings)
     : settings_(settings),
       review_(workbench_),
+      windowReview_(workbench_, review_),
       panel_(new ViewPanel),
       tools_(*panel_, horizons_),
       points_(workbench_, *panel_),
@@ -59,7 +60,7 @@ MainWindow::MainWindow(QSettings& settings)
              new ScenariosDock(workbench_.session()),
              new WeightsDock(workbench_.session()),
              new WarningsDock,
-             new ReviewDock(review_, workbench_.session()),
+             new ReviewDock(review_, windowReview_, workbench_.session()),
              new PointDock(points_),
              tools_.dock(),
              tools_.massingDock()},
@@ -74,14 +75,14 @@ MainWindow::MainWindow(QSettings& settings)
       recovery_(workbench_, store_, saving_, panel_->messages()),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.warnings, docks_.scenarios->table()}),
-      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, *this),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, windowReview_, *this),
       copying_(results_, *docks_.results, *panel_),
       movies_(workbench_, *panel_, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
-      reviews_(workbench_, review_, *docks_.review, tools_.context().preview, places_, *panel_, settings,
-               *this),
+      reviews_(workbench_, review_, windowReview_, *docks_.review, tools_.context().preview, places_, *panel_,
+               settings, *this),
       scenarios_(workbench_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
@@ -181,6 +182,11 @@ void MainWindow::connectJobs() {
                           &places_.reading(), &movies_.writing()})
         progress_->follow(*slot);
     connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
+    connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
+        const BuildingEditing& building = tools_.building();
+        docks_.review->setSelectedBuilding(building.selected() ? QString::fromStdString(building.id())
+                                                               : QString());
+    });
     connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
     for (JobSlot* slot : {&workbench_.keeping(), &tools_.context().preview.working(),
                           &time_.looking().working(), &points_.working()})

@@ -34,7 +34,7 @@
 #include "app/window/point/point_inspector.h"
 #include "app/window/preferences/preferences_actions.h"
 #include "app/window/results/result_display.h"
-#include "app/window/review/review_session.h"
+#include "app/window/review/windows/window_session.h"
 #include "app/window/study_form/what_form.h"
 #include "app/window/time/time_display.h"
 #include "app/window/view/context_menu.h"
@@ -69,6 +69,7 @@ public:
     [[nodiscard]] SavingActions& saving() { return saving_; }
     [[nodiscard]] OpeningActions& opening() { return opening_; }
     [[nodiscard]] ReviewSession& review() { return review_; }
+    [[nodiscard]] WindowSession& windowReview() { return windowReview_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] ResultActions& results() { return results_; }
     [[nodiscard]] CopyActions& copying() { return copying_; }
@@ -112,6 +113,7 @@ private:
     QSettings& settings_;
     Workbench workbench_;
     ReviewSession review_;
+    WindowSession windowReview_;
     ViewPanel* panel_;
     std::shared_ptr<SharedHorizonCache> horizons_ = std::make_shared<SharedHorizonCache>();
     EditTools tools_;

@@ -4,10 +4,28 @@
 
 namespace noonmark {
 
+namespace {
+
+WindowChoice windowsFrom(const nlohmann::json& json) {
+    WindowChoice windows{json.at("of_file"), json.at("file"), json.at("buildings"), json.at("bay_m"),
+                         json.at("storey_m")};
+    for (double* metres : {&windows.bayM, &windows.storeyM})
+        if (!(*metres >= 0.25 && *metres <= 50)) *metres = WindowChoice{}.bayM;
+    return windows;
+}
+
+}  // namespace
+
 std::string formatText(const ReviewChoice& choice) {
     nlohmann::ordered_json json{
         {"rule", choice.rule}, {"options", choice.options},      {"from", choice.from},
         {"to", choice.to},     {"all_places", choice.allPlaces}, {"places", choice.places}};
+    const WindowChoice& windows = choice.windows;
+    json["windows"] = {{"of_file", windows.ofFile},
+                       {"file", windows.file},
+                       {"buildings", windows.buildings},
+                       {"bay_m", windows.bayM},
+                       {"storey_m", windows.storeyM}};
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -20,6 +38,7 @@ ReviewChoice parseReviewChoice(const std::string& text) try {
     choice.to = json.at("to");
     choice.allPlaces = json.at("all_places");
     choice.places = json.at("places").get<std::vector<std::string>>();
+    if (json.contains("windows")) choice.windows = windowsFrom(json.at("windows"));
     return choice;
 } catch (const nlohmann::json::exception&) {
     return {};

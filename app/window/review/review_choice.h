@@ -9,6 +9,16 @@
 
 namespace noonmark {
 
+/// The windows that a rule about windows is evaluated on.
+struct WindowChoice {
+    bool ofFile = false;    ///< else one window in each bay and storey of facades
+    std::string file;       ///< points or polygons with heights
+    std::string buildings;  ///< names or ids with commas between them; empty: all
+    double bayM = 3;        ///< width of a bay, 0.25 to 50
+    double storeyM = 3;     ///< 0.25 to 50
+    bool operator==(const WindowChoice&) const = default;
+};
+
 /// What the user has chosen to review. Saved with the view of the project.
 struct ReviewChoice {
     std::string rule = "four-days";
@@ -17,6 +27,7 @@ struct ReviewChoice {
     std::string to;                   ///< the scenario; empty: whichever is displayed
     bool allPlaces = true;
     std::vector<std::string> places;  ///< names, unless all
+    WindowChoice windows;             ///< of rules about windows
     bool operator==(const ReviewChoice&) const = default;
 };
 

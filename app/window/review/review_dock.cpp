@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QTabWidget>
 #include <QTextBrowser>
 #include <QTimer>
@@ -21,6 +22,9 @@
 #include "app/window/review/rule_form.h"
 #include "app/window/review/verdict_table.h"
 #include "app/window/review/verdict_words.h"
+#include "app/window/review/windows/window_form.h"
+#include "app/window/review/windows/window_session.h"
+#include "app/window/review/windows/window_table.h"
 #include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "app/window/widgets/progress_strip.h"
@@ -75,12 +79,16 @@ QString listOf(const QString& title, const std::vector<std::string>& texts) {
 
 }  // namespace
 
-ReviewDock::ReviewDock(ReviewSession& review, ProjectSession& project, QWidget* parent)
+ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSession& project,
+                       QWidget* parent)
     : QWidget(parent),
       review_(review),
+      windows_(windows),
       project_(project),
       form_(new RuleForm(review.library())),
+      subjects_(new QStackedWidget),
       places_(new PlaceList),
+      windowForm_(new WindowForm),
       run_(new QPushButton(tr("Run review"))),
       copy_(new QPushButton(tr("Copy"))),
       export_(new QPushButton(tr("Export..."))),
@@ -88,7 +96,9 @@ ReviewDock::ReviewDock(ReviewSession& review, ProjectSession& project, QWidget* 
       state_(new QLabel),
       details_(new QLabel),
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
+      tables_(new QStackedWidget),
       table_(new VerdictTable),
+      windowTable_(new WindowTable),
       tabs_(new QTabWidget),
       day_(new DayPanel),
       range_(new RangePanel),
@@ -113,13 +123,15 @@ ReviewDock::ReviewDock(ReviewSession& review, ProjectSession& project, QWidget* 
 
 QWidget* ReviewDock::makeForm() {
     run_->setObjectName(QStringLiteral("runReview"));
-    run_->setToolTip(tr("Evaluate the rule on the ticked places"));
+    run_->setToolTip(tr("Evaluate the rule on the ticked places, or on the windows"));
     estimate_->setObjectName(QStringLiteral("reviewEstimate"));
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
     column->addWidget(form_);
-    column->addWidget(places_, 1);
+    for (QWidget* subject : {static_cast<QWidget*>(places_), static_cast<QWidget*>(windowForm_)})
+        subjects_->addWidget(subject);
+    column->addWidget(subjects_, 1);
     content->setMinimumWidth(formWidth);
     return content;
 }
@@ -145,7 +157,9 @@ QWidget* ReviewDock::makeTable() {
     progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column->addWidget(progress_);
     column->addWidget(state_);
-    column->addWidget(table_, 1);
+    tables_->addWidget(table_);
+    tables_->addWidget(windowTable_);
+    column->addWidget(tables_, 1);
     details_->setObjectName(QStringLiteral("verdictDetails"));
     details_->setWordWrap(true);
     details_->setTextFormat(Qt::PlainText);
@@ -177,7 +191,15 @@ void ReviewDock::connectSession() {
         estimate_->setToolTip(words.isEmpty() ? QString() : tr("The expected time of this review"));
     });
     connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::tellScreening);
-    connect(run_, &QPushButton::clicked, &review_, &ReviewSession::run);
+    connect(run_, &QPushButton::clicked, this,
+            [this] { windows_.applies() ? windows_.run() : review_.run(); });
+    progress_->follow(windows_.running());
+    connect(&windows_, &WindowSession::answered, this, &ReviewDock::showAnswer);
+    connect(windowForm_, &WindowForm::edited, this, [this](const WindowChoice& windows) {
+        ReviewChoice choice = review_.choice();
+        choice.windows = windows;
+        review_.choose(choice);
+    });
     connect(form_, &RuleForm::edited, &review_, &ReviewSession::choose);
     connect(places_, &PlaceList::screenRequested, &review_, &ReviewSession::screen);
     connect(places_, &PlaceList::pointedAt, this, &ReviewDock::placePointedAt);
@@ -192,6 +214,11 @@ void ReviewDock::connectSession() {
 void ReviewDock::connectTable() {
     connect(copy_, &QPushButton::clicked, this, &ReviewDock::copyTable);
     connect(export_, &QPushButton::clicked, this, &ReviewDock::exportRequested);
+    connect(windowTable_, &WindowTable::described, this, [this](const QString& words) {
+        if (!windows_.applies()) return;
+        details_->setText(words);
+        details_->setVisible(!words.isEmpty());
+    });
     connect(table_, &VerdictTable::chosen, this, [this](std::size_t review, CivilDate day) {
         chosen_ = review;
         chosenDay_ = day;
@@ -221,12 +248,23 @@ void ReviewDock::showChoice() {
     const ReviewChoice& choice = review_.choice();
     form_->show(choice, project_.project().scenarios, project_.scenario());
     places_->show(review_.candidates(), choice.allPlaces, choice.places, review_.screened());
-    estimateSoon_->start();
+    windowForm_->show(choice.windows);
+    const bool ofWindows = windows_.applies();
+    subjects_->setCurrentIndex(ofWindows ? 1 : 0);
+    tables_->setCurrentIndex(ofWindows ? 1 : 0);
+    estimate_->clear();
+    if (ofWindows) {
+        windowTable_->describeCurrent();
+    } else {
+        estimateSoon_->start();
+        showDetails();
+    }
     showRule();
 }
 
 void ReviewDock::showAnswer() {
     if (!isVisible()) return;
+    if (windows_.applies()) return showWindows();
     const auto shown = review_.shown();
     showUnits();
     if (shown != answer_) {
@@ -241,6 +279,38 @@ void ReviewDock::showAnswer() {
         showRule();
     }
     showState();
+}
+
+void ReviewDock::showWindows() {
+    if (std::exchange(windowAnswer_, windows_.answer()) != windows_.answer()) {
+        windowTable_->show(windowAnswer_);
+        showRule();
+    }
+    const QString hint =
+        tr("A rule about windows has no timeline: click a row to read when its window has sun.");
+    day_->clear(hint);
+    range_->clear(hint);
+    showWindowState();
+}
+
+void ReviewDock::showWindowState() {
+    copy_->setEnabled(windowAnswer_ != nullptr);
+    export_->setEnabled(windowAnswer_ != nullptr);
+    if (!windowAnswer_) {
+        const auto question = windows_.question();
+        return state_->setText(question ? tr("Press Run review to evaluate the rule on the windows.")
+                                        : describeError(question.error()));
+    }
+    const WindowQuestion& asked = windowAnswer_->question;
+    QString text = tr("<b>%1</b>: %2 compared with %3. %4")
+                       .arg(QString::fromStdString(asked.rule.name).toHtmlEscaped(),
+                            QString::fromStdString(asked.to).toHtmlEscaped(),
+                            QString::fromStdString(asked.from).toHtmlEscaped(),
+                            describeWindowVerdicts(windowAnswer_->study));
+    if (const QString why = windows_.whyOutdated(); !why.isEmpty())
+        text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
+                    .arg(errorTextColour(themeInUse()).name(), why.toHtmlEscaped());
+    state_->setText(text);
 }
 
 // The units of the project; a change of them keeps what is chosen.
@@ -312,7 +382,10 @@ void ReviewDock::showRule() {
                             QString::fromStdString(rule->summary).toHtmlEscaped(),
                             describeStatus(*rule).toHtmlEscaped());
     const bool same = answer_ && answer_->study.rule.key == rule->key;
-    html += listOf(tr("Not checked"), same ? answer_->study.notChecked : rule->notChecked);
+    const bool ofWindows = windowAnswer_ && windowAnswer_->study.rule.key == rule->key;
+    html += listOf(tr("Not checked"), same        ? answer_->study.notChecked
+                                      : ofWindows ? windowAnswer_->study.notChecked
+                                                  : rule->notChecked);
     html += listOf(tr("How Noonmark reads what the rule leaves open"), rule->readings);
     if (same)
         html += tr("<p>%1, steps of %2 min, cells of %3 m, %4, %5</p>")
@@ -332,6 +405,10 @@ void ReviewDock::showRule() {
     about_->setProperty("shown", html);
 }
 
-void ReviewDock::copyTable() { QGuiApplication::clipboard()->setText(table_->text()); }
+void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setSelected(id); }
+
+void ReviewDock::copyTable() {
+    QGuiApplication::clipboard()->setText(windows_.applies() ? windowTable_->text() : table_->text());
+}
 
 }  // namespace noonmark

@@ -90,12 +90,7 @@ Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
     return moveLines(rule, workbench_.session().project(), std::move(places));
 }
 
-Result<ReviewQuestion> ReviewSession::question() {
-    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
-    auto rule = this->rule();
-    if (!rule) return tl::make_unexpected(rule.error());
-    auto places = chosenPlaces(*rule);
-    if (!places) return tl::make_unexpected(places.error());
+Result<ReviewSession::ComparedCities> ReviewSession::comparedCities() const {
     const std::string to = scenarioName();
     const auto before = workbench_.session().cityOf(choice_.from);
     if (!before) return tl::make_unexpected(before.error());
@@ -104,12 +99,23 @@ Result<ReviewQuestion> ReviewSession::question() {
     if (*before == *after)
         return failure("Baseline and scenario are the same: " + to, {},
                        "Design a tower, or choose a scenario with a proposal");
+    return ComparedCities{to, *before, *after};
+}
+
+Result<ReviewQuestion> ReviewSession::question() {
+    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    auto rule = this->rule();
+    if (!rule) return tl::make_unexpected(rule.error());
+    auto places = chosenPlaces(*rule);
+    if (!places) return tl::make_unexpected(places.error());
+    auto cities = comparedCities();
+    if (!cities) return tl::make_unexpected(cities.error());
     const StudySettings& study = workbench_.document().settings();
     return ReviewQuestion{*std::move(rule),
                           choice_.from,
-                          to,
-                          *before,
-                          *after,
+                          std::move(cities->to),
+                          std::move(cities->before),
+                          std::move(cities->after),
                           std::move(places->places),
                           {1, study.period.zone, int(study.period.start.year())},
                           std::move(places->moved)};
@@ -208,7 +214,8 @@ void ReviewSession::follow() {
     const bool shaping = proposed_ && following_;
     if (!shaping || (!choice_.to.empty() && choice_.to != workbench_.session().scenario())) return;
     const auto rule = this->rule();
-    if (!rule || !hasFewDays(*rule)) return Q_EMIT answered();
+    const bool ofPlaces = rule && rule->receivers.surface != RuleSurface::windows;
+    if (!ofPlaces || !hasFewDays(*rule)) return Q_EMIT answered();
     auto places = chosenPlaces(*rule);
     const auto before = workbench_.session().cityOf(choice_.from);
     if (!places || !before) return;

@@ -35,6 +35,12 @@ public:
     [[nodiscard]] std::vector<Place> candidates() const;
     /// What run() would compute. Error: what is still missing, and what to do.
     [[nodiscard]] Result<ReviewQuestion> question();
+    struct ComparedCities {
+        std::string to;  ///< name of the scenario
+        std::shared_ptr<const City> before, after;
+    };
+    /// The cities of baseline and scenario. Error: they are the same, or no longer exist.
+    [[nodiscard]] Result<ComparedCities> comparedCities() const;
 
     void run();
     void screen();  ///< chooses the places that can be reached

@@ -46,9 +46,7 @@ QComboBox* RuleForm::makeList(const char* name) {
 
 void RuleForm::listRules() {
     for (const Rule& rule : library_.rules()) {
-        const bool ofWindows = rule.receivers.surface == RuleSurface::windows;
-        const QString name = qtText(rule.name);
-        rule_->addItem(ofWindows ? tr("%1 (windows: command line only)").arg(name) : name, qtText(rule.key));
+        rule_->addItem(qtText(rule.name), qtText(rule.key));
         rule_->setItemData(rule_->count() - 1, tipOf(rule), Qt::ToolTipRole);
     }
 }

@@ -1,0 +1,86 @@
+#include "app/window/review/windows/window_question.h"
+
+#include <fmt/format.h>
+
+#include "app/report/book/review/review_book.h"
+#include "app/report/files/window_files.h"
+#include "core/base/memory_guard.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark {
+
+namespace {
+
+/// The options of the command line that ask for the same windows.
+std::vector<RepeatOption> repeatOptions(const WindowReviewSettings& settings, const BookSettings& sheets) {
+    const ElementSettings& elements = settings.elements;
+    std::vector<RepeatOption> options;
+    if (elements.places == ElementPlaces::windows) {
+        options.push_back({"--windows", {elements.windows.filename().string()}});
+    } else {
+        if (elements.buildings.empty()) options.push_back({"--facades-of", {"all"}});
+        for (const std::string& name : elements.buildings) options.push_back({"--facades-of", {name}});
+        options.push_back({"--bay", {fmt::format("{}", elements.facades.bayM)}});
+    }
+    options.push_back({"--storey", {fmt::format("{}", elements.facades.storeyM)}});
+    options.push_back({"--region", {"city"}});
+    for (RepeatOption& option : makeRepeatOptions(sheets)) options.push_back(std::move(option));
+    return options;
+}
+
+}  // namespace
+
+bool isSame(const WindowQuestion& a, const WindowQuestion& b) {
+    const ElementSettings &first = a.settings.elements, &second = b.settings.elements;
+    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
+           a.after == b.after && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&
+           first.places == second.places && first.windows == second.windows &&
+           first.buildings == second.buildings && first.facades == second.facades;
+}
+
+ElementSettings elementsOf(const WindowChoice& choice) {
+    ElementSettings elements;
+    elements.places = choice.ofFile ? ElementPlaces::windows : ElementPlaces::facades;
+    if (choice.ofFile) elements.windows = choice.file;
+    if (!choice.ofFile && !choice.buildings.empty()) elements.buildings = {choice.buildings};
+    elements.facades.bayM = choice.bayM;
+    elements.facades.storeyM = choice.storeyM;
+    return elements;
+}
+
+Result<WindowAnswer> computeWindowReview(const WindowQuestion& question, Progress& progress,
+                                         const std::stop_token& stop) {
+    std::optional<InputFile> file;
+    if (question.settings.elements.places == ElementPlaces::windows) {
+        auto described = describeInputFile(question.settings.elements.windows);
+        if (!described) return tl::make_unexpected(described.error());
+        file = *std::move(described);
+    }
+    return guardMemory({.what = "a review"},
+                       [&] {
+                           return runWindowReview(question.rule, *question.before, *question.after,
+                                                  question.settings, progress, stop);
+                       })
+        .map([&](WindowStudy study) {
+            study.windowsFile = std::move(file);
+            return WindowAnswer{question, std::move(study)};
+        });
+}
+
+Result<std::vector<std::filesystem::path>> writeWindowReview(const WindowExport& review,
+                                                             const std::filesystem::path& folder) {
+    const WindowQuestion& asked = review.answer->question;
+    WindowStudy study = review.answer->study;
+    study.warnings.insert(study.warnings.end(), review.ofRules.begin(), review.ofRules.end());
+    putBefore(study.warnings, review.project.reading->warnings);
+    const ReviewLabels labels{
+        asked.from,
+        asked.to,
+        provenanceOf(review.project, review.file ? &*review.file : nullptr, {asked.to, asked.from, {}, {}}),
+        {},
+        repeatOptions(asked.settings, review.sheets)};
+    return writeWindowFiles({study, labels, *asked.after, review.project.reading->heights}, review.sheets,
+                            folder, false, review.outputs);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,97 @@
+#include "app/window/review/windows/window_session.h"
+
+#include "app/window/frame/workbench.h"
+#include "app/window/widgets/error_words.h"
+#include "core/city/city.h"
+
+namespace noonmark {
+
+WindowSession::WindowSession(Workbench& workbench, ReviewSession& review, QObject* parent)
+    : QObject(parent), workbench_(workbench), review_(review) {
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {
+        running_.drop();
+        answer_.reset();
+        Q_EMIT answered();
+    });
+}
+
+bool WindowSession::applies() const {
+    const auto rule = review_.rule();
+    return rule && rule->receivers.surface == RuleSurface::windows;
+}
+
+Result<WindowQuestion> WindowSession::question() {
+    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    auto rule = review_.rule();
+    if (!rule) return tl::make_unexpected(rule.error());
+    const ReviewChoice& choice = review_.choice();
+    if (choice.windows.ofFile && choice.windows.file.empty())
+        return failure("No file of windows is chosen", {},
+                       "Choose a file of points or polygons with heights, or take the facades");
+    const auto compared = review_.comparedCities();
+    if (!compared) return tl::make_unexpected(compared.error());
+    const StudySettings& study = workbench_.document().settings();
+    Region region = makeRegionFromLocalBox(bounds(*compared->after));
+    region.name = "the whole city";
+    return WindowQuestion{*std::move(rule),
+                          choice.from,
+                          compared->to,
+                          compared->before,
+                          compared->after,
+                          {elementsOf(choice.windows), std::move(region), study.period.zone,
+                           int(study.period.start.year()), std::nullopt}};
+}
+
+void WindowSession::run() {
+    const auto question = this->question();
+    if (!question) return tell(question.error());
+    running_.start<WindowAnswer>(
+        tr("Review"),
+        [question = *question](Progress& progress, const std::stop_token& stop) {
+            return computeWindowReview(question, progress, stop);
+        },
+        [this](Result<WindowAnswer> answer) {
+            if (!answer) return tell(answer.error());
+            answer_ = std::make_shared<const WindowAnswer>(*std::move(answer));
+            Q_EMIT answered();
+        });
+}
+
+QString WindowSession::whyOutdated() {
+    if (!answer_) return {};
+    const auto now = question();
+    if (!now) return tr("Not up to date. %1").arg(describeError(now.error()));
+    if (isSame(*now, answer_->question)) return {};
+    return tr("Not up to date: buildings, windows or the rule have changed. Run again.");
+}
+
+Result<WindowExport> WindowSession::finished() const {
+    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    const ProjectSession& session = workbench_.session();
+    const SheetSettings& sheets = session.project().sheets;
+    return WindowExport{answer_,
+                        session.project(),
+                        session.file(),
+                        review_.library().warnings(),
+                        {.titleBlock = sheets.titleBlock, .units = sheets.units},
+                        workbench_.exportRules()};
+}
+
+void WindowSession::write(const WindowExport& review, const QString& folder) {
+    using Files = std::vector<std::filesystem::path>;
+    running_.start<Files>(
+        tr("Writing the review"),
+        [review, folder](Progress&, const std::stop_token&) {
+            return writeWindowReview(review, folder.toStdString());
+        },
+        [this, folder](const Result<Files>& files) {
+            if (!files) return tell(files.error());
+            Q_EMIT written(folder);
+        });
+}
+
+void WindowSession::tell(const Error& error) {
+    if (!isCancelled(error)) Q_EMIT failed(error);
+}
+
+}  // namespace noonmark

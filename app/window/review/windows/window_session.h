@@ -1,0 +1,51 @@
+#pragma once
+
+// Rules about windows in the review dock. WindowSession runs the review of the windows that the choice of a
+// ReviewSession names, window_question is the work without a window, WindowForm chooses the windows, and
+// WindowTable lists the answer.
+
+#include <QObject>
+
+#include "app/window/review/review_session.h"
+#include "app/window/review/windows/window_question.h"
+
+namespace noonmark {
+
+/// The review of windows of the open project, by the rule and the scenarios of a ReviewSession. Knows no
+/// widgets.
+class WindowSession final : public QObject {
+    Q_OBJECT
+public:
+    /// Both must outlive it.
+    WindowSession(Workbench& workbench, ReviewSession& review, QObject* parent = nullptr);
+
+    /// Whether the chosen rule is about windows.
+    [[nodiscard]] bool applies() const;
+    /// What run() would compute. Error: what is still missing, and what to do.
+    [[nodiscard]] Result<WindowQuestion> question();
+    void run();
+
+    [[nodiscard]] std::shared_ptr<const WindowAnswer> answer() const { return answer_; }
+    /// Why the answer is not up to date; empty: it is.
+    [[nodiscard]] QString whyOutdated();
+    /// What write() would write. Error: there is no answer.
+    [[nodiscard]] Result<WindowExport> finished() const;
+    void write(const WindowExport& review, const QString& folder);
+
+    [[nodiscard]] JobSlot& running() { return running_; }
+
+Q_SIGNALS:
+    void answered();
+    void written(QString folder);
+    void failed(noonmark::Error error);  ///< not emitted for cancelled work
+
+private:
+    void tell(const Error& error);
+
+    Workbench& workbench_;
+    ReviewSession& review_;
+    std::shared_ptr<const WindowAnswer> answer_;
+    JobSlot running_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QTreeWidget>
+
+#include "app/window/review/windows/window_question.h"
+
+namespace noonmark {
+
+/// The windows of a review with their verdicts, those that get worse first, with the values of each criterion
+/// before and after. Sorts by a click on a column.
+class WindowTable final : public QTreeWidget {
+    Q_OBJECT
+public:
+    explicit WindowTable(QWidget* parent = nullptr);
+
+    /// Null: empties the table.
+    void show(const std::shared_ptr<const WindowAnswer>& answer);
+    /// Emits described() for the current row again.
+    void describeCurrent() { describe(currentItem()); }
+    /// The whole table as text with tabs, for spreadsheets.
+    [[nodiscard]] QString text() const;
+
+Q_SIGNALS:
+    /// The sentence on the chosen window, and its times in the sun; empty: none is chosen.
+    void described(QString words);
+
+private:
+    void showColumns();
+    void describe(const QTreeWidgetItem* item);
+
+    std::shared_ptr<const WindowAnswer> answer_;
+    std::vector<const WindowReview*> rows_;  // of answer_
+};
+
+/// "512 windows: 16 get worse, 3 get better. After: 480 pass, 32 fail"
+QString describeWindowVerdicts(const WindowStudy& study);
+
+}  // namespace noonmark

@@ -1,0 +1,147 @@
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "app/window/review/review_dock.h"
+#include "app/window/review/windows/window_form.h"
+#include "app/window/review/windows/window_session.h"
+#include "app/window/review/windows/window_table.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+/// Rules about windows, on the facades of the small project, with a new tower in it.
+struct WindowReviewWindow : test::ProjectWindow {
+    void SetUp() override {
+        ProjectWindow::SetUp();
+        StudySettings study = workbench().document().settings();
+        study.period.zone = "Europe/Amsterdam";
+        workbench().document().change(study, QStringLiteral("zone"));
+        for (QDockWidget* one : window->findChildren<QDockWidget*>())
+            if (one->isAncestorOf(&dock())) one->show();
+        ASSERT_TRUE(waitFor([this] { return dock().isVisible(); }));
+        choose("en-17037");
+    }
+    WindowSession& windows() { return window->windowReview(); }
+    ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
+    WindowForm& form() { return *dock().findChild<WindowForm*>(); }
+    QString state() { return dock().findChild<QLabel*>(QStringLiteral("reviewState"))->text(); }
+    void choose(const std::string& rule) {
+        ReviewChoice choice = window->review().choice();
+        choice.rule = rule;
+        window->review().choose(choice);
+    }
+    void run() {
+        dock().findChild<QPushButton*>(QStringLiteral("runReview"))->click();
+        ASSERT_TRUE(waitFor([this] { return !windows().running().busy(); }));
+    }
+};
+
+TEST_F(WindowReviewWindow, ARuleAboutWindowsAsksForWindowsInsteadOfPlaces) {
+    EXPECT_TRUE(windows().applies());
+    EXPECT_TRUE(form().isVisible());
+    EXPECT_TRUE(state().contains(QStringLiteral("Design a tower"))) << state().toStdString();
+    build();
+    EXPECT_TRUE(state().contains(QStringLiteral("on the windows"))) << state().toStdString();
+    choose("four-days");
+    EXPECT_FALSE(form().isVisible());
+}
+
+TEST_F(WindowReviewWindow, TheTableHasTheVerdictsOfTheReview) {
+    build();
+    run();
+    const auto answer = windows().answer();
+    ASSERT_TRUE(answer) << message().toStdString();
+    const auto question = windows().question();
+    ASSERT_TRUE(question);
+    NoProgress progress;
+    const auto expected = runWindowReview(question->rule, *session().cityOf(existingCity).value(),
+                                          *session().city(), question->settings, progress, {});
+    ASSERT_TRUE(expected);
+    ASSERT_GT(expected->windows.size(), 20U);
+    WindowTable& table = dock().windowTable();
+    ASSERT_EQ(std::size_t(table.topLevelItemCount()), expected->windows.size());
+    const auto worst = sortWorstFirst(expected->windows);
+    for (int row : {0, table.topLevelItemCount() - 1}) {
+        const WindowReview& review = *worst[std::size_t(row)];
+        EXPECT_EQ(table.topLevelItem(row)->text(0).toStdString(), review.window.id);
+        EXPECT_TRUE(
+            table.topLevelItem(row)->text(2).endsWith(QString::fromUtf8(nameOf(review.verdict).data())));
+    }
+    EXPECT_EQ(table.text().count(u'\n'), table.topLevelItemCount());
+    EXPECT_TRUE(windows().whyOutdated().isEmpty());
+    form().findChild<QLineEdit*>(QStringLiteral("windowBuildings"))->setText(QStringLiteral("New"));
+    Q_EMIT form().findChild<QLineEdit*>(QStringLiteral("windowBuildings"))->editingFinished();
+    EXPECT_FALSE(windows().whyOutdated().isEmpty());
+    run();
+    EXPECT_LT(windows().answer()->study.windows.size(), expected->windows.size());
+}
+
+TEST_F(WindowReviewWindow, TakesTheBuildingThatIsSelectedInTheView) {
+    auto* add = form().findChild<QPushButton*>(QStringLiteral("addSelectedBuilding"));
+    EXPECT_FALSE(add->isEnabled());
+    window->tools().building().select(0U);
+    ASSERT_TRUE(add->isEnabled());
+    add->click();
+    add->click();
+    EXPECT_EQ(window->review().choice().windows.buildings, window->tools().building().id());
+}
+
+TEST_F(WindowReviewWindow, SortsNumbersAsNumbers) {
+    build();
+    run();
+    WindowTable& table = dock().windowTable();
+    table.sortByColumn(3, Qt::DescendingOrder);
+    int last = table.topLevelItem(0)->text(3).toInt();
+    EXPECT_GE(last, 10) << "the new tower has more than nine floors";
+    for (int row = 1; row < table.topLevelItemCount(); ++row) {
+        const int floor = table.topLevelItem(row)->text(3).toInt();
+        EXPECT_LE(floor, last);
+        last = floor;
+    }
+}
+
+TEST_F(WindowReviewWindow, WritesTheFilesOfTheCommandLine) {
+    build();
+    run();
+    save();
+    const auto review = windows().finished();
+    ASSERT_TRUE(review);
+    const auto files = writeWindowReview(*review, folder.filePath(QStringLiteral("out")).toStdString());
+    ASSERT_TRUE(files) << files.error().text();
+    EXPECT_EQ(files->size(), 4U);
+    const QByteArray json = test::bytesOf(folder.filePath(QStringLiteral("out/review.json")));
+    EXPECT_TRUE(json.contains("--facades-of all")) << json.left(600).toStdString();
+    const QByteArray csv = test::bytesOf(folder.filePath(QStringLiteral("out/windows.csv")));
+    EXPECT_EQ(csv.count('\n'), 1 + qsizetype(windows().answer()->study.windows.size()));
+}
+
+TEST_F(WindowReviewWindow, AFileThatIsMissingIsNamed) {
+    build();
+    auto* source = form().findChild<QComboBox*>(QStringLiteral("windowSource"));
+    source->setCurrentIndex(1);
+    Q_EMIT source->activated(1);
+    EXPECT_TRUE(state().contains(QStringLiteral("No file of windows"))) << state().toStdString();
+    auto* file = form().findChild<QLineEdit*>(QStringLiteral("windowFile"));
+    file->setText(QStringLiteral("no such file.gpkg"));
+    Q_EMIT file->editingFinished();
+    run();
+    EXPECT_TRUE(message().contains(QStringLiteral("no such file.gpkg"))) << message().toStdString();
+}
+
+TEST(WindowChoice, ComesBackFromItsText) {
+    ReviewChoice choice;
+    choice.windows = {true, "windows.gpkg", "A,B", 2.5, 3.2};
+    EXPECT_EQ(parseReviewChoice(formatText(choice)), choice);
+    choice.windows.bayM = 1e9;
+    EXPECT_EQ(parseReviewChoice(formatText(choice)).windows.bayM, WindowChoice{}.bayM);
+}
+
+}  // namespace
+}  // namespace noonmark
