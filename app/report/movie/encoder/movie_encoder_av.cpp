@@ -143,7 +143,8 @@ private:
                 packet_->duration = std::llround(ticksPerSecond / track_.framesPerSecond);
             av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
             packet_->stream_index = stream_->index;
-            if (av_interleaved_write_frame(container_.get(), packet_.get()) < 0) return "the disk may be full";
+            if (av_interleaved_write_frame(container_.get(), packet_.get()) < 0)
+                return "the disk may be full";
         }
         return nullptr;
     }
