@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/engines/points/sky_trees.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/engines/ray/surface_rays.h"
 
@@ -16,25 +17,12 @@ constexpr int binCount = SunBins::count;
 constexpr float always = std::numeric_limits<float>::infinity();
 constexpr double binWidth = fullTurn / binCount;
 
-std::vector<ObstacleBox> boxesOf(const std::vector<TopEdge>& edges) {
-    std::vector<ObstacleBox> boxes(edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i) boxes[i].add(edges[i].a), boxes[i].add(edges[i].b);
-    return boxes;
-}
-
-std::vector<ObstacleBox> boxesOf(const std::vector<OverhangFace>& faces) {
-    std::vector<ObstacleBox> boxes(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        for (const glm::vec3 corner : faces[i].corners) boxes[i].add(corner);
-    return boxes;
-}
-
 }  // namespace
 
 HorizonScene::HorizonScene(const City& city, const SunSteps& sun, bool withTrack)
     : obstacles(collectSkyObstacles(city)),
-      edges(boxesOf(obstacles.edges)),
-      faces(boxesOf(obstacles.faces)),
+      edges(findBoxes(obstacles.edges)),
+      faces(findBoxes(obstacles.faces)),
       suns(sun) {
     if (withTrack) track.emplace(sun);
     for (int bin = 0; bin < binCount; ++bin) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace noonmark {
 
@@ -17,8 +18,12 @@ struct SkyIntegral {
     double even = 0;
     double overcast = 0;
 
-    static SkyIntegral upTo(double altitude, double up, double towards) {
-        const double sine = std::sin(altitude), cosine = std::cos(altitude);
+    static SkyIntegral upToTan(double tan, double up, double towards) {
+        if (std::isinf(tan)) return upTo(std::numbers::pi / 2, 1, 0, up, towards);
+        const double cosine = 1 / std::sqrt(1 + tan * tan);
+        return upTo(std::atan(tan), tan * cosine, cosine, up, towards);
+    }
+    static SkyIntegral upTo(double altitude, double sine, double cosine, double up, double towards) {
         const double level = altitude / 2 + sine * cosine / 2;
         return {up * sine * sine / 2 + towards * level,
                 (up * (sine * sine / 2 + 2 * sine * sine * sine / 3) +
@@ -51,40 +56,97 @@ SkyIntegral integrateAltitudes(const Skyline& skyline, double azimuth) {
     const glm::dvec3 normal(skyline.normal());
     const double towards = normal.x * std::sin(azimuth) + normal.y * std::cos(azimuth);
     SkyIntegral visible;
-    visible.add(SkyIntegral::upTo(std::numbers::pi / 2, normal.z, towards), 1);
-    visible.add(SkyIntegral::upTo(0, normal.z, towards), -1);
+    visible.add(SkyIntegral::upTo(std::numbers::pi / 2, 1, 0, normal.z, towards), 1);
+    visible.add(SkyIntegral::upTo(0, 0, 1, normal.z, towards), -1);
     for (const HiddenAltitudes& hidden : hiddenFrom(skyline, azimuth, normal.z, towards)) {
-        visible.add(SkyIntegral::upTo(std::atan(hidden.highTan), normal.z, towards), -1);
-        visible.add(SkyIntegral::upTo(std::atan(hidden.lowTan), normal.z, towards), 1);
+        visible.add(SkyIntegral::upToTan(hidden.highTan, normal.z, towards), -1);
+        visible.add(SkyIntegral::upToTan(hidden.lowTan, normal.z, towards), 1);
     }
     return visible;
 }
 
-SkyIntegral integrateBetween(const Skyline& skyline, double from, double to) {
-    constexpr std::array place{0.0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
-                               -0.9061798459386640};
-    constexpr std::array weight{0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                0.2369268850561891, 0.2369268850561891};
-    SkyIntegral sum;
-    for (std::size_t i = 0; i < place.size(); ++i)
-        sum.add(integrateAltitudes(skyline, (from + to) / 2 + place[i] * (to - from) / 2),
-                weight[i] * (to - from) / 2);
-    return sum;
+// The same at an azimuth at which only the skyline hides sky, from a wall that faces it.
+SkyIntegral integrateAboveSkyline(const SeenEdge* piece, double towards, double sine, double cosine) {
+    const double tan = piece != nullptr ? std::max(0.0, piece->east * sine + piece->north * cosine) : 0;
+    SkyIntegral visible = SkyIntegral::upTo(std::numbers::pi / 2, 1, 0, 0, towards);
+    visible.add(SkyIntegral::upToTan(tan, 0, towards), -1);
+    return visible;
 }
+
+/// Gauss's rule on -1 to 1.
+struct GaussRule {
+    std::span<const double> places, weights;
+};
+
+// Five points where altitudes change much between two azimuths; the narrower, the fewer. An altitude that
+// changes by d radians gives an error below d^2n / (2n)!: 1e-9 of the sky in all.
+GaussRule chooseRule(double change) {
+    static constexpr std::array p1{0.0}, w1{2.0};
+    static constexpr std::array p2{-0.5773502691896258, 0.5773502691896258}, w2{1.0, 1.0};
+    static constexpr std::array p3{-0.7745966692414834, 0.0, 0.7745966692414834},
+        w3{0.5555555555555556, 0.8888888888888888, 0.5555555555555556};
+    static constexpr std::array p5{0.0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
+                                   -0.9061798459386640},
+        w5{0.5688888888888889, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891,
+           0.2369268850561891};
+    if (change < 1e-4) return {p1, w1};
+    if (change < 0.02) return {p2, w2};
+    if (change < 0.15) return {p3, w3};
+    return {p5, w5};
+}
+
+/// Integrates the visible sky of one skyline over azimuths without breaks between them.
+class SkyIntegrator {
+public:
+    explicit SkyIntegrator(const Skyline& skyline)
+        : skyline_(skyline), normal_(skyline.normal()), isWall_(std::abs(normal_.z) < 1e-7) {}
+
+    [[nodiscard]] SkyIntegral between(double from, double to) const {
+        const double middle = (from + to) / 2, half = (to - from) / 2;
+        if (isWall_ && towards(std::sin(middle), std::cos(middle)) <= 0) return {};
+        const bool hasFaces = !skyline_.facesNear(from).empty() || !skyline_.facesNear(middle).empty() ||
+                              !skyline_.facesNear(to).empty();
+        const SeenEdge* const piece = skyline_.pieceAt(middle);
+        const double steepness = piece != nullptr ? std::hypot(piece->east, piece->north) : 0;
+        const bool isPlain = isWall_ && !hasFaces;
+        const GaussRule rule = chooseRule(isPlain ? 2 * half * std::max(1.0, steepness) : 1.0);
+        SkyIntegral sum;
+        for (std::size_t i = 0; i < rule.places.size(); ++i) {
+            const double azimuth = middle + rule.places[i] * half;
+            sum.add(isPlain ? above(piece, azimuth) : integrateAltitudes(skyline_, azimuth),
+                    rule.weights[i] * half);
+        }
+        return sum;
+    }
+
+private:
+    [[nodiscard]] double towards(double sine, double cosine) const {
+        return normal_.x * sine + normal_.y * cosine;
+    }
+    [[nodiscard]] SkyIntegral above(const SeenEdge* piece, double azimuth) const {
+        const double sine = std::sin(azimuth), cosine = std::cos(azimuth);
+        return integrateAboveSkyline(piece, towards(sine, cosine), sine, cosine);
+    }
+
+    const Skyline& skyline_;
+    glm::dvec3 normal_;
+    bool isWall_;
+};
 
 }  // namespace
 
 SkyFactors computeSkyFactors(const Skyline& skyline) {
     constexpr double widest = std::numbers::pi / 180;
     const std::vector<double> breaks = skyline.breaks();
+    const SkyIntegrator integrator(skyline);
     SkyIntegral sum;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
         const double width = breaks[i + 1] - breaks[i];
         const int parts = std::max(1, int(std::ceil(width / widest)));
         for (int part = 0; part < parts; ++part)
-            sum.add(integrateBetween(skyline, breaks[i] + width * part / parts,
-                                     breaks[i] + width * (part + 1) / parts),
-                    1);
+            sum.add(
+                integrator.between(breaks[i] + width * part / parts, breaks[i] + width * (part + 1) / parts),
+                1);
     }
     const double openOvercast =
         7 * std::numbers::pi / 9;  // of a level surface, in units of the zenith's brightness

@@ -64,14 +64,35 @@ std::pair<int, int> degreesOf(const OverhangFace& face, glm::dvec3 eye) {
             int(std::floor((start + high) * degrees / fullTurn))};
 }
 
+void addEdge(const TopEdge& edge, glm::dvec3 eye, LowestInParts& lowest, std::vector<SeenEdge>& seen) {
+    const auto view = seeEdge(edge, eye);
+    if (!view || !risesAbove(*view, lowest)) return;
+    raiseLowest(*view, lowest);
+    seen.push_back(*view);
+}
+
+// Whether anything in a box can rise above the skyline, by the circle around it in plan.
+bool risesAbove(const ObstacleBox& box, glm::dvec3 eye, const LowestInParts& lowest) {
+    const double height = double(box.high.z) - eye.z;
+    if (height <= 0) return false;
+    const glm::dvec2 middle = glm::dvec2(box.middle()) - glm::dvec2(eye);
+    const double distance = std::hypot(middle.x, middle.y);
+    const double radius =
+        0.5 * std::hypot(double(box.high.x - box.low.x), double(box.high.y - box.low.y)) * 1.001 + 1e-3;
+    if (distance <= radius) return true;
+    const double near = std::sqrt(double(ObstacleTree::distance2(box, glm::vec3(eye)))) - 1e-3;
+    if (near <= 0) return true;
+    const double high = height / near * 1.0001, half = std::asin(radius / distance);
+    const double azimuth = azimuthOf({middle.x, middle.y, 0});
+    const int first = firstPart(azimuth - half), last = firstPart(azimuth + half);
+    for (int part = first; part <= last; ++part)
+        if (high >= lowest[std::size_t((part + skyParts) % skyParts)]) return true;
+    return false;
+}
+
 std::vector<SeenEdge> seeEdges(const SkyObstacles& obstacles, glm::dvec3 eye, LowestInParts& lowest) {
     std::vector<SeenEdge> seen;
-    for (const TopEdge& edge : obstacles.edges)
-        if (const auto view = seeEdge(edge, eye)) {
-            if (!risesAbove(*view, lowest)) continue;
-            raiseLowest(*view, lowest);
-            seen.push_back(*view);
-        }
+    for (const TopEdge& edge : obstacles.edges) addEdge(edge, eye, lowest, seen);
     std::erase_if(seen, [&](const SeenEdge& edge) { return !risesAbove(edge, lowest); });
     return seen;
 }
@@ -94,11 +115,32 @@ bool risesAbove(const OverhangFace& face, glm::dvec3 eye, const LowestInParts& l
 
 }  // namespace
 
+Skyline::Skyline(const SkyPoint& point)
+    : eye_(glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)) +
+           glm::dvec3(RayScene::asideM, RayScene::asideM, 0)),
+      normal_(point.normal) {}
+
+Skyline Skyline::at(const SkyPoint& point, const SkyTrees& trees) {
+    Skyline skyline(point);
+    const glm::dvec3 eye = skyline.eye_;
+    LowestInParts lowest{};
+    const auto canMatter = [&](const ObstacleBox& box) { return risesAbove(box, eye, lowest); };
+    std::vector<SeenEdge> seen;
+    trees.edges.visitNearestFirst(glm::vec3(eye), canMatter, [&](std::uint32_t index) {
+        addEdge(trees.obstacles.edges[index], eye, lowest, seen);
+    });
+    std::erase_if(seen, [&](const SeenEdge& edge) { return !risesAbove(edge, lowest); });
+    skyline.pieces_ = findHighest(std::move(seen));
+    trees.faces.visitNearestFirst(glm::vec3(eye), canMatter, [&](std::uint32_t index) {
+        const OverhangFace& face = trees.obstacles.faces[index];
+        if (risesAbove(face, eye, lowest)) skyline.faces_.push_back(face);
+    });
+    skyline.sortFaces();
+    return skyline;
+}
+
 Skyline Skyline::at(const SkyPoint& point, const SkyObstacles& obstacles) {
-    Skyline skyline;
-    skyline.eye_ = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)) +
-                   glm::dvec3(RayScene::asideM, RayScene::asideM, 0);
-    skyline.normal_ = point.normal;
+    Skyline skyline(point);
     LowestInParts lowest{};
     skyline.pieces_ = findHighest(seeEdges(obstacles, skyline.eye_, lowest));
     for (const OverhangFace& face : obstacles.faces)
@@ -116,6 +158,10 @@ void Skyline::sortFaces() {
     }
 }
 
+const std::vector<std::uint32_t>& Skyline::facesNear(double azimuth) const {
+    return facesNear_[degreeOf(azimuth)];
+}
+
 const SeenEdge* Skyline::pieceAt(double azimuth) const {
     auto after = std::ranges::upper_bound(pieces_, azimuth, {}, &SeenEdge::from);
     if (after == pieces_.begin()) return nullptr;
@@ -131,7 +177,7 @@ double Skyline::tanAt(double azimuth) const {
 std::vector<HiddenAltitudes> Skyline::hiddenAt(double azimuth) const {
     std::vector<HiddenAltitudes> hidden;
     if (const double tan = tanAt(azimuth); tan > 0) hidden.push_back({0, tan});
-    for (const std::uint32_t index : facesNear_[degreeOf(azimuth)])
+    for (const std::uint32_t index : facesNear(azimuth))
         if (const auto more = hiddenBy(faces_[index], eye_, azimuth)) hidden.push_back(*more);
     joinOverlaps(hidden);
     return hidden;
@@ -142,7 +188,7 @@ bool Skyline::hides(glm::vec3 direction) const {
     const double azimuth = azimuthOf(glm::dvec3(direction));
     const double tan = double(direction.z) / std::hypot(double(direction.x), double(direction.y));
     if (tan <= tanAt(azimuth)) return true;
-    return std::ranges::any_of(facesNear_[degreeOf(azimuth)], [&](std::uint32_t index) {
+    return std::ranges::any_of(facesNear(azimuth), [&](std::uint32_t index) {
         const auto hidden = hiddenBy(faces_[index], eye_, azimuth);
         return hidden && tan >= hidden->lowTan && tan <= hidden->highTan;
     });

@@ -6,7 +6,7 @@
 
 #include "core/engines/points/hidden_altitudes.h"
 #include "core/engines/points/seen_edge.h"
-#include "core/engines/points/sky_obstacles.h"
+#include "core/engines/points/sky_trees.h"
 
 namespace noonmark {
 
@@ -27,6 +27,8 @@ public:
     /// O(edges), and n log n in those that rise above others near them: 6 ms in Midtown, of 100,000 edges.
     /// The point must not be inside a solid.
     static Skyline at(const SkyPoint& point, const SkyObstacles& obstacles);
+    /// The same from trees, in a tenth of the time or less: 0.2 ms in Midtown.
+    static Skyline at(const SkyPoint& point, const SkyTrees& trees);
 
     /// Ascending, without overlaps; between them, and where their altitude is below 0, the sky begins at the
     /// point's level.
@@ -35,6 +37,8 @@ public:
     [[nodiscard]] const std::vector<OverhangFace>& faces() const { return faces_; }
     [[nodiscard]] glm::vec3 normal() const { return normal_; }
 
+    /// The faces that can hide sky at an azimuth, as indices of faces(), with others of the same degree.
+    [[nodiscard]] const std::vector<std::uint32_t>& facesNear(double azimuth) const;
     /// The piece at an azimuth; none where nothing stands.
     [[nodiscard]] const SeenEdge* pieceAt(double azimuth) const;
     /// Tangent of the skyline's altitude, 0 or more. Overhangs are not part of it.
@@ -51,6 +55,7 @@ public:
     [[nodiscard]] std::vector<double> breaks() const;
 
 private:
+    explicit Skyline(const SkyPoint& point);
     void sortFaces();
 
     glm::dvec3 eye_{};

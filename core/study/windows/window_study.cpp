@@ -31,7 +31,7 @@ struct WindowScene {
     const RuleSun& days;
     const ShadedStepFinder& after;
     const ShadedStepFinder* before;  ///< null: the baseline is the scenario
-    std::optional<SkyObstacles> sky, formerSky;
+    std::optional<SkyTrees> sky, formerSky;
     std::set<std::uint32_t> fresh;  ///< buildings without former values, by index
 
     [[nodiscard]] bool hasFormer(std::uint32_t building) const { return !fresh.contains(building); }
@@ -206,6 +206,17 @@ std::set<std::uint32_t> findFresh(const City& scenario, const City& baseline) {
     return fresh;
 }
 
+void addPanes(const WindowScene& scene, const std::vector<WindowGroup>& groups, WindowStudy& study) {
+    const PointReceivers& receivers = scene.placed.receivers;
+    for (std::size_t unit = 0; unit < groups.size(); ++unit)
+        for (const std::uint32_t window : groups[unit])
+            study.panes.push_back({{glm::dvec3(receivers.points.positions[window]),
+                                    glm::dvec3(receivers.points.normals[window]),
+                                    sizeOrOpening(scene.rule.receivers.windows, scene.paneOf(window))},
+                                   unit,
+                                   receivers.elements[window].building});
+}
+
 Result<void> reviewAll(const WindowScene& scene, const std::vector<WindowGroup>& groups, WindowStudy& study,
                        Progress& progress, const std::stop_token& stop) {
     study.windows.resize(groups.size());
@@ -255,6 +266,7 @@ Result<WindowStudy> answerWindows(const Rule& asked, const City& baseline, const
                       {},
                       {},
                       {},
+                      {},
                       days->clock,
                       days->year,
                       days->sun.stepMinutes,
@@ -284,12 +296,14 @@ Result<WindowStudy> answerWindows(const Rule& asked, const City& baseline, const
     WindowScene scene{rule,  scenario, *placed,
                       *days, *after,   before ? &*before : nullptr,
                       {},    {},       findFresh(scenario, baseline)};
-    if (needsSky(rule)) scene.sky = collectSkyObstacles(casting.after);
-    if (needsSky(rule) && !same) scene.formerSky = collectSkyObstacles(casting.before);
+    if (needsSky(rule)) scene.sky.emplace(collectSkyObstacles(casting.after));
+    if (needsSky(rule) && !same) scene.formerSky.emplace(collectSkyObstacles(casting.before));
     study.seconds["build"] = watch.seconds();
     const Stopwatch evaluation;
-    if (auto done = reviewAll(scene, groupWindows(rule, *placed), study, progress, stop); !done)
+    const std::vector<WindowGroup> groups = groupWindows(rule, *placed);
+    if (auto done = reviewAll(scene, groups, study, progress, stop); !done)
         return tl::make_unexpected(done.error());
+    addPanes(scene, groups, study);
     sumUp(study);
     study.seconds["evaluate"] = evaluation.seconds();
     study.seconds["total"] = whole.seconds();

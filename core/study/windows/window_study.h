@@ -1,7 +1,8 @@
 #pragma once
 
 // The folder core/study/windows evaluates rules about windows. runWindowReview() (this file) returns a
-// WindowStudy; window_text.h turns it into tables and JSON.
+// WindowStudy; window_text.h turns it into tables and JSON, and window_values.h says which of its values
+// elevations show.
 
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/engines/points/shaded_step_finder.h"
+#include "core/receivers/points/facade_elevations.h"
 #include "core/review/building_review.h"
 #include "core/study/elements/place_elements.h"
 
@@ -27,12 +29,20 @@ struct WindowReviewSettings {
 };
 inline constexpr std::size_t mostTracedSteps = 2000;
 
+/// A window of a review where it is, to draw it. A room or a dwelling has several.
+struct ReviewedPane {
+    ElevationPane pane;          ///< with the sizes of the rule's opening where the file states none
+    std::size_t window = 0;      ///< index in WindowStudy::windows
+    std::uint32_t building = 0;  ///< index in the scenario's buildings, or PointElement::noBuilding
+};
+
 /// A rule's answers for windows.
 struct WindowStudy {
     Rule rule;
     WindowReviewSettings settings;
     std::vector<WindowReview> windows;      ///< or rooms or dwellings, as the rule judges them
     std::vector<glm::dvec3> places;         ///< of these: longitude, latitude (degrees), elevation (metres)
+    std::vector<ReviewedPane> panes;        ///< of these, in their order
     std::vector<BuildingReview> buildings;  ///< of these windows
     VerdictChanges windowChanges, buildingChanges;
     DayClock clock;
@@ -49,8 +59,8 @@ struct WindowStudy {
 /// Evaluates a rule on the windows of the scenario. A window is compared with the baseline where its building
 /// is the same in both; the windows of new and changed buildings have no former values. Uses all cores.
 /// Error: a rule about places, the sun below the horizon in all hours of the rule, what placeElements()
-/// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 15 ms more where the
-/// rule asks for the sky component.
+/// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 0.5 ms more where
+/// the rule asks for the sky component.
 Result<WindowStudy> runWindowReview(const Rule& rule, const City& baseline, const City& scenario,
                                     const WindowReviewSettings& settings, Progress& progress,
                                     const std::stop_token& stop);
