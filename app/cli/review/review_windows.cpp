@@ -24,7 +24,7 @@ namespace {
 struct WindowAnswer {
     WindowStudy study;
     ReviewLabels labels;
-    City scenario;
+    City baseline, scenario;
     HeightFacts heights;
     BookSettings sheets;
 };
@@ -113,7 +113,8 @@ Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule&
                         provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
                         {},
                         repeatOptions(options, *sheets)};
-    return WindowAnswer{*std::move(study), std::move(labels), after->city, project.reading->heights, *sheets};
+    return WindowAnswer{*std::move(study), std::move(labels),        before->city,
+                        after->city,       project.reading->heights, *sheets};
 }
 
 std::string countsText(const VerdictCounts& counts) {
@@ -223,8 +224,11 @@ int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const Ru
     addPlace(outputs, options.windows.region);
     const auto answer = computeWindows(options, rule, library, disk, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto files = writeWindowFiles({answer->study, answer->labels, answer->scenario, answer->heights},
-                                        answer->sheets, options.out, options.byteOrderMark, outputs);
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    const auto files = writeWindowFiles(
+        {answer->study, answer->labels, answer->baseline, answer->scenario, answer->heights}, answer->sheets,
+        options.out, options.byteOrderMark, outputs, progress, interrupt.token());
     if (!files) return fail(console, files.error(), exitFailed);
     if (options.json)
         console.out << toJsonText(windowReviewJson(answer->study, answer->labels)) << '\n';

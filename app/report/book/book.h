@@ -2,9 +2,10 @@
 
 // The folder app/report/book/ makes books of sheets that a board can file. A Book (this file) is a list of
 // pages, and a page is a list of items with their places on the paper: text and tables (page_text.h, flow.h),
-// plan diagrams (diagram.h), charts (app/report/charts) and pictures. page_painter.h paints a page on any
-// canvas with its frame and title block, print_book.h makes the PDF, and pdf_structure.h adds what Qt's PDF
-// lacks. sun_view.h draws the view from the sun. review/ makes the book of a review.
+// plan diagrams (diagram.h), sides of buildings (elevation.h, elevation_pages.h), charts (app/report/charts)
+// and pictures. page_painter.h paints a page on any canvas with its frame and title block, print_book.h makes
+// the PDF, and pdf_structure.h adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/
+// makes the book of a review.
 
 #include <QImage>
 #include <QRectF>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "app/report/book/diagram.h"
+#include "app/report/book/elevation.h"
 #include "app/report/book/page_text.h"
 #include "app/report/book/paper.h"
 #include "app/report/charts/bar_chart.h"
@@ -45,7 +47,8 @@ struct PageMap {
     Caption caption{};  ///< empty: none
 };
 
-using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, PageChart, PagePicture, PageMap>;
+using PageContent = std::variant<PageText, PageTable, Diagram, DiagramFoot, ElevationDrawing, ElevationFoot,
+                                 PageChart, PagePicture, PageMap>;
 
 /// `area`: in points from the top left corner of the page, inside contentArea().
 struct PageItem {

@@ -72,6 +72,8 @@ struct ContentPainter {
     void operator()(const PageTable& table) const { paintTable(canvas, area, table); }
     void operator()(const Diagram& diagram) const { paintDiagram(canvas, area, diagram); }
     void operator()(const DiagramFoot& foot) const { paintDiagramFoot(canvas, area, foot); }
+    void operator()(const ElevationDrawing& drawing) const { paintElevation(canvas, area, drawing); }
+    void operator()(const ElevationFoot& foot) const { paintElevationFoot(canvas, area, foot); }
     void operator()(const PageChart& chart) const { paintChart(canvas, area, chart, scale); }
     void operator()(const PageMap& map) const { paintPageMap(canvas, area, map, scale); }
     void operator()(const PagePicture& picture) const { paintPicture(canvas, area, picture, scale); }

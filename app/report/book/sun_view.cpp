@@ -110,7 +110,7 @@ void drawEdges(QImage& image, const std::vector<std::int64_t>& surfaces) {
 }  // namespace
 
 Result<SunViewScene> SunViewScene::make(const DiagramScene& scene, const Box2& area,
-                                        const std::stop_token& stop) {
+                                        const std::stop_token& stop, const City& shown) {
     City all = scene.city;
     all.buildings.insert(all.buildings.end(), scene.proposal.buildings.begin(),
                          scene.proposal.buildings.end());
@@ -119,7 +119,7 @@ Result<SunViewScene> SunViewScene::make(const DiagramScene& scene, const Box2& a
     auto rays = RayScene::over(all, stop);
     if (!rays) return tl::make_unexpected(rays.error());
     return SunViewScene(*std::move(rays), std::move(isProposal), maskOf(scene.places, area), area,
-                        pointsToShow(scene.proposal, area));
+                        pointsToShow(shown, area));
 }
 
 bool SunViewScene::isPlace(glm::vec2 ground) const {

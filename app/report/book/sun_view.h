@@ -16,7 +16,12 @@ public:
     /// `area`: the ground that the views show, local metres; they show all of the proposal, too. Error: out
     /// of memory, or cancelled().
     static Result<SunViewScene> make(const DiagramScene& scene, const Box2& area,
-                                     const std::stop_token& stop);
+                                     const std::stop_token& stop) {
+        return make(scene, area, stop, scene.proposal);
+    }
+    /// The same with other buildings that all views must show: those of two cities then match.
+    static Result<SunViewScene> make(const DiagramScene& scene, const Box2& area, const std::stop_token& stop,
+                                     const City& shown);
 
     /// The city as the sun sees it, without perspective: whatever is visible is sunlit, and what is hidden is
     /// in shadow. One ray for each pixel, so overlaps are exact. `size` in pixels, positive. Some 10^7 rays a

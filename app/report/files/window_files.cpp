@@ -14,10 +14,13 @@ std::vector<std::string> windowFileNames() {
 Result<std::vector<std::filesystem::path>> writeWindowFiles(const WindowBookSource& source,
                                                             const BookSettings& settings,
                                                             const std::filesystem::path& folder,
-                                                            bool byteOrderMark, const OutputRules& rules) {
+                                                            bool byteOrderMark, const OutputRules& rules,
+                                                            Progress& progress, const std::stop_token& stop) {
     if (auto may = checkOutputs(folder, windowFileNames(), rules); !may)
         return tl::make_unexpected(may.error());
-    const auto pdf = printBook(makeWindowBook(source, settings));
+    const auto book = makeWindowBook(source, settings, progress, stop);
+    if (!book) return tl::make_unexpected(book.error());
+    const auto pdf = printBook(*book);
     if (!pdf) return tl::make_unexpected(pdf.error());
     const ElementTable table = makeWindowTable(source.study, source.labels);
     OutputFolder files(folder, rules);

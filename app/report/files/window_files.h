@@ -13,10 +13,12 @@ namespace noonmark {
 std::vector<std::string> windowFileNames();
 
 /// Writes the files of a review of windows into a folder, which is created if missing; all or none. Returns
-/// the paths written. Needs a QGuiApplication. Errors of writing.
+/// the paths written. Needs a QGuiApplication. Errors of makeWindowBook()
+/// and of writing.
 Result<std::vector<std::filesystem::path>> writeWindowFiles(const WindowBookSource& source,
                                                             const BookSettings& settings,
                                                             const std::filesystem::path& folder,
-                                                            bool byteOrderMark, const OutputRules& rules);
+                                                            bool byteOrderMark, const OutputRules& rules,
+                                                            Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

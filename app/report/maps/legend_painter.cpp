@@ -40,7 +40,7 @@ QRectF barOf(const Canvas& canvas, const QRectF& area) {
 }
 
 QColor colourAt(const Legend& legend, double share) {
-    if (!legend.change) return shadowColour(share);
+    if (!legend.change) return shadowColour(legend.wanted ? 1 - share : share);
     return impactColour(legend.wanted ? 1 - 2 * share : 2 * share - 1);
 }
 

@@ -23,7 +23,9 @@ struct Legend {
     bool instant = false;                ///< two patches, sunlit and shaded, instead of a scale
     bool change = false;                 ///< signed scale: impactColour(value / scale.top), from -top to top
     std::vector<LegendPatch> patches{};  ///< colours outside the scale
-    bool wanted = false;  ///< with `change`: impactColour(-value / scale.top), since more is wanted
+    /// More is wanted, as of sun: the colours run the other way. With `change` impactColour(-value /
+    /// scale.top), else shadowColour(1 - value / scale.top).
+    bool wanted = false;
 };
 
 /// The legend of a map of `measure`. O(cells). The colour of a value is shadowColour(value /

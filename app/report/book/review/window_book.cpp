@@ -4,6 +4,8 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/verdict_colour.h"
+#include "app/report/book/review/window_elevations.h"
+#include "app/report/book/review/window_sun_views.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
 #include "core/review/rule_names.h"
@@ -138,7 +140,8 @@ TextBlocks methodOf(const WindowBookSource& source) {
 
 }  // namespace
 
-Book makeWindowBook(const WindowBookSource& source, const BookSettings& settings) {
+Result<Book> makeWindowBook(const WindowBookSource& source, const BookSettings& settings, Progress& progress,
+                            const std::stop_token& stop) {
     const QString title = QStringLiteral("Review of windows: ") + plainText(source.study.rule.name);
     Book book = beginBook(settings, title, source.labels.provenance.attribution);
     book.record = {QStringLiteral("review.json"), toJsonText(windowReviewJson(source.study, source.labels))};
@@ -147,6 +150,10 @@ Book makeWindowBook(const WindowBookSource& source, const BookSettings& settings
     };
     const double points = windowTablePt * textScale(settings.setup);
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summaryOf(source)));
+    append(makeWindowElevations(source, settings));
+    auto views = makeWindowSunViews(source, settings, progress, stop);
+    if (!views) return tl::make_unexpected(views.error());
+    append(*std::move(views));
     append(makeTablePages(settings.setup, {QStringLiteral("Tables"), {}, QStringLiteral("Tables")},
                           {buildingTable(source, points), windowTable(source, points)}));
     append(makeTextPages(settings.setup,

@@ -10,13 +10,16 @@ namespace noonmark {
 struct WindowBookSource {
     const WindowStudy& study;
     const ReviewLabels& labels;
+    const City& baseline;
     const City& scenario;
     HeightFacts heights{};
 };
 
-/// The book of a review of windows: summary with counts, buildings, windows (the worst first; of more than
-/// `mostWindowRows` the rest is in windows.csv only), method and sources.
-Book makeWindowBook(const WindowBookSource& source, const BookSettings& settings);
+/// The book of a review of windows: summary with counts, elevations (window_elevations.h), views from the sun
+/// where the rule asks for them (window_sun_views.h), buildings, windows (the worst first; of more than
+/// `mostWindowRows` the rest is in windows.csv only), method and sources. Errors of makeWindowSunViews().
+Result<Book> makeWindowBook(const WindowBookSource& source, const BookSettings& settings, Progress& progress,
+                            const std::stop_token& stop);
 inline constexpr std::size_t mostWindowRows = 2000;
 
 }  // namespace noonmark

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/report/book/book.h"
+
+namespace noonmark {
+
+/// A building whose sides are drawn.
+struct ElevationBuilding {
+    QString name;
+    const Building* building = nullptr;             ///< null: windows at no building
+    std::vector<ElevationPane> panes;               ///< its windows
+    std::vector<std::vector<ElevationCell>> cells;  ///< by panel, then by pane; a panel may be empty
+    std::vector<QString> notes;                     ///< by panel: why it is empty
+};
+
+/// What all pages of elevations of a book share.
+struct ElevationSheets {
+    QString title, subtitle;
+    QString bookmark;
+    std::vector<QString> panels;  ///< titles: "Baseline", "Scenario", "Change"
+    ElevationFoot foot;
+    double storeyM = 3;
+    Frame frame;  ///< of the city, for azimuths from true north
+    std::size_t mostPages = 40;
+};
+
+/// Each side of each building, in their order, at the largest round scale of its strip: a third, half or all
+/// of a page, so that a metre has at least 4 points of paper where it can. What exceeds `mostPages` is left
+/// out, and the subtitle of the first page states how many buildings. Buildings must outlive the call only.
+std::vector<BookPage> makeElevationPages(const PageSetup& setup, ElevationSheets sheets,
+                                         const std::vector<ElevationBuilding>& buildings);
+
+}  // namespace noonmark
