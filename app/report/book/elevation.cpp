@@ -221,6 +221,13 @@ std::optional<ElevationLayout> fitElevation(glm::dvec2 sizeM, std::size_t panels
     return ElevationLayout{true, *stacked};
 }
 
+double elevationHeightPt(glm::dvec2 sizeM, std::size_t panels, const ElevationLayout& layout,
+                         double textScale) {
+    const double panel = (titlePt + 2 * marginPt) * textScale + sizeM.y * pointsPerMetre(layout.scale);
+    const double rows = layout.stacked ? double(panels) : 1;
+    return captionPt(textScale) + rows * panel + (rows - 1) * panelGapPt * textScale;
+}
+
 void paintElevation(const Canvas& canvas, const QRectF& area, const ElevationDrawing& drawing) {
     canvas.painter.save();
     canvas.painter.setRenderHint(QPainter::Antialiasing);

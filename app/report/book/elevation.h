@@ -56,6 +56,10 @@ constexpr double elevationFootPt(double scale) { return 58 * scale; }
 std::optional<ElevationLayout> fitElevation(glm::dvec2 sizeM, std::size_t panels, const QSizeF& areaPt,
                                             double textScale);
 
+/// The height that an elevation takes in that layout, points.
+double elevationHeightPt(glm::dvec2 sizeM, std::size_t panels, const ElevationLayout& layout,
+                         double textScale);
+
 void paintElevation(const Canvas& canvas, const QRectF& area, const ElevationDrawing& drawing);
 void paintElevationFoot(const Canvas& canvas, const QRectF& area, const ElevationFoot& foot);
 

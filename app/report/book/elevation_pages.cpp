@@ -30,7 +30,8 @@ std::pair<double, ElevationLayout> chooseStrip(const QSizeF& page, const FacadeE
         const double height = (page.height() - (parts - 1) * gap) / parts;
         const auto layout = fitElevation(size, panels, {page.width(), height}, textScale);
         if (!layout) continue;
-        if (parts == 1 || pointsPerMetre(layout->scale) >= leastPointsPerM) return {height, *layout};
+        if (parts == 1 || pointsPerMetre(layout->scale) >= leastPointsPerM)
+            return {elevationHeightPt(size, panels, *layout, textScale), *layout};
     }
     return {page.height(), {false, 50000}};
 }
