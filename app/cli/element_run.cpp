@@ -53,11 +53,7 @@ tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options,
 std::string errorText(const ElementStudy& study) {
     if (!study.error)
         return study.engineKey == referenceEngine ? "none: it is the reference" : "not measured";
-    return fmt::format(
-        "sunlit time {:.3f} % mean, {:.3f} % largest; longest shadow {:.3f} % mean, {:.3f} % "
-        "largest, of {} points",
-        study.error->grossMeanPct, study.error->grossLargestPct, study.error->continuousMeanPct,
-        study.error->continuousLargestPct, withCommas(study.error->points));
+    return describe(*study.error);
 }
 
 void printElements(const ElementStudy& study, const std::vector<std::filesystem::path>& files,

@@ -44,8 +44,16 @@ private:
                              {.id = idOf(building, wall, storey, bay),
                               .kind = ElementKind::facade,
                               .building = building,
-                              .floor = storey});
+                              .floor = storey},
+                             paneOf(face, face.lengthM / bays, place.y));
             }
+    }
+
+    // The part of the wall between the floors and the sides of the bay.
+    [[nodiscard]] PaneSize paneOf(const WallFace& face, double widthM, double heightM) const {
+        const double floorM = heightM - settings_.aboveFloorM;
+        return {{-widthM / 2, std::max(face.lowM, floorM) - heightM},
+                {widthM / 2, std::min(face.highM, floorM + settings_.storeyM) - heightM}};
     }
 
     [[nodiscard]] bool isOpen(const WallFace& face, glm::dvec2 place) const {
@@ -54,10 +62,11 @@ private:
         return place.y > double(groundAt(city_, front)) && !solids_.isSolid({front, place.y});
     }
 
-    void addPoint(const WallFace& face, glm::dvec2 place, PointElement element) {
+    void addPoint(const WallFace& face, glm::dvec2 place, PointElement element, PaneSize pane) {
         placed_.points.positions.emplace_back(glm::dvec3(face.start + place.x * face.along, place.y));
         placed_.points.normals.emplace_back(glm::dvec3(face.normal(), 0));
         placed_.elements.push_back(std::move(element));
+        placed_.panes.push_back(pane);
     }
 
     [[nodiscard]] std::string idOf(std::uint32_t building, std::size_t wall, int storey, int bay) const {

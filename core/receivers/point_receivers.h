@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/receivers/points/window_pane.h"
 #include "core/receivers/region.h"
 #include "core/receivers/surface_points.h"
 
@@ -29,10 +30,12 @@ struct PointElement {
     bool operator==(const PointElement&) const = default;
 };
 
-/// Single points where sunlight is measured. Two lists of the same size, in the same order.
+/// Single points where sunlight is measured. Lists of the same size, in the same order.
 struct PointReceivers {
     SurfacePoints points;
     std::vector<PointElement> elements;
+    /// The rectangle that a point stands for, about the point: a bay of a storey, a window, a cell.
+    std::vector<PaneSize> panes;
     [[nodiscard]] std::size_t size() const { return elements.size(); }
 };
 

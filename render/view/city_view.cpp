@@ -174,6 +174,7 @@ void CityView::makeMaterials() {
     clearMap();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
     sun_ = std::make_unique<SunLayer>(std::vector{building_, ground_}, root_);
+    tiles_ = std::make_unique<ElementTiles>(blended_, root_);
     overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
     places_->onChange([this] { names_->start(); });
@@ -200,6 +201,7 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     showLines({});
     clearPicture();
     surfaces_->clear();
+    tiles_->clear();
     added_.reset();
     bounds_ = arrays->bounds;
     showGround(*arrays);
@@ -301,6 +303,7 @@ void CityView::applyCamera() {
     ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
     overlay_->setLens(pose_, view);
     places_->setLens(view);
+    tiles_->setLens(view);
     names_->start();
 }
 

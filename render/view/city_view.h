@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "render/scene/building_bodies.h"
+#include "render/scene/element_tiles.h"
 #include "render/scene/ground_picture.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
@@ -61,6 +62,8 @@ public:
     void clearMap();
     /// Pictures on ground, roofs and facades; they cover the picture on the ground.
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
+    /// What was measured at points of facades and planes.
+    [[nodiscard]] ElementTiles& tiles() { return *tiles_; }
     /// Sun and shadow of one moment on ground, roofs and facades.
     [[nodiscard]] SunLayer& sun() { return *sun_; }
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
@@ -115,6 +118,7 @@ private:
     Qt3DCore::QNode* mapTexture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
     std::unique_ptr<SunLayer> sun_;
+    std::unique_ptr<ElementTiles> tiles_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;

@@ -115,6 +115,8 @@ QString ResultActions::shownText() const {
             return tr("%1 compared with %2").arg(text(comparison->to), text(comparison->from));
         case Workbench::Shown::score:
             return tr("Score of %1 with %2").arg(text(score->scenario), text(score->weights.name));
+        case Workbench::Shown::elements:
+            return tr("Points of %1").arg(text(workbench_.session().scenario()));
         case Workbench::Shown::study:
             return tr("Study of %1").arg(text(workbench_.session().scenario()));
         case Workbench::Shown::savedResult:

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include "app/window/elements/elements_dock.h"
 #include "app/window/files/file_dialogs.h"
 #include "app/window/frame/window_menus.h"
 #include "app/window/frame/window_toolbar.h"
@@ -34,7 +35,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 8;
+constexpr int layoutVersion = 9;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -62,6 +63,7 @@ MainWindow::MainWindow(QSettings& settings)
              new WarningsDock,
              new ReviewDock(review_, windowReview_, workbench_.session()),
              new PointDock(points_),
+             new ElementsDock,
              tools_.dock(),
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
@@ -73,8 +75,10 @@ MainWindow::MainWindow(QSettings& settings)
           workbench_, store_, [this] { return view_.toSave(); }, panel_->messages(), *this),
       opening_(workbench_, saving_, settings, panel_->messages(), *this),
       recovery_(workbench_, store_, saving_, panel_->messages()),
+      links_(*docks_.elements, *panel_),
       display_(workbench_, mode_, tools_.context().preview,
-               {panel_->results(), *docks_.results, *docks_.warnings, docks_.scenarios->table()}),
+               {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
+                docks_.scenarios->table()}),
       results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, windowReview_, *this),
       copying_(results_, *docks_.results, *panel_),
       movies_(workbench_, *panel_, *this),
@@ -216,6 +220,7 @@ void MainWindow::connectDocks() {
         docks_.weights->choose(table);
         raiseDock(docks_.weights);
     });
+    connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
@@ -233,8 +238,9 @@ void MainWindow::connectStudyForm() {
         workbench_.document().change(asInPaper(workbench_.document().settings()), tr("as in the paper"));
     });
     BuildingEditing& building = tools_.building();
-    connect(&building, &BuildingEditing::selectionChanged, &form,
-            [&form, &building] { form.setBuilding(building.selected().has_value()); });
+    connect(&building, &BuildingEditing::selectionChanged, &form, [&form, &building] {
+        form.setBuilding(building.selected() ? QString::fromStdString(building.id()) : QString());
+    });
     connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
         if (building.selected()) region_.takeSurroundings(*building.selected());
     });

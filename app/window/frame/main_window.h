@@ -23,6 +23,7 @@
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/view_actions.h"
 #include "app/window/editing/edit_tools.h"
+#include "app/window/elements/element_links.h"
 #include "app/window/exploration/exploration.h"
 #include "app/window/export/copy_actions.h"
 #include "app/window/export/movie_actions.h"
@@ -128,6 +129,7 @@ private:
     SavingActions saving_;
     OpeningActions opening_;
     RecoveryOffers recovery_;
+    ElementLinks links_;
     ResultDisplay display_;
     ResultActions results_;
     CopyActions copying_;

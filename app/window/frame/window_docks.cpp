@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
+#include "app/window/elements/elements_dock.h"
 #include "app/window/point/point_dock.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/results/results_dock.h"
@@ -55,9 +56,10 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
     QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
     QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
+    QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
-    window.tabifyDockWidget(review, point);
-    for (QDockWidget* dock : {review, point}) dock->hide();  // they take much of the view's height
+    for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
+    for (QDockWidget* dock : {review, point, elements}) dock->hide();  // they take much of the view's height
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
     for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
     study->raise();
@@ -71,7 +73,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QList<QAction*> toggles;
     window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
     for (QDockWidget* dock :
-         {project, study, results, scenarios, weights, review, point, building, tower, warnings})
+         {project, study, results, scenarios, weights, review, point, elements, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
 }

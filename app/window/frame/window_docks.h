@@ -8,6 +8,7 @@ class QWidget;
 
 namespace noonmark {
 
+class ElementsDock;
 class PointDock;
 class ProjectDock;
 class ResultsDock;
@@ -27,6 +28,7 @@ struct WindowDocks {
     WarningsDock* warnings;
     ReviewDock* review;
     PointDock* point;
+    ElementsDock* elements;
     QWidget* building;  ///< the selected building
     QWidget* tower;     ///< lots, and the tower being designed
 };

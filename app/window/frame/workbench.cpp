@@ -63,7 +63,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
                   openedView_.baseline);
     following_.drop();  // opened->city is already the session's city
-    document_.reset(openedView_.study.value_or(firstQuestion()));
+    document_.reset(openedView_.study.value_or(firstQuestion()), openedView_.elements);
     if (opened->recovered) session_.setRecovered();
     Q_EMIT cityShown();
     Q_EMIT projectOpened();
@@ -114,12 +114,13 @@ void Workbench::forgetAnswers() {
     study_.reset();
     comparison_.reset();
     score_.reset();
+    elements_.reset();
     saved_.reset();
 }
 
 // The results are reset at once: a run started before the city is displayed already uses the new city.
 void Workbench::follow() {
-    if (study_ || comparison_ || score_) past_ = {study_, comparison_, score_};
+    if (study_ || comparison_ || score_ || elements_) past_ = {study_, comparison_, score_, elements_};
     forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(
@@ -149,6 +150,7 @@ QString Workbench::projectName() const {
 Workbench::Shown Workbench::shown() const {
     if (saved_) return Shown::savedResult;
     if (score_) return Shown::score;
+    if (elements_) return Shown::elements;
     if (comparison_) return Shown::comparison;
     return study_ ? Shown::study : Shown::nothing;
 }

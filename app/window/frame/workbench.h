@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/report/book/book.h"
+#include "app/window/elements/element_answer.h"
 #include "app/window/export/export_choice.h"
 #include "app/window/project/open_project.h"
 #include "app/window/project/project_session.h"
@@ -36,8 +37,9 @@ public:
     void recover(const std::filesystem::path& recovery);
     /// Opens the recovered work of a project that never had a file.
     void recoverUntitled(const std::filesystem::path& recovery);
-    /// Runs the document's study for the displayed scenario or, if a baseline is chosen, the comparison with
-    /// it. The previous result stays until then. Replaces a run that is in progress.
+    /// Runs the document's study for the displayed scenario, of cells or of points, or, if a baseline is
+    /// chosen, the comparison with it. The previous result stays until then. Replaces a run that is in
+    /// progress.
     void run();
     /// Starts the run announced by longRun(): with the chosen engine, or with the automatic engine.
     void runAnyway();
@@ -45,7 +47,7 @@ public:
     /// Runs the study for all scenarios that have no result with the document's settings yet.
     void measureAll();
     /// The kind of the displayed result. exportShown() writes the same files as the command line.
-    enum class Shown { nothing, study, comparison, score, savedResult };
+    enum class Shown { nothing, study, comparison, score, elements, savedResult };
     [[nodiscard]] Shown shown() const;
     /// Existing files are replaced as far as exportRules() allow; ask the user before, see filesInTheWay().
     void exportShown(const std::filesystem::path& folder, const ExportChoice& choice);
@@ -78,6 +80,8 @@ public:
     [[nodiscard]] std::shared_ptr<const ImpactAnswer> comparison() const { return comparison_; }
     /// The score displayed instead of the study; null if there is none, or if another result replaced it.
     [[nodiscard]] std::shared_ptr<const ScoreAnswer> score() const { return score_; }
+    /// The study at points displayed instead of the study; null likewise.
+    [[nodiscard]] std::shared_ptr<const ElementAnswer> elements() const { return elements_; }
     /// The saved result displayed instead of the others; null if there is none, or if another result replaced
     /// it.
     [[nodiscard]] std::shared_ptr<const ShownResult> saved() const { return saved_; }
@@ -87,13 +91,16 @@ public:
         std::shared_ptr<const Study> study;
         std::shared_ptr<const ImpactAnswer> comparison;
         std::shared_ptr<const ScoreAnswer> score;
-        [[nodiscard]] bool any() const { return study || comparison || score; }
+        std::shared_ptr<const ElementAnswer> elements;
+        [[nodiscard]] bool any() const { return study || comparison || score || elements; }
     };
     [[nodiscard]] const PastAnswer& past() const { return past_; }
     /// Studies of scenarios whose buildings have not changed since, by scenario name.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const Study>> studies();
     /// A baseline is chosen that differs from the displayed scenario: run() compares the two.
     [[nodiscard]] bool comparing() const;
+    /// run() measures points.
+    [[nodiscard]] bool measuresElements() const { return document_.elements() && !comparing(); }
     /// Time to compute the latest result, seconds.
     [[nodiscard]] double answerSeconds() const { return answerSeconds_; }
 
@@ -125,6 +132,7 @@ Q_SIGNALS:
     void studyDone();
     void comparisonDone();
     void scoreDone();
+    void elementsDone();
     void savedShown();
     void savedReweighed();  ///< a weight table changed: saved() is updated, or reset
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the running study
@@ -155,6 +163,10 @@ private:
     void startUnlessLong(double fields, Start start);
     void runNow();
     void runComparison();
+    void announceIfLong(const Result<RunEstimate>& one, double fields, const Start& start);
+    void startElements();
+    void measureElements();
+    void takeElements(Result<ElementAnswer> answer);
     void scoreNow(const std::string& weights);
     void takeStudies(Result<std::vector<KnownStudy>> made);
     void takeKnown();
@@ -185,6 +197,7 @@ private:
     std::shared_ptr<const Study> study_;
     std::shared_ptr<const ImpactAnswer> comparison_;
     std::shared_ptr<const ScoreAnswer> score_;
+    std::shared_ptr<const ElementAnswer> elements_;
     std::shared_ptr<const ShownResult> saved_;
     PastAnswer past_;
     Start long_;                              ///< the run announced by longRun()

@@ -31,6 +31,7 @@ std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
 
 void Workbench::run() {
     if (!city_) return tell({"No city is open", {}, "Open a file or a sample first"});
+    if (measuresElements()) return startElements();
     startUnlessLong(comparing() ? 2 : 1, [this] { runNow(); });
 }
 
@@ -47,14 +48,18 @@ void Workbench::startUnlessLong(double fields, Start start) {
             return estimateRun(*city, settings, stop);
         },
         [this, fields, start = std::move(start)](const Result<RunEstimate>& one) {
-            if (!one && isCancelled(one.error())) return Q_EMIT studyStopped(true);
-            if (!one || one->seconds * fields < longRunSeconds) return start();
-            long_ = start;
-            Q_EMIT studyStopped(false);
-            RunEstimate all = *one;
-            for (double* seconds : {&all.seconds, &all.raySeconds, &all.quickerSeconds}) *seconds *= fields;
-            Q_EMIT longRun(all);
+            announceIfLong(one, fields, start);
         });
+}
+
+void Workbench::announceIfLong(const Result<RunEstimate>& one, double fields, const Start& start) {
+    if (!one && isCancelled(one.error())) return Q_EMIT studyStopped(true);
+    if (!one || one->seconds * fields < longRunSeconds) return start();
+    long_ = start;
+    Q_EMIT studyStopped(false);
+    RunEstimate all = *one;
+    for (double* seconds : {&all.seconds, &all.raySeconds, &all.quickerSeconds}) *seconds *= fields;
+    Q_EMIT longRun(all);
 }
 
 void Workbench::runAnyway() {
@@ -263,6 +268,7 @@ void Workbench::standBack() {
     reading_.drop();
     past_ = {};
     score_.reset();
+    elements_.reset();
     saved_.reset();
 }
 
@@ -292,6 +298,7 @@ Workbench::Keep Workbench::whatToKeep() const {
         return [score = score_, origin](const Project& project) {
             return makeSavedResult(project, origin.stated(*score));
         };
+    if (elements_) return {};
     if (comparison_)
         return [comparison = comparison_, origin](const Project& project) {
             return makeSavedResult(project, origin.stated(*comparison));

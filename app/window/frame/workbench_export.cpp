@@ -2,6 +2,7 @@
 
 #include "app/input/output_rules.h"
 #include "app/report/files/answer_files.h"
+#include "app/report/files/element_files.h"
 #include "app/report/files/saved_files.h"
 #include "app/report/files/study_files.h"
 #include "app/report/scenarios/scenario_files.h"
@@ -49,6 +50,10 @@ Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
         return [score = score_, origin, city = session_.city(), rules, book, choice](const auto& folder) {
             return writeScoreFiles(origin.stated(*score), {*city}, folder, rules,
                                    choice.sheets ? &book : nullptr, choice.pictureWidth);
+        };
+    if (elements_)
+        return [elements = elements_, origin, rules](const auto& folder) {
+            return writeElementFiles(origin.stated(elements->study), folder, rules);
         };
     if (comparison_)
         return [comparison = comparison_, origin, city = session_.city(), rules, book,
@@ -102,6 +107,10 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
         if (shown() == Shown::savedResult) names = savedFileNames();
         if (shown() == Shown::score) names = scoreFileNames(anyRegion, choice.sheets);
         if (shown() == Shown::comparison) names = impactFileNames(anyRegion, choice.sheets);
+        if (shown() == Shown::elements) {
+            names = elementFileNames();
+            names.emplace_back(regionFileName);
+        }
         if (shown() == Shown::study) {
             names = studyFileNames(study_->settings, studyOptions(choice, {}));
             names.emplace_back(regionFileName);

@@ -15,6 +15,7 @@ struct PlaceOfPart {
 
 constexpr PlaceOfPart places[] = {
     {"studyDock", "window", "A study"},
+    {"elementsDock", "window", "Facades, windows, planes"},
     {"resultsDock", "results", "Figures"},
     {"scenariosDock", "window", "Scenarios"},
     {"projectDock", "window", "Scenarios"},

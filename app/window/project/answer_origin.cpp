@@ -10,6 +10,11 @@ Study AnswerOrigin::stated(Study study, const std::string& scenario) const {
     return study;
 }
 
+ElementStudy AnswerOrigin::stated(ElementStudy study) const {
+    study.provenance = of({scenario_, {}, study.settings.region, {}});
+    return study;
+}
+
 ImpactAnswer AnswerOrigin::stated(ImpactAnswer answer) const {
     answer.provenance = of({answer.to, answer.from, answer.settings.study.region, {}});
     return answer;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/project/project_session.h"
+#include "core/study/elements/element_study.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/weights/score_text.h"
@@ -17,6 +18,7 @@ public:
     /// The study is of the scenario displayed at the time of the snapshot.
     [[nodiscard]] Study stated(Study study) const { return stated(std::move(study), scenario_); }
     [[nodiscard]] Study stated(Study study, const std::string& scenario) const;
+    [[nodiscard]] ElementStudy stated(ElementStudy study) const;
     [[nodiscard]] ImpactAnswer stated(ImpactAnswer answer) const;
     [[nodiscard]] ScoreAnswer stated(ScoreAnswer answer) const;
 

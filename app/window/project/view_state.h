@@ -7,7 +7,7 @@
 #include "app/report/maps/change_scale.h"
 #include "app/report/maps/shadow_measure.h"
 #include "app/window/view/view_mode.h"
-#include "core/study/study.h"
+#include "core/study/elements/place_elements.h"
 #include "render/view/camera_pose.h"
 #include "scenarios/scenario.h"
 
@@ -20,15 +20,16 @@ struct ViewState {
     ShadowMeasure measure = ShadowMeasure::gross;
     ChangeScale changeScale;
     std::string scenario = existingCity;
-    std::string baseline;                ///< empty: none
-    std::string answer;                  ///< "study" or "comparison" was displayed; empty: neither
-    double answerSeconds = 0;            ///< time to compute it
-    std::optional<StudySettings> study;  ///< region, cells, period, engine
-    std::string review;                  ///< what is reviewed: JSON, as review_choice.h writes it
+    std::string baseline;                     ///< empty: none
+    std::string answer;                       ///< "study" or "comparison" was displayed; empty: neither
+    double answerSeconds = 0;                 ///< time to compute it
+    std::optional<StudySettings> study;       ///< region, cells, period, engine
+    std::optional<ElementSettings> elements;  ///< where the study has points
+    std::string review;                       ///< what is reviewed: JSON, as review_choice.h writes it
 };
 
 /// Keys: "camera", "mode", "measure", "change_scale", "scenario", "baseline", "answer", "answer_seconds",
-/// "study" (JSON), "review" (JSON).
+/// "study" (JSON), "elements" (JSON), "review" (JSON).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from

@@ -1,6 +1,8 @@
 #include "app/window/results/result_display.h"
 
 #include "app/window/editing/edit_preview.h"
+#include "app/window/elements/element_rows.h"
+#include "app/window/elements/elements_dock.h"
 #include "app/window/results/comparison_rows.h"
 #include "app/window/results/result_layer.h"
 #include "app/window/results/results_dock.h"
@@ -8,6 +10,7 @@
 #include "app/window/scenarios/scenario_table.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/view/mode_switch.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -25,6 +28,7 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     connect(&workbench_, &Workbench::studyDone, this, &ResultDisplay::showStudy);
     connect(&workbench_, &Workbench::comparisonDone, this, &ResultDisplay::showComparison);
     connect(&workbench_, &Workbench::scoreDone, this, &ResultDisplay::showScore);
+    connect(&workbench_, &Workbench::elementsDone, this, &ResultDisplay::showElements);
     connect(&workbench_, &Workbench::savedShown, this, [this] {
         mode_.showStudies();
         showSaved();
@@ -55,20 +59,22 @@ void ResultDisplay::setHint(const QString& hint) { places_.figures.setHint(hint)
 // A comparison is computed first and shown when it is done.
 void ResultDisplay::compare() {
     places_.layer.setInFront(std::nullopt);
+    places_.layer.setElements(std::nullopt);
     if (!workbench_.comparing()) showResult();
 }
 
 void ResultDisplay::showResult() {
     if (workbench_.saved()) return showSaved();
     if (workbench_.score()) return showScore();
+    if (workbench_.elements()) return showElements();
     workbench_.comparison() ? showComparison() : showStudy();
 }
 
 void ResultDisplay::showStudy() {
     places_.scenarios.setStudies(workbench_.studies(), workbench_.document().settings());
-    if (workbench_.comparison() || workbench_.score() || workbench_.saved()) return;
+    if (workbench_.comparison() || workbench_.score() || workbench_.elements() || workbench_.saved()) return;
     const auto study = workbench_.study();
-    places_.layer.setInFront(std::nullopt);
+    hideOthers();
     if (!study) return showPast();
     settings_ = study->settings;
     anyShown_ = true;
@@ -83,11 +89,16 @@ void ResultDisplay::showStudy() {
 void ResultDisplay::showPast() {
     const Workbench::PastAnswer& past = workbench_.past();
     if (!past.any()) return places_.figures.show({});
+    const QString outdated = tr("Outdated: buildings have changed");
+    if (past.elements) {
+        showPoints(past.elements, outdated, true);
+        return showOutdated();
+    }
     GroundAnswer answer = past.score        ? makeGroundAnswer(past.score)
                           : past.comparison ? makeGroundAnswer(past.comparison)
                                             : makeGroundAnswer(past.study);
-    answer.note = answer.note.isEmpty() ? tr("Outdated: buildings have changed")
-                                        : tr("%1. Outdated: buildings have changed").arg(answer.note);
+    answer.note =
+        answer.note.isEmpty() ? outdated : tr("%1. Outdated: buildings have changed").arg(answer.note);
     answer.marked = true;
     places_.layer.setInFront(answer);
     if (past.score)
@@ -100,7 +111,8 @@ void ResultDisplay::showPast() {
 
 void ResultDisplay::showComparison() {
     const auto comparison = workbench_.comparison();
-    if (workbench_.score() || workbench_.saved()) return;
+    if (workbench_.score() || workbench_.elements() || workbench_.saved()) return;
+    hideOthers();
     settings_ = comparison->settings.study;
     anyShown_ = true;
     places_.layer.setInFront(makeGroundAnswer(comparison));
@@ -111,6 +123,7 @@ void ResultDisplay::showComparison() {
 
 void ResultDisplay::showScore() {
     const auto score = workbench_.score();
+    hideOthers();
     settings_ = score->settings;
     places_.layer.setInFront(makeGroundAnswer(score));
     places_.figures.show(scoreRows(*score), score->score.months);
@@ -119,8 +132,41 @@ void ResultDisplay::showScore() {
     update();
 }
 
+void ResultDisplay::showElements() {
+    const auto answer = workbench_.elements();
+    if (workbench_.saved()) return;
+    settings_ = answer->study.settings;
+    elements_ = answer->study.elements;
+    anyShown_ = true;
+    const QString error = answer->study.error ? tr("Measured error against rays: %1 % of the time in the sun")
+                                                    .arg(groupDigits(answer->study.error->grossMeanPct, 3))
+                                              : QString();
+    showPoints(answer, error, false);
+    places_.warnings.show(answer->study.warnings);
+    update();
+    Q_EMIT elementsShown();
+}
+
+void ResultDisplay::showPoints(const std::shared_ptr<const ElementAnswer>& answer, const QString& note,
+                               bool marked) {
+    const std::shared_ptr<const ElementMap> map(answer, &answer->map);
+    places_.elements.show(map);
+    places_.layer.setInFront(std::nullopt);
+    places_.layer.setElements(ElementView{map, note, marked});
+    places_.figures.show(makeElementRows(answer->study));
+}
+
+// Another kind of result is shown.
+void ResultDisplay::hideOthers() {
+    elements_.reset();
+    places_.layer.setInFront(std::nullopt);
+    places_.layer.setElements(std::nullopt);
+    places_.elements.show(nullptr);
+}
+
 void ResultDisplay::showSaved() {
     const auto saved = workbench_.saved();
+    hideOthers();
     places_.layer.setInFront(makeGroundAnswer(*saved));
     places_.figures.show(makeRows(*saved), monthsOf(*saved));
     Q_EMIT chosen();
@@ -136,7 +182,8 @@ void ResultDisplay::update() {
 // States whether the displayed figures are up to date.
 void ResultDisplay::showOutdated() {
     const auto saved = workbench_.saved();
-    places_.figures.offerWayBack(saved || workbench_.score());
+    const bool otherStudy = workbench_.elements() && (workbench_.study() || workbench_.comparison());
+    places_.figures.offerWayBack(saved || workbench_.score() || otherStudy);
     if (saved && !preview_.shown() && !workbench_.past().any())
         return places_.figures.setNote(describeSaved(*saved), !saved->upToDate());
     places_.figures.setNote(whyOutdated());
@@ -150,13 +197,14 @@ QString ResultDisplay::whyOutdated() const {
         return tr("Outdated figures: buildings have changed; %1.")
             .arg(workbench_.running().busy() ? tr("new figures are being computed")
                                              : tr("run again (Ctrl+R)"));
-    if (workbench_.document().settings() != settings_)
-        return tr("Outdated figures: settings have changed; run again (Ctrl+R).");
+    const bool same = workbench_.document().settings() == settings_ &&
+                      (!workbench_.elements() || workbench_.document().elements() == elements_);
+    if (!same) return tr("Outdated figures: settings have changed; run again (Ctrl+R).");
     const auto score = workbench_.score();
     if (!score) return {};
     const auto weights = findWeights(workbench_.session().project(), score->weights.name);
-    const bool same = weights && *weights == score->weights;
-    return same ? QString() : tr("Outdated score: the weight table has changed; score again.");
+    const bool sameWeights = weights && *weights == score->weights;
+    return sameWeights ? QString() : tr("Outdated score: the weight table has changed; score again.");
 }
 
 }  // namespace noonmark

@@ -12,6 +12,7 @@
 namespace noonmark {
 
 class EditPreview;
+class ElementsDock;
 class ModeSwitch;
 class ResultLayer;
 class ResultsDock;
@@ -19,8 +20,8 @@ class ScenarioTable;
 class WarningsDock;
 
 /// Shows the workbench's result: as colours in the view, as figures and warnings in the docks. A saved result
-/// comes before a score, a score before a comparison, a comparison before a study. A result for buildings
-/// that have changed stays, marked as outdated.
+/// comes before a score or a study at points, these before a comparison, a comparison before a study. A
+/// result for buildings that have changed stays, marked as outdated.
 class ResultDisplay final : public QObject {
     Q_OBJECT
 public:
@@ -28,6 +29,7 @@ public:
     struct Places {
         ResultLayer& layer;
         ResultsDock& figures;
+        ElementsDock& elements;
         WarningsDock& warnings;
         ScenarioTable& scenarios;
     };
@@ -43,8 +45,9 @@ public:
     [[nodiscard]] const StudySettings& settings() const { return settings_; }
 
 Q_SIGNALS:
-    void updated();  ///< the result, or what is stated about it
-    void chosen();   ///< a score or saved result that the user asked for: its figures should be visible
+    void updated();        ///< the result, or what is stated about it
+    void elementsShown();  ///< a study at points: its table should be visible
+    void chosen();         ///< a score or saved result that the user asked for: its figures should be visible
 
 private:
     void compare();
@@ -53,7 +56,10 @@ private:
     void showPast();
     void showComparison();
     void showScore();
+    void showElements();
+    void showPoints(const std::shared_ptr<const ElementAnswer>& answer, const QString& note, bool marked);
     void showSaved();
+    void hideOthers();
     void update();
     void showOutdated();
     [[nodiscard]] QString whyOutdated() const;
@@ -64,6 +70,7 @@ private:
     Places places_;
     bool anyShown_ = false;
     StudySettings settings_;
+    std::optional<ElementSettings> elements_;  ///< of the result shown last, if of points
 };
 
 }  // namespace noonmark

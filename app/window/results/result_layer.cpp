@@ -32,6 +32,7 @@ ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), str
 void ResultLayer::forget() {
     study_.reset();
     inFront_.reset();
+    elements_.reset();
     partial_.reset();
     time_.reset();
     explored_.reset();
@@ -52,6 +53,13 @@ void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
 void ResultLayer::setInFront(std::optional<GroundAnswer> answer) {
     if (!answer && !inFront_) return;
     inFront_ = std::move(answer);
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setElements(std::optional<ElementView> elements) {
+    if (!elements && !elements_) return;
+    elements_ = std::move(elements);
     partial_.reset();
     if (mode_ != ViewMode::exploration) show();
 }
@@ -90,13 +98,38 @@ void ResultLayer::noteLive(const QString& note) {
 }
 
 void ResultLayer::show() {
+    if (!showsElements()) view_.tiles().clear();
     if (!moment_.isEmpty() && !live_ && !(time_ && mode_ != ViewMode::exploration)) return showMoment();
     if (mode_ == ViewMode::exploration && !live_) {
         view_.clearPicture();
         return explored_ ? showExplored() : showNothing();
     }
     view_.surfaces().clear();
+    if (showsElements()) return showElements();
     ground() ? showGround() : showNothing();
+}
+
+bool ResultLayer::showsElements() const {
+    return elements_ && !live_ && !partial_ && mode_ != ViewMode::exploration && moment_.isEmpty();
+}
+
+void ResultLayer::showElements() {
+    view_.clearPicture();
+    const Legend legend = makeLegend(*elements_->map, strip_.measure());
+    view_.tiles().show(makeTiles(*elements_->map, strip_.measure(), legend.scale.top));
+    strip_.setLegend(legend);
+    strip_.setNote(elements_->note, elements_->marked);
+}
+
+std::optional<std::size_t> ResultLayer::elementAt(const glm::dvec3& place) const {
+    constexpr double behindM = 0.5;  // a tile may lie a little behind the surface under the cursor
+    const CameraPose& pose = view_.pose();
+    const glm::dvec3 forward = computeForward(pose);
+    glm::dvec3 eye = computeEye(pose);
+    if (pose.isParallel()) eye = place - glm::dot(place - eye, forward) * forward;
+    const double distance = glm::distance(eye, place);
+    if (!showsElements() || distance == 0) return std::nullopt;
+    return view_.tiles().tileAt({eye, (place - eye) / distance}, distance + behindM);
 }
 
 // The result with the highest precedence; null: none yet.
@@ -149,6 +182,10 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
         const SurfaceShadow& shadow = explored_->view.shadow;
         return formatMinutes(shadow.grossMin[*point], shadow.continuousMin[*point],
                              makeLegend(explored_->view, ShadowMeasure::gross).instant);
+    }
+    if (showsElements()) {
+        const auto element = elementAt(pick.position);
+        return element ? describe(elements_->map->elements[*element]) : QString();
     }
     const glm::dvec2 place{pick.position.x, pick.position.y};
     if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/window/elements/element_picture.h"
 #include "app/window/exploration/view_refinement.h"
 #include "app/window/results/ground_answer.h"
 #include "app/window/view/view_mode.h"
@@ -23,6 +24,10 @@ public:
     void setStudy(std::shared_ptr<const Study> study);  ///< null: none; removes a partial result
     /// Displayed instead of the study: a comparison, a score or a saved result. None: shows the study again.
     void setInFront(std::optional<GroundAnswer> answer);
+    /// What was measured at points, displayed instead of what is on the ground; none: shows that again.
+    void setElements(std::optional<ElementView> elements);
+    /// The element that the view shows at a place of the scene, as the camera sees it.
+    [[nodiscard]] std::optional<std::size_t> elementAt(const glm::dvec3& place) const;
     /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
     /// before again.
     void setPartial(std::shared_ptr<const PartialField> partial);
@@ -45,6 +50,8 @@ public:
 private:
     void showExplored();
     void showGround();
+    void showElements();
+    [[nodiscard]] bool showsElements() const;
     [[nodiscard]] const GroundAnswer* ground() const;
     void showNothing();
     void showMoment();
@@ -54,6 +61,7 @@ private:
     ViewMode mode_ = ViewMode::exploration;
     std::optional<GroundAnswer> study_;
     std::optional<GroundAnswer> inFront_;
+    std::optional<ElementView> elements_;
     std::optional<GroundAnswer> partial_;
     std::optional<GroundAnswer> time_;
     std::optional<GroundAnswer> live_;

@@ -19,6 +19,11 @@ constexpr double worthComparing = 60;  // seconds of rays from which their time 
 constexpr double graphEdges = 295;     // of a year of 2,190 hours at 5 deg
 constexpr double fewRays = 5e10;       // less than a minute by all engines but rays
 
+// Of points on facades of Midtown, on two cores (docs/benchmarks.md).
+constexpr double secondsOfRay = 3.4e-8;
+constexpr double secondsOfHorizon = 2.5e-4;  // all azimuths of a point
+constexpr double secondsOfLookUp = 2.9e-9;   // a point at one position of the sun
+
 // How many times as fast as rays an engine is over one hour, as measured in docs/benchmarks.md.
 double speedOverRays(std::string_view engine) {
     if (engine == "iam") return 6.5;
@@ -69,6 +74,28 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
     return estimate;
 }
 
+Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
+                                const ElementSettings& elements, Progress& progress,
+                                const std::stop_token& stop) {
+    const auto placed = placeElements(city, settings, elements, progress, stop);
+    if (!placed) return tl::make_unexpected(placed.error());
+    const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    RunEstimate estimate{
+        .receivers = double(placed->receivers.size()), .points = true, .steps = double(sun->steps.size())};
+    estimate.raySeconds = estimate.rays() * secondsOfRay;
+    estimate.quickerSeconds = estimate.receivers * secondsOfHorizon + estimate.rays() * secondsOfLookUp;
+    const bool rays = settings.engine == referenceEngine;
+    estimate.seconds = rays ? estimate.raySeconds : estimate.quickerSeconds;
+    estimate.engine = rays ? nameOfEngine(referenceEngine) : QObject::tr("Horizons of the points");
+    return estimate;
+}
+
+bool measuresPoints(const StudySettings& settings) {
+    return settings.engineSettings.empty() &&
+           (settings.engine == "auto" || settings.engine == "horizon" || settings.engine == referenceEngine);
+}
+
 bool mayBeLong(const StudySettings& settings) {
     if (settings.engine == referenceEngine) return true;
     double areaM2 = 0;
@@ -79,7 +106,8 @@ bool mayBeLong(const StudySettings& settings) {
 }
 
 QString describe(const RunEstimate& estimate) {
-    const QString size = QObject::tr("%1 cells, %2 positions of the sun.")
+    const QString size = (estimate.points ? QObject::tr("%1 points, %2 positions of the sun.")
+                                          : QObject::tr("%1 cells, %2 positions of the sun."))
                              .arg(describeCells(estimate.receivers), describeCells(estimate.steps));
     const QString run = QObject::tr("%1: %2.").arg(estimate.engine, describeAbout(estimate.seconds));
     if (estimate.raySeconds < std::max(worthComparing, 2 * estimate.seconds))

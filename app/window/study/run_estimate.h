@@ -3,7 +3,7 @@
 #include <QString>
 #include <stop_token>
 
-#include "core/study/study.h"
+#include "core/study/elements/place_elements.h"
 
 namespace noonmark {
 
@@ -12,6 +12,7 @@ namespace noonmark {
 /// docs/benchmarks.md, within a factor of about two.
 struct RunEstimate {
     double receivers = 0;
+    bool points = false;        ///< the receivers are points, not cells
     double steps = 0;           ///< positions of the sun
     double seconds = 0;         ///< by the engine of the settings
     double raySeconds = 0;      ///< by the ray reference
@@ -26,6 +27,14 @@ constexpr double longRunSeconds = 600;
 /// Uses the receivers and steps of the study: takes about 0.1 s, or a second for a year in steps of a minute.
 /// Error: the study's own refusal, or stopped.
 Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings, const std::stop_token& stop);
+
+/// The same for a study at points, by the figures of docs/benchmarks.md. Places the points: 1 us each.
+Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
+                                const ElementSettings& elements, Progress& progress,
+                                const std::stop_token& stop);
+
+/// Whether the settings' engine measures points (runElementStudy).
+bool measuresPoints(const StudySettings& settings);
 
 /// Whether a run can be long enough to be worth an estimate before it starts: any by rays, and large ones by
 /// other engines. Without receivers or sun, so it takes no time.

@@ -6,11 +6,20 @@ namespace noonmark {
 
 class SettingsCommand final : public QUndoCommand {
 public:
-    SettingsCommand(StudyDocument& document, StudySettings to, const QString& field)
-        : QUndoCommand(field), document_(document), from_(document.settings()), to_(std::move(to)) {}
+    struct Settings {
+        StudySettings study;
+        std::optional<ElementSettings> elements;
+        bool operator==(const Settings&) const = default;
+    };
 
-    void undo() override { document_.apply(from_); }
-    void redo() override { document_.apply(to_); }
+    SettingsCommand(StudyDocument& document, Settings to, const QString& field)
+        : QUndoCommand(field),
+          document_(document),
+          from_{document.settings(), document.elements()},
+          to_(std::move(to)) {}
+
+    void undo() override { document_.apply(from_.study, from_.elements); }
+    void redo() override { document_.apply(to_.study, to_.elements); }
     int id() const override { return 1; }
 
     bool mergeWith(const QUndoCommand* next) override {
@@ -22,24 +31,26 @@ public:
 
 private:
     StudyDocument& document_;
-    StudySettings from_;
-    StudySettings to_;
+    Settings from_;
+    Settings to_;
 };
 
 StudyDocument::StudyDocument(QObject* parent) : QObject(parent) {}
 
-void StudyDocument::change(const StudySettings& to, const QString& field) {
-    if (to == settings_) return;
-    undoStack_.push(new SettingsCommand(*this, to, field));
+void StudyDocument::change(const StudySettings& to, const std::optional<ElementSettings>& elements,
+                           const QString& field) {
+    if (to == settings_ && elements == elements_) return;
+    undoStack_.push(new SettingsCommand(*this, {to, elements}, field));
 }
 
-void StudyDocument::reset(const StudySettings& settings) {
+void StudyDocument::reset(const StudySettings& settings, const std::optional<ElementSettings>& elements) {
     undoStack_.clear();
-    apply(settings);
+    apply(settings, elements);
 }
 
-void StudyDocument::apply(const StudySettings& settings) {
+void StudyDocument::apply(const StudySettings& settings, const std::optional<ElementSettings>& elements) {
     settings_ = settings;
+    elements_ = elements;
     Q_EMIT changed();
 }
 

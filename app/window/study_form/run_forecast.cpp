@@ -20,9 +20,10 @@ void RunForecast::setCity(std::shared_ptr<const City> city) {
     askSoon();
 }
 
-void RunForecast::setSettings(const StudySettings& settings) {
-    if (settings == settings_) return;
+void RunForecast::setSettings(const StudySettings& settings, const std::optional<ElementSettings>& elements) {
+    if (settings == settings_ && elements == elements_) return;
     settings_ = settings;
+    elements_ = elements;
     askSoon();
 }
 
@@ -38,8 +39,10 @@ void RunForecast::ask() {
     if (!city_ || settings_.region.polygons.empty()) return;
     slot_.start<RunEstimate>(
         tr("Estimating"),
-        [city = city_, settings = settings_](Progress&, const std::stop_token& stop) {
-            return estimateRun(*city, settings, stop);
+        [city = city_, settings = settings_, elements = elements_](Progress& progress,
+                                                                   const std::stop_token& stop) {
+            return elements ? estimateRun(*city, settings, *elements, progress, stop)
+                            : estimateRun(*city, settings, stop);
         },
         [this](const Result<RunEstimate>& made) {
             if (made) estimate_ = *made;

@@ -18,7 +18,8 @@ public:
     explicit RunForecast(QObject* parent = nullptr);
 
     void setCity(std::shared_ptr<const City> city);  ///< null: no forecast
-    void setSettings(const StudySettings& settings);
+    /// `elements`: points are measured instead of cells.
+    void setSettings(const StudySettings& settings, const std::optional<ElementSettings>& elements = {});
 
     /// Nothing while it is being computed, without a city, or where the study would be refused.
     [[nodiscard]] const std::optional<RunEstimate>& estimate() const { return estimate_; }
@@ -34,6 +35,7 @@ private:
     QTimer* rest_;
     std::shared_ptr<const City> city_;
     StudySettings settings_;
+    std::optional<ElementSettings> elements_;
     std::optional<RunEstimate> estimate_;
     QString refusal_;
     JobSlot slot_;

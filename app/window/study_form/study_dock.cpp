@@ -93,8 +93,12 @@ void StudyDock::connectForms() {
     connect(what_, &WhatForm::placesChosen, this, [this](ReceiverPlaces places) {
         StudySettings settings = document_.settings();
         settings.receivers.places = places;
-        document_.change(settings, tr("receivers"));
+        document_.change(settings, std::nullopt, tr("receivers"));
     });
+    connect(what_, &WhatForm::elementsChosen, this,
+            [this](const ElementSettings& elements, const QString& field) {
+                document_.change(document_.settings(), elements, field);
+            });
     connect(what_, &WhatForm::kindChosen, this, [this](StudyKind kind) {
         Q_EMIT kindChosen(kind);
         showKind();
@@ -127,8 +131,12 @@ void StudyDock::run() {
 
 void StudyDock::setRegions(const QStringList& names) { where_->setNames(names); }
 void StudyDock::setDrawing(bool drawing) { where_->setDrawing(drawing); }
-void StudyDock::setBuilding(bool selected) { where_->setBuilding(selected); }
 void StudyDock::setRules(const std::vector<Rule>& rules) { when_->setRules(rules); }
+
+void StudyDock::setBuilding(const QString& id) {
+    where_->setBuilding(!id.isEmpty());
+    what_->setBuilding(id);
+}
 
 void StudyDock::setCity(std::shared_ptr<const City> city) {
     terrain_ = city && city->terrain != nullptr;
@@ -141,30 +149,49 @@ void StudyDock::setCity(std::shared_ptr<const City> city) {
 void StudyDock::setComparing(bool comparing) {
     if (comparing == comparing_) return;
     comparing_ = comparing;
-    what_->show(comparing ? StudyKind::change : StudyKind::shadow, document_.settings().receivers.places);
+    what_->show(comparing ? StudyKind::change : StudyKind::shadow, document_.settings().receivers.places,
+                document_.elements());
+    forecast_->setSettings(document_.settings(), measuredElements());
+    showRefusal();
     showKind();
 }
 
 void StudyDock::showDocument() {
     const StudySettings& settings = document_.settings();
-    what_->show(what_->kind(), settings.receivers.places);
+    what_->show(what_->kind(), settings.receivers.places, document_.elements());
     when_->show(settings.period);
     where_->show(settings);
     accuracy_->show(settings);
-    forecast_->setSettings(settings);
+    forecast_->setSettings(settings, measuredElements());
     showRefusal();
     showKind();
 }
 
+// Comparisons are of cells.
+std::optional<ElementSettings> StudyDock::measuredElements() const {
+    return comparing_ ? std::nullopt : document_.elements();
+}
+
 // Shown at once, not only on Run.
 void StudyDock::showRefusal() {
+    const QString words = measuredElements() ? whyNotPoints() : whyNotCells();
+    refusal_->setVisible(!words.isEmpty());
+    refusal_->setText(words);
+    showForecast();
+}
+
+QString StudyDock::whyNotCells() const {
     const StudySettings& settings = document_.settings();
     const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
-    const bool refused = (roofs || terrain_) && takesLevelGroundOnly(settings.engine);
-    refusal_->setVisible(refused);
-    refusal_->setText(tr("This method works on level ground only, but %1. Choose Quick or Reference.")
-                          .arg(roofs ? tr("roofs are to be measured") : tr("this city has terrain")));
-    showForecast();
+    if (!(roofs || terrain_) || !takesLevelGroundOnly(settings.engine)) return {};
+    return tr("This method works on level ground only, but %1. Choose Quick or Reference.")
+        .arg(roofs ? tr("roofs are to be measured") : tr("this city has terrain"));
+}
+
+QString StudyDock::whyNotPoints() const {
+    const StudySettings& settings = document_.settings();
+    if (measuresPoints(settings)) return {};
+    return tr("This method measures no facades, windows or planes. Choose Quick or Reference.");
 }
 
 void StudyDock::showForecast() {

@@ -37,7 +37,7 @@ public:
     void setRegions(const QStringList& names);
     void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
     void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
-    void setBuilding(bool selected);                 ///< a building is selected
+    void setBuilding(const QString& id);             ///< the selected building; empty: none
     void setComparing(bool comparing);               ///< run() compares the scenario with a baseline
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
@@ -61,6 +61,9 @@ private:
     void showKind();
     void showForecast();
     void showRefusal();
+    [[nodiscard]] std::optional<ElementSettings> measuredElements() const;
+    [[nodiscard]] QString whyNotCells() const;
+    [[nodiscard]] QString whyNotPoints() const;
 
     StudyDocument& document_;
     WhatForm* what_;

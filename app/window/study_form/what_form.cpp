@@ -6,11 +6,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/window/study_form/element_form.h"
 #include "core/receivers/roof_receivers.h"
 
 namespace noonmark {
 
 namespace {
+
+constexpr double usualPlaneM = 4;  // Japan's height in most zones
 
 QString aboutOf(StudyKind kind) {
     switch (kind) {
@@ -46,29 +49,44 @@ QString placesText(ReceiverPlaces places) {
     return {};
 }
 
+QString placesText(ElementPlaces places) {
+    switch (places) {
+        case ElementPlaces::facades:
+            return QObject::tr("on facades");
+        case ElementPlaces::windows:
+            return QObject::tr("at windows of a file");
+        case ElementPlaces::plane:
+            return QObject::tr("on a level plane");
+    }
+    return {};
+}
+
 }  // namespace
 
 WhatForm::WhatForm(QWidget* parent)
-    : QWidget(parent), kind_(new QComboBox), places_(new QComboBox), about_(new QLabel) {
+    : QWidget(parent),
+      kind_(new QComboBox),
+      places_(new QComboBox),
+      elements_(new ElementForm),
+      about_(new QLabel) {
     kind_->setObjectName(QStringLiteral("studyKind"));
     places_->setObjectName(QStringLiteral("places"));
     places_->setToolTip(tr(
-        "Where shadow is measured. Changes and scores are measured on the ground only.\nShadow on facades is "
-        "shown in the mode Exploration."));
+        "Where shadow is measured. Changes and scores are measured on the ground only.\nFacades, windows and "
+        "planes are measured at points, each with its hours of sun."));
     about_->setWordWrap(true);
     about_->setForegroundRole(QPalette::PlaceholderText);
     fill();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(kind_), static_cast<QWidget*>(places_), static_cast<QWidget*>(about_)})
+    for (QWidget* widget : std::initializer_list<QWidget*>{kind_, places_, elements_, about_})
         column->addWidget(widget);
     connect(kind_, &QComboBox::activated, this, [this](int chosen) {
         explain();
         Q_EMIT kindChosen(StudyKind(chosen));
     });
-    connect(places_, &QComboBox::activated, this,
-            [this](int chosen) { Q_EMIT placesChosen(allReceiverPlaces[std::size_t(chosen)]); });
+    connect(places_, &QComboBox::activated, this, &WhatForm::choosePlaces);
+    connect(elements_, &ElementForm::edited, this, &WhatForm::elementsChosen);
     explain();
 }
 
@@ -76,6 +94,7 @@ void WhatForm::fill() {
     kind_->addItems({tr("Hours of shadow"), tr("Change by a scenario"), tr("Score of wanted shadow"),
                      tr("Review by a rule")});
     for (const ReceiverPlaces places : allReceiverPlaces) places_->addItem(placesText(places));
+    for (const ElementPlaces places : allElementPlaces) places_->addItem(placesText(places));
     for (QComboBox* list : {kind_, places_}) {
         list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         list->setMinimumContentsLength(14);
@@ -84,16 +103,33 @@ void WhatForm::fill() {
 
 StudyKind WhatForm::kind() const { return StudyKind(kind_->currentIndex()); }
 
-void WhatForm::show(StudyKind kind, ReceiverPlaces places) {
+void WhatForm::choosePlaces(int chosen) {
+    const auto place = std::size_t(chosen);
+    if (place < allReceiverPlaces.size()) return Q_EMIT placesChosen(allReceiverPlaces[place]);
+    ElementSettings elements = elements_->settings();
+    elements.places = allElementPlaces[place - allReceiverPlaces.size()];
+    if (elements.places == ElementPlaces::plane && elements.planeHeightM == 0)
+        elements.planeHeightM = usualPlaneM;
+    Q_EMIT elementsChosen(elements, tr("receivers"));
+}
+
+void WhatForm::show(StudyKind kind, ReceiverPlaces places, const std::optional<ElementSettings>& elements) {
     const QSignalBlocker kinds(kind_), surfaces(places_);
     kind_->setCurrentIndex(int(kind));
-    places_->setCurrentIndex(int(std::ranges::find(allReceiverPlaces, places) - allReceiverPlaces.begin()));
+    places_->setCurrentIndex(
+        elements ? int(allReceiverPlaces.size()) + int(elements->places)
+                 : int(std::ranges::find(allReceiverPlaces, places) - allReceiverPlaces.begin()));
+    if (elements) elements_->show(*elements);
     explain();
 }
+
+void WhatForm::setBuilding(const QString& id) { elements_->setBuilding(id); }
 
 void WhatForm::explain() {
     about_->setText(aboutOf(kind()));
     places_->setVisible(kind() == StudyKind::shadow);
+    elements_->setVisible(kind() == StudyKind::shadow &&
+                          places_->currentIndex() >= int(allReceiverPlaces.size()));
 }
 
 }  // namespace noonmark

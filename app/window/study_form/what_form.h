@@ -3,11 +3,14 @@
 #include <QWidget>
 
 #include "core/receivers/receivers.h"
+#include "core/study/elements/place_elements.h"
 
 class QComboBox;
 class QLabel;
 
 namespace noonmark {
+
+class ElementForm;
 
 /// What a study finds out.
 enum class StudyKind {
@@ -23,19 +26,24 @@ class WhatForm final : public QWidget {
 public:
     explicit WhatForm(QWidget* parent = nullptr);
 
-    void show(StudyKind kind, ReceiverPlaces places);  ///< without a signal
+    /// Without a signal. `elements`: points are measured instead of cells.
+    void show(StudyKind kind, ReceiverPlaces places, const std::optional<ElementSettings>& elements);
+    void setBuilding(const QString& id);  ///< the selected building; empty: none
     [[nodiscard]] StudyKind kind() const;
 
 Q_SIGNALS:
     void kindChosen(noonmark::StudyKind kind);
-    void placesChosen(noonmark::ReceiverPlaces places);
+    void placesChosen(noonmark::ReceiverPlaces places);                      ///< cells
+    void elementsChosen(noonmark::ElementSettings elements, QString field);  ///< points
 
 private:
     void fill();
+    void choosePlaces(int chosen);
     void explain();
 
     QComboBox* kind_;
-    QComboBox* places_;
+    QComboBox* places_;  ///< the places of cells, then those of points
+    ElementForm* elements_;
     QLabel* about_;  ///< one line on the kind
 };
 

@@ -96,7 +96,8 @@ bool TimeDisplay::showsMoment() const { return panel_.time().look().span == Look
 
 void TimeDisplay::offer() {
     if (!workbench_.city()) return;
-    const bool other = workbench_.comparison() || workbench_.score() || workbench_.saved();
+    const bool other =
+        workbench_.comparison() || workbench_.score() || workbench_.elements() || workbench_.saved();
     const bool shown = mode_.mode() != ViewMode::exploration && !other;
     const auto study = shown ? workbench_.study() : nullptr;
     TimeStrip& strip = panel_.time();

@@ -27,6 +27,7 @@ struct WindowFileSettings {
     /// datum of the city, on flat ground without an elevation also metres above it.
     bool aboveGround = false;
     double farAwayM = 60000;  ///< windows farther from the frame's origin are left out, with a warning
+    bool operator==(const WindowFileSettings&) const = default;
 };
 
 struct WindowsRead {

@@ -37,6 +37,7 @@ void addPlanePoint(const Grid& grid, std::uint32_t cell, double planeM, PointRec
     into.elements.push_back(
         {.id = fmt::format("{},{}", cell % std::uint32_t(grid.columns), cell / std::uint32_t(grid.columns)),
          .kind = ElementKind::plane});
+    into.panes.push_back({glm::dvec2(-grid.cellM / 2), glm::dvec2(grid.cellM / 2)});
 }
 
 }  // namespace

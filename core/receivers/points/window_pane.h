@@ -25,6 +25,7 @@ struct PaneSize {
     glm::dvec2 low{0}, high{0};  ///< (along, up); low is 0 or less, high 0 or more
     [[nodiscard]] bool isKnown() const { return high.x > low.x && high.y > low.y; }
     [[nodiscard]] double widthM() const { return high.x - low.x; }
+    bool operator==(const PaneSize&) const = default;
 };
 
 /// What a file states about a window besides its place.

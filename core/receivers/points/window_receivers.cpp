@@ -135,6 +135,7 @@ private:
                                               .building = building,
                                               .floor = window.floor.value_or(floorOf(building, middle))});
         placed_.facts.push_back({sizeOf(window.corners, middle, normal), window.room, window.dwelling});
+        placed_.receivers.panes.push_back(placed_.facts.back().pane);
     }
 
     // Corners may be metres above the ground, which the middle no longer is.

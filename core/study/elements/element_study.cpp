@@ -88,6 +88,14 @@ Result<ElementStudy> answerElements(const City& city, const StudySettings& setti
 
 }  // namespace
 
+std::string describe(const ElementError& error) {
+    return fmt::format(
+        "sunlit time {:.3f} % mean, {:.3f} % largest; longest shadow {:.3f} % mean, {:.3f} % largest, of {} "
+        "points",
+        error.grossMeanPct, error.grossLargestPct, error.continuousMeanPct, error.continuousLargestPct,
+        error.points);
+}
+
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop) {

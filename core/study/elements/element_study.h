@@ -24,6 +24,9 @@ struct ElementError {
     double continuousMeanPct = 0, continuousLargestPct = 0;
 };
 
+/// "sunlit time 0.010 % mean, 0.110 % largest; longest shadow ... of 300 points"
+std::string describe(const ElementError& error);
+
 struct ElementStudy {
     City city;
     StudySettings settings;  ///< region, period, engine, cell of a plane, error sample

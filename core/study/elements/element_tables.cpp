@@ -4,24 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
 #include "core/base/csv_field.h"
 #include "core/geo/earth_drop.h"
-#include "core/study/elements/facing_azimuth.h"
-#include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
 
 namespace {
 
-std::set<unsigned> monthsIn(const SunSteps& sun) {
-    std::set<unsigned> months;
-    for (const SunDay& day : sun.days) months.insert(unsigned(day.date.month()));
+std::vector<unsigned> monthsIn(const ElementMap& map) {
+    std::vector<unsigned> months;
+    for (unsigned month = 1; month <= 12; ++month)
+        if (!map.elements.empty() && !std::isnan(map.elements.front().monthMin[month - 1]))
+            months.push_back(month);
     return months;
 }
 
-std::vector<ElementColumn> columnsOf(const ElementStudy& study) {
+std::vector<ElementColumn> columnsOf(const std::vector<unsigned>& months) {
     const std::string text;
     std::vector<ElementColumn> columns{{"id", text},
                                        {"kind", text},
@@ -38,60 +38,53 @@ std::vector<ElementColumn> columnsOf(const ElementStudy& study) {
                                        {"gross_min", 0.0},
                                        {"continuous_min", 0.0},
                                        {"longest_sun_min", 0.0}};
-    for (const unsigned month : monthsIn(study.sun))
-        columns.push_back({fmt::format("sunlit_min_{:02}", month), 0.0});
+    for (const unsigned month : months) columns.push_back({fmt::format("sunlit_min_{:02}", month), 0.0});
     for (const char* name : sourceColumnNames) columns.push_back({name, text});
     return columns;
 }
 
-/// Makes the rows of a study.
+/// Makes the rows of a map.
 class ElementRows {
 public:
-    explicit ElementRows(const ElementStudy& study)
-        : study_(study), months_(monthsIn(study.sun)), source_(sourceValues(study.provenance)) {}
+    ElementRows(const ElementMap& map, const City& city, const SourceValues& source,
+                std::vector<unsigned> months)
+        : map_(map), city_(city), source_(source), months_(std::move(months)) {}
 
-    void add(std::size_t point, ElementTable& table) const {
-        const glm::dvec3 position(study_.receivers.points.positions[point]);
-        const LonLat place = study_.city.frame.lonLatFromLocal(glm::dvec2(position));
-        const double drop = study_.city.terrain ? earthDropM(glm::dvec2(position)) : 0;
-        const double elevation = position.z + study_.city.frame.originElevationM() + drop;
-        std::vector<ElementValue> row = elementValues(point);
-        row.insert(
-            row.end(),
-            {facingAzimuthDeg(study_.city.frame, place, study_.receivers.points.normals[point]), place.lonDeg,
-             place.latDeg, elevation, position.z - double(groundAt(study_.city, glm::dvec2(position)))});
-        addMinutes(point, row);
+    void add(const MeasuredElement& element, ElementTable& table) const {
+        const glm::dvec3 position(element.position);
+        const LonLat place = city_.frame.lonLatFromLocal(glm::dvec2(position));
+        const double drop = city_.terrain ? earthDropM(glm::dvec2(position)) : 0;
+        const double elevation = position.z + city_.frame.originElevationM() + drop;
+        std::vector<ElementValue> row = elementValues(element);
+        row.insert(row.end(), {element.azimuthDeg, place.lonDeg, place.latDeg, elevation,
+                               position.z - double(groundAt(city_, glm::dvec2(position)))});
+        addMinutes(element, row);
         for (const std::string& value : source_) row.emplace_back(value);
         table.rows.push_back(std::move(row));
         table.places.emplace_back(place.lonDeg, place.latDeg, elevation);
     }
 
 private:
-    [[nodiscard]] std::vector<ElementValue> elementValues(std::size_t point) const {
-        const PointElement& element = study_.receivers.elements[point];
+    [[nodiscard]] static std::vector<ElementValue> elementValues(const MeasuredElement& element) {
         std::vector<ElementValue> row{element.id, std::string(nameOf(element.kind))};
-        if (element.building < study_.city.buildings.size()) {
-            const Building& building = *study_.city.buildings[element.building];
-            row.insert(row.end(), {building.sourceId, building.name});
-        } else {
+        if (element.building.empty() && element.buildingName.empty())
             row.insert(row.end(), {ElementValue(), ElementValue()});
-        }
-        row.push_back(element.kind == ElementKind::plane ? ElementValue() : std::int64_t(element.floor));
+        else
+            row.insert(row.end(), {element.building, element.buildingName});
+        row.push_back(element.floor ? ElementValue(std::int64_t(*element.floor)) : ElementValue());
         return row;
     }
 
-    void addMinutes(std::size_t point, std::vector<ElementValue>& row) const {
-        const PointMonths& minutes = study_.minutes;
-        const double sunlit = minutes.sunlitOf(point);
-        row.insert(row.end(), {sunlit / double(study_.sun.dayCount()), 100 * sunlit / minutes.possibleMin,
-                               study_.grossMin(point), double(minutes.longestShadowMin[point]),
-                               double(minutes.longestSunMin[point])});
-        for (const unsigned month : months_) row.emplace_back(double(minutes.sunlitMin[point][month - 1]));
+    void addMinutes(const MeasuredElement& element, std::vector<ElementValue>& row) const {
+        row.insert(row.end(), {element.sunlitMin, 100 * element.sunlitMin / map_.possibleMin,
+                               element.grossMin, element.continuousMin, element.longestSunMin});
+        for (const unsigned month : months_) row.emplace_back(element.monthMin[month - 1]);
     }
 
-    const ElementStudy& study_;
-    std::set<unsigned> months_;
-    std::array<std::string, sourceColumnNames.size()> source_;
+    const ElementMap& map_;
+    const City& city_;
+    const SourceValues& source_;
+    std::vector<unsigned> months_;
 };
 
 // Degrees of places need more digits than metres and minutes.
@@ -106,11 +99,16 @@ std::string textOf(const ElementValue& value, const std::string& column) {
 
 }  // namespace
 
-ElementTable makeElementTable(const ElementStudy& study) {
-    ElementTable table{.columns = columnsOf(study)};
-    const ElementRows rows(study);
-    for (std::size_t point = 0; point < study.receivers.size(); ++point) rows.add(point, table);
+ElementTable makeElementTable(const ElementMap& map, const City& city, const SourceValues& source) {
+    const std::vector<unsigned> months = monthsIn(map);
+    ElementTable table{.columns = columnsOf(months)};
+    const ElementRows rows(map, city, source, months);
+    for (const MeasuredElement& element : map.elements) rows.add(element, table);
     return table;
+}
+
+ElementTable makeElementTable(const ElementStudy& study) {
+    return makeElementTable(makeElementMap(study), study.city, sourceValues(study.provenance));
 }
 
 std::string toCsv(const ElementTable& table) {

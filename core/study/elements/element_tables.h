@@ -4,7 +4,8 @@
 #include <string>
 
 #include "core/io/elements/write_elements.h"
-#include "core/study/elements/element_study.h"
+#include "core/study/elements/element_map.h"
+#include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
 
@@ -15,6 +16,10 @@ namespace noonmark {
 /// column sunlit_min_01 to sunlit_min_12 for each month of the period (minutes in all), and the source
 /// columns (core/study/provenance/source_columns.h).
 ElementTable makeElementTable(const ElementStudy& study);
+
+/// The same of results that are read back: `city` is the one that was measured, `source` the source columns'
+/// values (sourceValues()).
+ElementTable makeElementTable(const ElementMap& map, const City& city, const SourceValues& source);
 
 /// The table as CSV (RFC 4180), in metres, minutes and degrees with fixed digits.
 std::string toCsv(const ElementTable& table);

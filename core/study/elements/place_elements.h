@@ -28,6 +28,7 @@ struct ElementSettings {
     std::filesystem::path windows;  ///< file of the windows
     WindowFileSettings windowFile;
     double planeHeightM = 0;  ///< above the mean of the region's ground, 0 to 1000
+    bool operator==(const ElementSettings&) const = default;
 };
 
 /// The points of a study.

@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-std::array<std::string, sourceColumnNames.size()> sourceValues(const Provenance& provenance) {
+SourceValues sourceValues(const Provenance& provenance) {
     if (!provenance.project) return {};
     const ProjectRecord& project = *provenance.project;
     return {project.file, project.scenario.name, project.baseline ? project.baseline->name : std::string(),

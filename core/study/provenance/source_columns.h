@@ -14,6 +14,7 @@ std::string sourceFields(const Provenance& provenance);
 
 /// The same one by one, for tables that are no text.
 inline constexpr std::array sourceColumnNames{"project", "scenario", "baseline", "content_sha256"};
-std::array<std::string, sourceColumnNames.size()> sourceValues(const Provenance& provenance);
+using SourceValues = std::array<std::string, sourceColumnNames.size()>;
+SourceValues sourceValues(const Provenance& provenance);
 
 }  // namespace noonmark

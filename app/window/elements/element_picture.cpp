@@ -1,0 +1,63 @@
+#include "app/window/elements/element_picture.h"
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/results/field_picture.h"
+#include "app/window/view/hover_text.h"
+#include "app/window/widgets/number_words.h"
+#include "core/receivers/points/window_pane.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double inFrontOfWallM = 0.03;
+constexpr PaneSize usualPane{{-0.5, -0.6}, {0.5, 0.6}};  // of windows that are points
+
+double minutesOf(const MeasuredElement& element, ShadowMeasure measure) {
+    return measure == ShadowMeasure::gross ? element.grossMin : element.continuousMin;
+}
+
+std::array<glm::vec3, 4> cornersOf(const MeasuredElement& element) {
+    const PaneSize pane = element.pane.isKnown() ? element.pane : usualPane;
+    const PaneAxes axes = findPaneAxes(glm::dvec3(element.normal));
+    const glm::dvec3 middle = glm::dvec3(element.position) + inFrontOfWallM * glm::dvec3(element.normal);
+    const auto corner = [&](double right, double up) {
+        return glm::vec3(middle + right * axes.along + up * axes.up);
+    };
+    return {corner(pane.low.x, pane.low.y), corner(pane.high.x, pane.low.y), corner(pane.high.x, pane.high.y),
+            corner(pane.low.x, pane.high.y)};
+}
+
+}  // namespace
+
+Legend makeLegend(const ElementMap& map, ShadowMeasure measure) {
+    double top = map.possibleMin;
+    for (const MeasuredElement& element : map.elements) top = std::max(top, minutesOf(element, measure));
+    return {nameOf(measure), describeMeasure(measure), legendScale(top), false};
+}
+
+std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure, double top) {
+    const std::vector<GroundPicture::Pixel> palette = shadowPalette();
+    std::vector<ElementTiles::Tile> tiles;
+    tiles.reserve(map.elements.size());
+    for (const MeasuredElement& element : map.elements) {
+        const double share = std::clamp(minutesOf(element, measure) / top, 0.0, 1.0);
+        const auto& shade = palette[std::size_t(std::lround(share * double(palette.size() - 1)))];
+        tiles.push_back({cornersOf(element), glm::vec3(shade.r, shade.g, shade.b) / 255.0F});
+    }
+    return tiles;
+}
+
+QString describe(const MeasuredElement& element) {
+    QString text =
+        QObject::tr("%1 h of sun a day, at most %2 h without a break")
+            .arg(groupDigits(element.sunlitMin / 60, 1), groupDigits(element.longestSunMin / 60, 1));
+    if (element.floor) text = QObject::tr("floor %1, %2").arg(*element.floor).arg(text);
+    return text + QStringLiteral(", ") +
+           formatMinutes(float(element.grossMin), float(element.continuousMin), false);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "app/report/maps/legend_painter.h"
+#include "core/study/elements/element_map.h"
+#include "render/scene/element_tiles.h"
+
+namespace noonmark {
+
+/// What the view shows of points, and what stands beside the legend.
+struct ElementView {
+    std::shared_ptr<const ElementMap> map;  ///< not null
+    QString note;
+    bool marked = false;  ///< the note is a warning
+};
+
+/// The scale of a study of cells: up to the sunlit minutes of a day, or the largest value if that is larger.
+Legend makeLegend(const ElementMap& map, ShadowMeasure measure);
+
+/// A rectangle for each element, in their order. `top` minutes get the last colour of the palette.
+std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure, double top);
+
+/// "floor 3, 4.2 h of sun a day, at most 3.1 h without a break, gross 90.0 min a day, continuous 45.0 min".
+QString describe(const MeasuredElement& element);
+
+}  // namespace noonmark

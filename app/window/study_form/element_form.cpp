@@ -1,0 +1,203 @@
+#include "app/window/study_form/element_form.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "app/window/files/file_dialogs.h"
+#include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/push_button.h"
+
+namespace noonmark {
+
+namespace {
+
+QLineEdit* lineField(const char* name, const QString& placeholder, const QString& tip) {
+    auto* field = new QLineEdit;
+    field->setObjectName(QString::fromLatin1(name));
+    field->setPlaceholderText(placeholder);
+    field->setToolTip(tip);
+    return field;
+}
+
+QDoubleSpinBox* metresField(const char* name, double low, double high, const QString& tip) {
+    QDoubleSpinBox* field = numberField(low, high, 2, 0.5, QObject::tr(" m"));
+    field->setObjectName(QString::fromLatin1(name));
+    field->setToolTip(tip);
+    return field;
+}
+
+QWidget* rowOf(QWidget* field, QWidget* button) {
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(field, 1);
+    line->addWidget(button);
+    return row;
+}
+
+// Each name is a text of its own: a name that contains a comma is found as a whole by its id only.
+std::vector<std::string> namesIn(const QString& text) {
+    std::vector<std::string> names;
+    for (const QString& name : text.split(QLatin1Char(','), Qt::SkipEmptyParts))
+        if (!name.trimmed().isEmpty()) names.push_back(name.trimmed().toStdString());
+    return names;
+}
+
+QString joined(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names) list << QString::fromStdString(name);
+    return list.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+ElementForm::ElementForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+    makeFields();
+    placeFields();
+    connectFields();
+    show(settings_);
+}
+
+void ElementForm::makeFields() {
+    bay_ = metresField("bay", 0.25, 50, tr("Width of a bay: a wall has one point in each"));
+    storey_ = metresField("storey", 0.25, 50,
+                          tr("Height of a storey: a wall has a row of points in each, and floors are "
+                             "numbered by it"));
+    aboveFloor_ =
+        metresField("aboveFloor", 0, 50, tr("Height of the points above the floor of their storey"));
+    heights_ = new QComboBox;
+    heights_->setObjectName(QStringLiteral("windowHeights"));
+    heights_->addItems({tr("elevations"), tr("above the ground")});
+    heights_->setToolTip(
+        tr("Heights of the file: elevations as those of the city, or metres above the "
+           "ground below the window"));
+    plane_ = metresField("planeHeight", 0, 1000,
+                         tr("Height of the plane above the mean of the region's ground. The size of its "
+                            "cells is that under \"How exactly\"."));
+}
+
+QWidget* ElementForm::makeBuildings() {
+    buildings_ = lineField("facadesOf", tr("all of the region"),
+                           tr("Names or ids of buildings, with commas between them; their middle must be in "
+                              "the region. Empty: all buildings of the region"));
+    selected_ = pushButton({}, "facadesOfSelected",
+                           tr("Adds the selected building, or removes it. Click a building first."));
+    return rowOf(buildings_, selected_);
+}
+
+QWidget* ElementForm::makeFile() {
+    file_ = lineField("windowsFile", tr("file of windows"),
+                      tr("Points or polygons with heights, in any vector format. Fields id, azimuth, floor"));
+    browse_ = pushButton(tr("Browse..."), "browseWindows", tr("Chooses the file of windows"));
+    return rowOf(file_, browse_);
+}
+
+void ElementForm::placeFields() {
+    form_->setContentsMargins(0, 0, 0, 0);
+    form_->addRow(tr("Of"), makeBuildings());
+    form_->addRow(tr("File"), makeFile());
+    form_->addRow(tr("Heights"), heights_);
+    form_->addRow(tr("Bay"), bay_);
+    form_->addRow(tr("Storey"), storey_);
+    form_->addRow(tr("Above floor"), aboveFloor_);
+    form_->addRow(tr("Height"), plane_);
+}
+
+void ElementForm::connectFields() {
+    const auto take = [this](QDoubleSpinBox* field, auto member, const QString& name) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this, member, name](double value) {
+            member(settings_) = value;
+            Q_EMIT edited(settings_, name);
+        });
+    };
+    take(
+        bay_, [](ElementSettings& s) -> double& { return s.facades.bayM; }, tr("bay"));
+    take(
+        storey_, [](ElementSettings& s) -> double& { return s.facades.storeyM; }, tr("storey"));
+    take(
+        aboveFloor_, [](ElementSettings& s) -> double& { return s.facades.aboveFloorM; }, tr("above floor"));
+    take(
+        plane_, [](ElementSettings& s) -> double& { return s.planeHeightM; }, tr("plane"));
+    connect(buildings_, &QLineEdit::editingFinished, this, [this] {
+        const auto names = namesIn(buildings_->text());
+        if (names == settings_.buildings) return;
+        settings_.buildings = names;
+        Q_EMIT edited(settings_, tr("buildings"));
+    });
+    connect(file_, &QLineEdit::editingFinished, this, [this] {
+        if (file_->text().toStdString() == settings_.windows.string()) return;
+        settings_.windows = file_->text().toStdString();
+        Q_EMIT edited(settings_, tr("windows"));
+    });
+    connect(heights_, &QComboBox::activated, this, [this](int chosen) {
+        settings_.windowFile.aboveGround = chosen == 1;
+        Q_EMIT edited(settings_, tr("heights"));
+    });
+    connect(browse_, &QPushButton::clicked, this, &ElementForm::browse);
+    connect(selected_, &QPushButton::clicked, this, &ElementForm::toggleBuilding);
+}
+
+void ElementForm::browse() {
+    const QString file = askForWindows(this);
+    if (file.isEmpty()) return;
+    settings_.windows = file.toStdString();
+    Q_EMIT edited(settings_, tr("windows"));
+}
+
+void ElementForm::toggleBuilding() {
+    if (building_.isEmpty()) return;
+    auto& names = settings_.buildings;
+    const std::string id = building_.toStdString();
+    const auto found = std::ranges::find(names, id);
+    found == names.end() ? names.push_back(id) : void(names.erase(found));
+    Q_EMIT edited(settings_, tr("buildings"));
+    show(settings_);
+}
+
+void ElementForm::show(const ElementSettings& settings) {
+    settings_ = settings;
+    const QSignalBlocker quiet[]{QSignalBlocker(bay_), QSignalBlocker(storey_), QSignalBlocker(aboveFloor_),
+                                 QSignalBlocker(plane_), QSignalBlocker(heights_)};
+    buildings_->setText(joined(settings.buildings));
+    bay_->setValue(settings.facades.bayM);
+    storey_->setValue(settings.facades.storeyM);
+    aboveFloor_->setValue(settings.facades.aboveFloorM);
+    file_->setText(QString::fromStdString(settings.windows.string()));
+    heights_->setCurrentIndex(settings.windowFile.aboveGround ? 1 : 0);
+    plane_->setValue(settings.planeHeightM);
+    showRows();
+    showButton();
+}
+
+void ElementForm::showRows() {
+    const auto visible = [this](QWidget* field, bool shown) { form_->setRowVisible(field, shown); };
+    const bool facades = settings_.places == ElementPlaces::facades;
+    const bool windows = settings_.places == ElementPlaces::windows;
+    visible(buildings_->parentWidget(), facades);
+    visible(file_->parentWidget(), windows);
+    visible(heights_, windows);
+    visible(bay_, facades);
+    visible(storey_, facades || windows);
+    visible(aboveFloor_, facades);
+    visible(plane_, settings_.places == ElementPlaces::plane);
+}
+
+void ElementForm::setBuilding(const QString& id) {
+    building_ = id;
+    showButton();
+}
+
+void ElementForm::showButton() {
+    const auto& names = settings_.buildings;
+    const bool chosen = std::ranges::find(names, building_.toStdString()) != names.end();
+    selected_->setEnabled(!building_.isEmpty());
+    selected_->setText(chosen ? tr("Remove") : tr("Add selected"));
+}
+
+}  // namespace noonmark

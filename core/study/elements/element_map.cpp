@@ -1,0 +1,58 @@
+#include "core/study/elements/element_map.h"
+
+#include <cmath>
+#include <set>
+
+#include "core/study/elements/facing_azimuth.h"
+
+namespace noonmark {
+
+namespace {
+
+void addBuilding(MeasuredElement& measured, const ElementStudy& study, const PointElement& element) {
+    if (element.kind != ElementKind::plane) measured.floor = element.floor;
+    if (element.building >= study.city.buildings.size()) return;
+    measured.building = study.city.buildings[element.building]->sourceId;
+    measured.buildingName = study.city.buildings[element.building]->name;
+}
+
+void addMinutes(MeasuredElement& measured, const ElementStudy& study, std::size_t point,
+                const std::set<unsigned>& months) {
+    measured.sunlitMin = study.minutes.sunlitOf(point) / double(study.sun.dayCount());
+    measured.grossMin = study.grossMin(point);
+    measured.continuousMin = double(study.minutes.longestShadowMin[point]);
+    measured.longestSunMin = double(study.minutes.longestSunMin[point]);
+    measured.monthMin.fill(std::nan(""));
+    for (const unsigned month : months)
+        measured.monthMin[month - 1] = double(study.minutes.sunlitMin[point][month - 1]);
+}
+
+MeasuredElement measureElement(const ElementStudy& study, std::size_t point,
+                               const std::set<unsigned>& months) {
+    const PointElement& element = study.receivers.elements[point];
+    MeasuredElement measured{.id = element.id,
+                             .kind = element.kind,
+                             .position = study.receivers.points.positions[point],
+                             .normal = study.receivers.points.normals[point],
+                             .pane = study.receivers.panes[point]};
+    const LonLat place = study.city.frame.lonLatFromLocal(glm::dvec2(measured.position));
+    measured.azimuthDeg = facingAzimuthDeg(study.city.frame, place, measured.normal);
+    addBuilding(measured, study, element);
+    addMinutes(measured, study, point, months);
+    return measured;
+}
+
+}  // namespace
+
+ElementMap makeElementMap(const ElementStudy& study) {
+    std::set<unsigned> months;
+    for (const SunDay& day : study.sun.days) months.insert(unsigned(day.date.month()));
+    ElementMap map;
+    map.possibleMin = study.minutes.possibleMin / double(study.sun.dayCount());
+    map.elements.reserve(study.receivers.size());
+    for (std::size_t point = 0; point < study.receivers.size(); ++point)
+        map.elements.push_back(measureElement(study, point, months));
+    return map;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/study/elements/element_study.h"
+
+namespace noonmark {
+
+/// What was measured at one point, with the building that it belongs to.
+struct MeasuredElement {
+    std::string id;
+    ElementKind kind = ElementKind::facade;
+    std::string building, buildingName;  ///< id and name; empty: no building
+    std::optional<std::int32_t> floor;   ///< none on a plane
+    double azimuthDeg = 0;               ///< that it faces, from true north; NaN where it faces up or down
+    glm::vec3 position{0}, normal{0, 0, 1};       ///< local metres; a unit vector
+    PaneSize pane;                                ///< the rectangle that it stands for
+    double sunlitMin = 0, grossMin = 0;           ///< minutes a day, mean over the days
+    double continuousMin = 0, longestSunMin = 0;  ///< the longest unbroken shadow and sun on any day
+    std::array<double, 12> monthMin{};  ///< sun by month, minutes in all; NaN outside the period's months
+};
+
+/// The results of a study at points as a list, for tables, the view and the project.
+struct ElementMap {
+    std::vector<MeasuredElement> elements;
+    double possibleMin = 0;  ///< minutes a day with the sun above the horizon, mean over the days
+};
+
+/// In the order of the study's receivers. Some 1 us a point.
+ElementMap makeElementMap(const ElementStudy& study);
+
+}  // namespace noonmark
