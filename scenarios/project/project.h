@@ -19,6 +19,7 @@
 #include "core/receivers/parcels/parcel_roads.h"
 #include "core/receivers/place.h"
 #include "core/receivers/region.h"
+#include "core/study/elements/element_map.h"
 #include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
 #include "scenarios/project/saved_view.h"
@@ -61,13 +62,14 @@ struct SavedLayer {
 /// A result saved in the project, with everything it is based on.
 struct SavedResult {
     std::string name;      ///< unique in a project
-    std::string kind;      ///< "study", "impact" or "score"
+    std::string kind;      ///< "study", "impact", "score" or "elements"
     std::string scenario;  ///< whose city was measured
     std::string baseline;  ///< impact: the scenario compared with; else empty
     std::string settings;  ///< JSON: engine, period, region and figures, as in study.json
     std::string inputs;    ///< JSON: path, bytes and sha256 of every file from which the city was read
-    Grid grid;
+    Grid grid;             ///< of a study at points one cell, which means nothing
     std::vector<SavedLayer> layers;
+    std::vector<MeasuredElement> elements{};  ///< of a study at points
 };
 
 /// What the sheets of a project carry, and the units in which its results are shown.

@@ -198,6 +198,7 @@ std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) 
             database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
         for (layer.begin(row.integer(0)); layer.step();)
             result.layers.push_back(readLayer(database, layer, result.grid));
+        result.elements = readElements(database, row.integer(0));
         results.push_back(std::make_shared<const SavedResult>(std::move(result)));
     }
     return results;

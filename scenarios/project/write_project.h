@@ -16,6 +16,8 @@ void writeReading(Database& database, const CityReading& reading);
 void writeScenarios(Database& database, const std::vector<Scenario>& before,
                     const std::vector<Scenario>& after);
 void writeResult(Database& database, const SavedResult& result);
+/// The points of a saved result; `result`: its row in the table `results`.
+void writeElements(Database& database, std::int64_t result, const std::vector<MeasuredElement>& elements);
 void removeResult(Database& database, const std::string& name);
 void writeContext(Database& database, const MapContext* context);  ///< null: removes it
 void writeSavedViews(Database& database, const std::vector<SavedView>& views);

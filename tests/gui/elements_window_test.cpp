@@ -196,5 +196,45 @@ TEST_F(ElementsWindow, APlaneIsMeasuredAboveTheGround) {
     EXPECT_EQ(rows().index(0, ElementModel::facing).data().toString(), QString());
 }
 
+QList<QByteArray> linesOf(const QString& file) {
+    QFile text(file);
+    EXPECT_TRUE(text.open(QIODevice::ReadOnly)) << file.toStdString();
+    return text.readAll().trimmed().split('\n');
+}
+
+TEST_F(ElementsWindow, ASavedStudyIsReadAgainWithItsTableAndFiles) {
+    choose({.buildings = {}, .facades = {.storeyM = 4}});
+    measure();
+    const QString first = folder.filePath(QStringLiteral("first")),
+                  again = folder.filePath(QStringLiteral("again"));
+    keep("Facades");
+    EXPECT_EQ(session().project().results.at(0)->kind, "elements");
+    window->saving().save();
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    workbench().exportShown(first.toStdString(), {});
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
+    const std::size_t points = tiles().tiles().size();
+    const auto city = workbench().city();
+    window->open({QString::fromStdString(session().file()->path().string())});
+    ASSERT_TRUE(waitFor([&] { return workbench().city() != city; }));
+    ASSERT_TRUE(waitFor([&] { return workbench().elements() != nullptr; }))
+        << "it was quick, and is repeated";
+    ASSERT_TRUE(workbench().document().elements());
+    EXPECT_EQ(workbench().document().elements()->facades.storeyM, 4) << "the form is as it was saved";
+    showSaved("Facades");
+    EXPECT_EQ(tiles().tiles().size(), points);
+    EXPECT_EQ(std::size_t(rows().rowCount()), points);
+    EXPECT_TRUE(figures().contains(QStringLiteral("Least sun")));
+    EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
+    EXPECT_TRUE(workbench().filesOf({}).contains(QStringLiteral("result.json")));
+    workbench().exportShown(again.toStdString(), {});
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
+    const auto before = linesOf(first + QStringLiteral("/elements.csv")),
+               after = linesOf(again + QStringLiteral("/elements.csv"));
+    ASSERT_EQ(before.size(), after.size());
+    for (qsizetype row = 0; row < before.size(); ++row)
+        EXPECT_EQ(before[row].split(',').first(16), after[row].split(',').first(16)) << "every number";
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -77,7 +77,7 @@ TEST(SavedFiles, HoldPageAndPictureAndStateWhatHasChanged) {
     const SavedResult result = makeSavedStudy(study);
     const auto paths = writeSavedFiles(result, {study.city, {"'Existing' has changed since."}}, {}, out);
     ASSERT_TRUE(paths) << paths.error().text();
-    EXPECT_EQ(paths->size(), savedFileNames().size());
+    EXPECT_EQ(paths->size(), savedFileNames(result).size());
     EXPECT_EQ(QImage(QString::fromStdString((out / "result.png").string())).width(), pictureWidth);
     const auto bands = readGeoTiff(out / "result.tif", result.grid);
     ASSERT_TRUE(bands) << bands.error().text();

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <tuple>
 
 #include "core/io/heights/read_settings_text.h"
 #include "core/io/read_city.h"
@@ -44,6 +46,48 @@ protected:
 
     TemporaryFolder folder_;
 };
+
+MeasuredElement elementOf(const char* id, ElementKind kind, float z) {
+    MeasuredElement element{.id = id, .kind = kind, .building = "a", .buildingName = "Haus \"Ä\""};
+    element.position = {1.25F, -3.1F, z};
+    element.normal = {0.6F, 0.8F, 0};
+    element.pane = {{-1.5, -1.5}, {1.5, 1.2}};
+    element.sunlitMin = 100.0 / 3;
+    element.grossMin = 1000.0 / 7;
+    element.continuousMin = 60;
+    element.longestSunMin = 59.5;
+    element.azimuthDeg = 36.9;
+    element.floor = 2;
+    element.monthMin.fill(std::nan(""));
+    element.monthMin[5] = 1000.1;
+    return element;
+}
+
+// The sample with a result at points, since version 7; the third is of a plane.
+Project sampleWithPoints() {
+    Project project = sampleProject();
+    SavedResult result{"points", "elements", "A", {}, R"({"kept": 1})", "[]", {0, 0, 1, 1, 1}, {}};
+    for (const char* id : {"wall 1", "wall 2"})
+        result.elements.push_back(elementOf(id, ElementKind::facade, 4.5F));
+    MeasuredElement level = elementOf("3,4", ElementKind::plane, 1.5F);
+    level.building = level.buildingName = "";
+    level.floor.reset();
+    level.azimuthDeg = std::nan("");
+    result.elements.push_back(level);
+    project.results.push_back(std::make_shared<const SavedResult>(result));
+    return project;
+}
+
+// A number that is none equals another.
+void expectSame(const MeasuredElement& a, const MeasuredElement& b) {
+    EXPECT_EQ(std::tie(a.id, a.kind, a.building, a.buildingName, a.floor, a.position, a.normal, a.pane),
+              std::tie(b.id, b.kind, b.building, b.buildingName, b.floor, b.position, b.normal, b.pane));
+    EXPECT_EQ(std::tie(a.sunlitMin, a.grossMin, a.continuousMin, a.longestSunMin),
+              std::tie(b.sunlitMin, b.grossMin, b.continuousMin, b.longestSunMin));
+    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    EXPECT_TRUE(same(a.azimuthDeg, b.azimuthDeg));
+    EXPECT_TRUE(std::ranges::equal(a.monthMin, b.monthMin, same));
+}
 
 // Version 5 stored no views.
 Project asVersion5Holds(Project project) {
@@ -114,7 +158,11 @@ void expectSame(const Project& a, const Project& b) {
     for (std::size_t i = 0; i < a.results.size(); ++i) {
         EXPECT_EQ(a.results[i]->settings, b.results[i]->settings);
         EXPECT_EQ(a.results[i]->grid, b.results[i]->grid);
-        for (std::size_t l = 0; l < 2; ++l)
+        ASSERT_EQ(a.results[i]->elements.size(), b.results[i]->elements.size());
+        for (std::size_t e = 0; e < a.results[i]->elements.size(); ++e)
+            expectSame(a.results[i]->elements[e], b.results[i]->elements[e]);
+        ASSERT_EQ(a.results[i]->layers.size(), b.results[i]->layers.size());
+        for (std::size_t l = 0; l < a.results[i]->layers.size(); ++l)
             for (std::size_t c = 0; c < a.results[i]->grid.size(); ++c) {
                 const float x = a.results[i]->layers[l].values[c], y = b.results[i]->layers[l].values[c];
                 ASSERT_TRUE(x == y || (std::isnan(x) && std::isnan(y))) << c << ": " << x << " " << y;
@@ -230,9 +278,41 @@ TEST_F(ProjectFileTest, AFileOfVersion5IsOpened) {
     expectSame(opened(), sampleProject());
 }
 
+// Version 6 stored no results at points.
 TEST_F(ProjectFileTest, AFileOfVersion6IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-6.noonmark.gpkg"), file());
-    expectSame(opened(), sampleProject());
+    ProjectFile disk = ProjectFile::open(file()).value();
+    expectSame(disk.project(), sampleProject());
+    ASSERT_TRUE(disk.save(sampleWithPoints()));
+    expectSame(opened(), sampleWithPoints());
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion6WithATableOfThatNameIsRefused) {
+    fs::copy_file(testFile("scenarios/files/version-6.noonmark.gpkg"), file());
+    Database(file(), Database::Access::write).execute("CREATE TABLE result_elements (fid INTEGER)");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("'result_elements'"));
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion7IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-7.noonmark.gpkg"), file());
+    expectSame(opened(), sampleWithPoints());
+}
+
+TEST_F(ProjectFileTest, PointsThatMakeNoSenseAreDamage) {
+    for (const char* harm : {"kind = 'door'", "x_m = 9e999", "z_m = 'high'", "normal_x = 2", "floor = 1e9",
+                             "sunlit_min = -1", "azimuth_deg = 361", "sunlit_min_06 = 'much'"}) {
+        fs::remove(file());
+        made(sampleWithPoints());
+        Database(file(), Database::Access::write)
+            .execute(std::string("UPDATE result_elements SET ") + harm + " WHERE fid = 2");
+        EXPECT_THAT(troubleOfOpening(), HasSubstr("result_elements")) << harm;
+    }
+}
+
+TEST_F(ProjectFileTest, TheRemovalOfAResultRemovesItsPoints) {
+    ProjectFile disk = made(sampleWithPoints());
+    ASSERT_TRUE(disk.save(sampleProject()));
+    EXPECT_EQ(Database(file(), Database::Access::read).value("SELECT count(*) FROM result_elements"), "0");
 }
 
 TEST_F(ProjectFileTest, ViewsThatMakeNoSenseAreDamage) {
@@ -320,7 +400,7 @@ TEST_F(ProjectFileTest, PlacesThatAGisProgramLeftIncompleteAreCompleted) {
 // (--gtest_also_run_disabled_tests).
 TEST(ProjectFileFixture, DISABLED_IsWritten) {
     const std::string name = "version-" + std::to_string(schemaVersion) + projectEnding;
-    ASSERT_TRUE(ProjectFile::create(name, sampleProject()));
+    ASSERT_TRUE(ProjectFile::create(name, sampleWithPoints()));
 }
 
 TEST_F(ProjectFileTest, WarningsThatShareATextHoldItOnce) {

@@ -8,7 +8,25 @@
 
 namespace noonmark {
 
-std::vector<std::string> savedFileNames() {
+namespace {
+
+Result<std::vector<std::filesystem::path>> writeElements(const SavedResult& result,
+                                                         const SavedElements& saved, const City& city,
+                                                         const std::filesystem::path& folder,
+                                                         const OutputRules& rules) {
+    const ElementTable table = makeElementTable(saved.map, city, saved.source);
+    OutputFolder files(folder, rules);
+    files.add("elements.csv", textContent(toCsv(table)));
+    files.add("elements.gpkg",
+              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+    files.add("result.json", textContent(result.settings));
+    return std::move(files).result();
+}
+
+}  // namespace
+
+std::vector<std::string> savedFileNames(const SavedResult& result) {
+    if (result.kind == "elements") return {"elements.csv", "elements.gpkg", "result.json"};
     return {"result.tif", "result.png", "result.pdf", "result.json"};
 }
 
@@ -18,10 +36,12 @@ Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& re
                                                            const std::filesystem::path& folder,
                                                            const OutputRules& rules, int width) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
-    if (auto may = checkOutputs(folder, savedFileNames(), rules); !may)
+    if (auto may = checkOutputs(folder, savedFileNames(result), rules); !may)
         return tl::make_unexpected(may.error());
     const auto answer = readSavedAnswer(result);
     if (!answer) return tl::make_unexpected(answer.error());
+    if (const auto* elements = std::get_if<SavedElements>(&answer->answer))
+        return writeElements(result, *elements, source.city, folder, rules);
     const Region region = makeSavedRegion(result, *answer, source.regions);
     const Sheet sheet = makeSheet(result, *answer, region, source, scale);
     const FileTags tags{{"RESULT", result.name}, {"SCENARIO", result.scenario}};

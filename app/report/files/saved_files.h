@@ -10,14 +10,14 @@
 
 namespace noonmark {
 
-/// result.tif, result.png, result.pdf and result.json.
-std::vector<std::string> savedFileNames();
+/// result.tif, result.png, result.pdf and result.json; of points elements.csv, elements.gpkg and result.json.
+std::vector<std::string> savedFileNames(const SavedResult& result);
 
-/// Writes the maps of a saved result, a band each, its picture and its page (saved_report.h), and its
-/// settings and figures as they were saved. `scale`: of a comparison. `width` of the picture in pixels: see
-/// makePicture(). Returns the paths written; all files or none. Error: the result cannot be read
-/// (readSavedAnswer), or a file cannot be written. Needs a QGuiApplication (the `offscreen` platform
-/// suffices).
+/// Of a study at points: its tables, as they were when it was saved. Of others: the maps of a saved result, a
+/// band each, its picture and its page (saved_report.h), and its settings and figures as they were saved.
+/// `scale`: of a comparison. `width` of the picture in pixels: see makePicture(). Returns the paths written;
+/// all files or none. Error: the result cannot be read (readSavedAnswer), or a file cannot be written. Needs
+/// a QGuiApplication (the `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeSavedFiles(
     const SavedResult& result, const SavedSource& source, const ChangeScale& scale,
     const std::filesystem::path& folder, const OutputRules& rules = {}, int width = pictureWidth);

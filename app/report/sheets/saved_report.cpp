@@ -52,6 +52,11 @@ void addMaps(Sheet& sheet, const SavedImpact& saved, const SavedMaps& from) {
 
 void addMaps(Sheet&, const SavedScore&, const SavedMaps&) {}
 
+// Points have no sheet of their own yet: writeSavedFiles() writes their tables.
+void addMaps(Sheet&, const SavedElements&, const SavedMaps&) {}
+SheetMap makeMainMap(const SavedElements&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
+std::vector<Figure> figuresOf(const SavedElements&) { return {}; }
+
 SheetMap makeMainMap(const SavedStudy& study, const SavedMaps& from) {
     return makeStudyMap(study.field, ShadowMeasure::gross, from);
 }

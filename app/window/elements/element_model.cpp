@@ -9,21 +9,18 @@ namespace noonmark {
 
 namespace {
 
-QString buildingText(const MeasuredElement& element) {
-    return QString::fromStdString(element.buildingName.empty() ? element.building : element.buildingName);
+const std::string& textIn(const MeasuredElement& element, int column) {
+    if (column == ElementModel::id) return element.id;
+    return element.buildingName.empty() ? element.building : element.buildingName;
 }
 
-// Numbers as numbers; nothing where there is none.
-QVariant valueOf(const MeasuredElement& element, double possibleMin, int column) {
+// NaN where there is none.
+double numberIn(const MeasuredElement& element, double possibleMin, int column) {
     switch (column) {
-        case ElementModel::id:
-            return QString::fromStdString(element.id);
-        case ElementModel::building:
-            return buildingText(element);
         case ElementModel::floor:
-            return element.floor ? QVariant(*element.floor) : QVariant();
+            return element.floor ? *element.floor : std::nan("");
         case ElementModel::facing:
-            return std::isnan(element.azimuthDeg) ? QVariant() : QVariant(element.azimuthDeg);
+            return element.azimuthDeg;
         case ElementModel::sun:
             return element.sunlitMin / 60;
         case ElementModel::share:
@@ -37,13 +34,21 @@ QVariant valueOf(const MeasuredElement& element, double possibleMin, int column)
     }
 }
 
+bool isText(int column) { return column == ElementModel::id || column == ElementModel::building; }
+
+QVariant valueOf(const MeasuredElement& element, double possibleMin, int column) {
+    if (isText(column)) return QString::fromStdString(textIn(element, column));
+    const double number = numberIn(element, possibleMin, column);
+    return std::isnan(number) ? QVariant() : QVariant(number);
+}
+
 int decimalsOf(int column) {
     if (column == ElementModel::sun || column == ElementModel::longestSun) return 2;
     return column == ElementModel::facing || column == ElementModel::floor ? 0 : 1;
 }
 
 QVariant textOf(const QVariant& value, int column) {
-    if (!value.isValid() || column == ElementModel::id || column == ElementModel::building) return value;
+    if (!value.isValid() || isText(column)) return value;
     return groupDigits(value.toDouble(), decimalsOf(column));
 }
 
@@ -80,7 +85,6 @@ QVariant ElementModel::headerData(int section, Qt::Orientation orientation, int 
 
 ElementFilter::ElementFilter(QObject* parent) : QSortFilterProxyModel(parent) {
     setSortRole(ElementModel::valueRole);
-    setSortCaseSensitivity(Qt::CaseInsensitive);
 }
 
 void ElementFilter::setText(const QString& text) {
@@ -91,6 +95,18 @@ void ElementFilter::setText(const QString& text) {
 void ElementFilter::setBelowHours(double hours) {
     belowHours_ = hours;
     invalidateFilter();
+}
+
+// Without a QVariant for each value: a quarter of a million rows are sorted at a click. Rows without a number
+// come first.
+bool ElementFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+    const ElementMap& map = *static_cast<const ElementModel*>(sourceModel())->map();
+    const MeasuredElement &a = map.elements[std::size_t(left.row())],
+                          &b = map.elements[std::size_t(right.row())];
+    const int column = left.column();
+    if (isText(column)) return textIn(a, column) < textIn(b, column);
+    const double first = numberIn(a, map.possibleMin, column), second = numberIn(b, map.possibleMin, column);
+    return std::isnan(first) ? !std::isnan(second) : first < second;
 }
 
 bool ElementFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {

@@ -29,7 +29,8 @@ private:
     std::shared_ptr<const ElementMap> map_;
 };
 
-/// Only the rows that contain a text in their id or building, and that have less sun than a limit.
+/// Over an ElementModel: only the rows that contain a text in their id or building, and that have less sun
+/// than a limit.
 class ElementFilter final : public QSortFilterProxyModel {
     Q_OBJECT
 public:
@@ -39,6 +40,7 @@ public:
     void setBelowHours(double hours);  ///< of sun a day; 0: no limit
 
 protected:
+    [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
     [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
 private:

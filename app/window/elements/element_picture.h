@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// What the view shows of points, and what stands beside the legend.
+/// What the view shows of points, and the note beside the legend.
 struct ElementView {
     std::shared_ptr<const ElementMap> map;  ///< not null
     QString note;

@@ -298,7 +298,10 @@ Workbench::Keep Workbench::whatToKeep() const {
         return [score = score_, origin](const Project& project) {
             return makeSavedResult(project, origin.stated(*score));
         };
-    if (elements_) return {};
+    if (elements_)
+        return [elements = elements_, origin, scenario = session_.scenario()](const Project& project) {
+            return makeSavedResult(project, scenario, origin.stated(elements->study));
+        };
     if (comparison_)
         return [comparison = comparison_, origin](const Project& project) {
             return makeSavedResult(project, origin.stated(*comparison));

@@ -104,7 +104,9 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
     if (choice.subject == ExportChoice::Subject::scenarios)
         names = scenarioFileNames();
     else if (choice.subject == ExportChoice::Subject::shown) {
-        if (shown() == Shown::savedResult) names = savedFileNames();
+        if (shown() == Shown::savedResult)
+            if (const auto result = findResult(session_.project(), saved_->name))
+                names = savedFileNames(**result);
         if (shown() == Shown::score) names = scoreFileNames(anyRegion, choice.sheets);
         if (shown() == Shown::comparison) names = impactFileNames(anyRegion, choice.sheets);
         if (shown() == Shown::elements) {

@@ -167,7 +167,13 @@ void ResultDisplay::hideOthers() {
 void ResultDisplay::showSaved() {
     const auto saved = workbench_.saved();
     hideOthers();
-    places_.layer.setInFront(makeGroundAnswer(*saved));
+    if (const auto points = makeElementView(*saved)) {
+        places_.elements.show(points->map);
+        places_.layer.setElements(points);
+        Q_EMIT elementsShown();
+    } else {
+        places_.layer.setInFront(makeGroundAnswer(*saved));
+    }
     places_.figures.show(makeRows(*saved), monthsOf(*saved));
     Q_EMIT chosen();
     update();

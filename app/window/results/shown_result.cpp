@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <QObject>
 
+#include "app/window/elements/element_rows.h"
 #include "app/window/results/comparison_rows.h"
 #include "app/window/results/score_rows.h"
 
@@ -40,6 +41,18 @@ std::vector<ResultRow> figureRows(const SavedScore& score, const ShownResult& re
     return makeScoreRows(score.score, result.scenario, score.weights, result.answer->origin.period);
 }
 
+std::vector<ResultRow> figureRows(const SavedElements& saved, const ShownResult& result) {
+    return makeRows(PointFigures{saved.figures, saved.map.elements.size(), saved.map.possibleMin, saved.steps,
+                                 saved.belowHorizon, saved.seconds, result.answer->origin.period, saved.error,
+                                 result.answer->origin.engine == referenceEngine});
+}
+
+QString noteOf(const ShownResult& result) {
+    const QString saved =
+        QObject::tr("Saved %1: %2").arg(keptAt(result.answer->origin), formatText(result.name));
+    return result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
+}
+
 GroundAnswer::Map mapOf(const std::shared_ptr<const SavedAnswer>& saved) {
     if (const auto* study = std::get_if<SavedStudy>(&saved->answer))
         return std::shared_ptr<const ShadowField>(saved, &study->field);
@@ -68,11 +81,15 @@ std::optional<ShownResult> reweigh(const ShownResult& result, const Project& pro
     return now;
 }
 
+std::optional<ElementView> makeElementView(const ShownResult& result) {
+    const auto* saved = std::get_if<SavedElements>(&result.answer->answer);
+    if (!saved) return std::nullopt;
+    return ElementView{std::shared_ptr<const ElementMap>(result.answer, &saved->map), noteOf(result),
+                       !result.upToDate()};
+}
+
 GroundAnswer makeGroundAnswer(const ShownResult& result) {
-    const QString saved =
-        QObject::tr("Saved %1: %2").arg(keptAt(result.answer->origin), formatText(result.name));
-    const QString note = result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
-    return runsLookedFor({mapOf(result.answer), nullptr, note, !result.upToDate()});
+    return runsLookedFor({mapOf(result.answer), nullptr, noteOf(result), !result.upToDate()});
 }
 
 std::vector<ResultRow> makeRows(const ShownResult& result) {

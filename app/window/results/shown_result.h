@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/elements/element_picture.h"
 #include "app/window/results/ground_answer.h"
 #include "app/window/results/result_rows.h"
 #include "scenarios/project/results/saved_answer.h"
@@ -25,7 +26,11 @@ Result<ShownResult> shownResult(const SavedResult& result, const Project& projec
 /// The result updated for the weight tables of a changed project; nothing if it stays as it is.
 std::optional<ShownResult> reweigh(const ShownResult& result, const Project& project);
 
-/// The note states when the result was saved and whether anything has changed since; if so, it is marked.
+/// Its points, if it is a study at points.
+std::optional<ElementView> makeElementView(const ShownResult& result);
+
+/// Of another kind. The note states when the result was saved and whether anything has changed since; if so,
+/// it is marked.
 GroundAnswer makeGroundAnswer(const ShownResult& result);
 
 /// Its figures, preceded by what it is, where, when and by which version it was computed.

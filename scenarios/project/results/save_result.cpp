@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 
+#include "core/study/elements/element_tables.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/text/warnings_json.h"
@@ -81,6 +82,22 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
             inputsOf(project),
             field.grid,
             layersOf(field)};
+}
+
+// The columns that state where the points' table comes from are kept with it.
+SavedResult makeSavedResult(const Project& project, const std::string& scenario, const ElementStudy& study,
+                            std::chrono::sys_seconds at) {
+    Json origin = originJson(at, hashCity(study.city));
+    origin["source"] = sourceValues(study.provenance);
+    return {{},
+            "elements",
+            scenario,
+            {},
+            withOrigin(elementStudyJson(study, {}), std::move(origin)),
+            inputsOf(project),
+            {0, 0, 1, 1, 1},
+            {},
+            makeElementMap(study).elements};
 }
 
 SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {

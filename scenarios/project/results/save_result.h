@@ -6,6 +6,7 @@
 
 #include <chrono>
 
+#include "core/study/elements/element_map.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score_text.h"
@@ -20,6 +21,8 @@ inline std::chrono::sys_seconds timeNow() {
 /// JSON of the answer plus an object `kept`: time, hashes of the measured cities, and for a score the weight
 /// table (saved_answer.h reads it back). Costs a hash of each city.
 SavedResult makeSavedResult(const Project& project, const std::string& scenario, const Study& study,
+                            std::chrono::sys_seconds at = timeNow());
+SavedResult makeSavedResult(const Project& project, const std::string& scenario, const ElementStudy& study,
                             std::chrono::sys_seconds at = timeNow());
 SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer,
                             std::chrono::sys_seconds at = timeNow());

@@ -46,7 +46,7 @@ SavedOrigin originOf(const Json& json) {
             saved.value("city_sha256", ""),
             saved.value("baseline_sha256", ""),
             json.at("program"),
-            json.at("engine_settings"),
+            json.contains("engine_settings") ? json.at("engine_settings") : json.at("engine_used"),
             json.at("period").at("text"),
             region.is_object() ? region.at("name").get<std::string>() : region.get<std::string>(),
             weightsOf(json, saved)};
@@ -97,6 +97,38 @@ SavedScore readScore(const SavedResult& result, const Json& json) {
     return saved;
 }
 
+std::string elementErrorOf(const Json& json) {
+    const Json error = json.value("error", Json());
+    if (!error.is_object()) return {};
+    const Json &gross = error.at("gross"), &continuous = error.at("continuous");
+    return describe(ElementError{.points = wholeNumberFrom<std::size_t>(error.at("points")),
+                                 .grossMeanPct = gross.at("mean_pct"),
+                                 .grossLargestPct = gross.at("max_pct"),
+                                 .continuousMeanPct = continuous.at("mean_pct"),
+                                 .continuousLargestPct = continuous.at("max_pct")});
+}
+
+SourceValues sourceOf(const Json& json) {
+    SourceValues source;
+    const Json saved = json.value("kept", Json::object()).value("source", Json::array());
+    for (std::size_t i = 0; i < std::min(saved.size(), source.size()); ++i) source[i] = saved.at(i);
+    return source;
+}
+
+SavedElements elementsOf(const SavedResult& result, const Json& json) {
+    if (result.elements.empty()) throw std::invalid_argument("its points are missing");
+    SavedElements saved;
+    saved.map = {result.elements, json.at("sunlit_min_per_day")};
+    saved.figures = {json.at("mean_sunlit_min"), json.at("min_sunlit_min"), json.at("max_sunlit_min"),
+                     json.at("mean_continuous_min"), json.at("max_continuous_min")};
+    saved.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
+    saved.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
+    saved.seconds = json.at("seconds").value("accumulate", 0.0);
+    saved.error = elementErrorOf(json);
+    saved.source = sourceOf(json);
+    return saved;
+}
+
 void compareCity(std::vector<std::string>& changes, const Project& project, const std::string& scenario,
                  const std::string& hash) {
     const auto city = cityOf(project, scenario);
@@ -114,6 +146,7 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
     if (result.kind == "study") return SavedAnswer{origin, studyOf(result, json)};
     if (result.kind == "impact") return SavedAnswer{origin, impactOf(result, json)};
     if (result.kind == "score") return SavedAnswer{origin, readScore(result, json)};
+    if (result.kind == "elements") return SavedAnswer{origin, elementsOf(result, json)};
     return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind), result.name,
                    "Open the project with a newer Noonmark");
 } catch (const std::exception& problem) {  // JSON or layers of the wrong shape

@@ -7,6 +7,7 @@
 
 #include "core/engines/api/shadow_field.h"
 #include "core/measures/statistics.h"
+#include "core/study/elements/element_tables.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score.h"
@@ -44,10 +45,19 @@ struct SavedScore {
     std::string weights;  ///< name of the weight table
 };
 
+struct SavedElements {
+    ElementMap map;
+    ElementFigures figures;
+    std::uint64_t steps = 0, belowHorizon = 0;  ///< as of SavedStudy
+    double seconds = 0;
+    std::string error;    ///< against rays, as text; empty: not measured
+    SourceValues source;  ///< the source columns of its table, as they were when it was saved
+};
+
 /// A saved result read back, with the figures it was saved with.
 struct SavedAnswer {
     SavedOrigin origin;
-    std::variant<SavedStudy, SavedImpact, SavedScore> answer;
+    std::variant<SavedStudy, SavedImpact, SavedScore, SavedElements> answer;
 };
 
 /// Copies the layers. Error: the settings or layers do not match the kind.

@@ -47,6 +47,7 @@ void writeResult(Database& database, const SavedResult& result) {
              grid.westM, grid.southM, grid.cellM, grid.columns, grid.rows);
     const std::int64_t id = database.lastRow();
     for (std::size_t i = 0; i < result.layers.size(); ++i) writeLayer(database, result, id, i);
+    writeElements(database, id, result.elements);
 }
 
 void removeResult(Database& database, const std::string& name) {
@@ -58,6 +59,8 @@ void removeResult(Database& database, const std::string& name) {
         dropCoverage(database, table);
         removeBands(database, table);
     }
+    database.prepare("DELETE FROM result_elements WHERE result IN (SELECT id FROM results WHERE name = ?)")
+        .run(name);
     database.prepare("DELETE FROM result_layers WHERE result IN (SELECT id FROM results WHERE name = ?)")
         .run(name);
     database.prepare("DELETE FROM results WHERE name = ?").run(name);

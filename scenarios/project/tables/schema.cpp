@@ -79,6 +79,19 @@ CREATE TABLE saved_views (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL, t
   pitch_deg REAL NOT NULL, projection TEXT NOT NULL, date TEXT, at_min INTEGER);
 )sql";
 
+// Since version 7.
+constexpr const char* elementTable = R"sql(
+CREATE TABLE result_elements (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, result INTEGER NOT NULL,
+  element_id TEXT NOT NULL, kind TEXT NOT NULL, building TEXT NOT NULL, building_name TEXT NOT NULL, floor INTEGER,
+  azimuth_deg REAL, x_m REAL NOT NULL, y_m REAL NOT NULL, z_m REAL NOT NULL, normal_x REAL NOT NULL,
+  normal_y REAL NOT NULL, normal_z REAL NOT NULL, left_m REAL NOT NULL, below_m REAL NOT NULL, right_m REAL NOT NULL,
+  above_m REAL NOT NULL, sunlit_min REAL NOT NULL, gross_min REAL NOT NULL, continuous_min REAL NOT NULL,
+  longest_sun_min REAL NOT NULL, sunlit_min_01 REAL, sunlit_min_02 REAL, sunlit_min_03 REAL, sunlit_min_04 REAL,
+  sunlit_min_05 REAL, sunlit_min_06 REAL, sunlit_min_07 REAL, sunlit_min_08 REAL, sunlit_min_09 REAL,
+  sunlit_min_10 REAL, sunlit_min_11 REAL, sunlit_min_12 REAL);
+CREATE INDEX result_elements_result ON result_elements (result);
+)sql";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -96,6 +109,8 @@ constexpr std::array featureTables{
 constexpr FeatureTable placeLayer{"places", "MULTIPOLYGON", "Places", "Areas whose sunlight matters"};
 constexpr FeatureTable contextLayer{"context", "GEOMETRY", "Context",
                                     "Streets, paths, parks, water and trees, drawn for orientation"};
+constexpr FeatureTable elementLayer{"result_elements", "MULTIPOINT", "Points of results",
+                                    "Sun and shadow at points of facades, windows and planes"};
 constexpr std::array attributeTables{
     "noonmark",           "inputs",       "meshes",  "terrain", "scenarios",     "edits",
     "time_weight_tables", "time_weights", "periods", "results", "result_layers", "view_state"};
@@ -139,6 +154,11 @@ void addViewTable(Database& database) {
     contentsOf(database).run("saved_views", "attributes", "saved_views", "", std::optional<int>{});
 }
 
+void addElementTable(Database& database) {
+    database.execute(elementTable);
+    registerLayer(database, elementLayer);
+}
+
 void registerTables(Database& database) {
     Statement contents = contentsOf(database);
     for (const FeatureTable& layer : featureTables) registerLayer(database, layer);
@@ -157,6 +177,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         memory.execute(sheetTable);
         memory.execute(contextTable);
         memory.execute(viewTable);
+        memory.execute(elementTable);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
         while (table.step()) made[table.text(0)].push_back(table.text(1));
@@ -207,10 +228,15 @@ void toVersion6(Database& database) {
     addViewTable(database);
 }
 
+void toVersion7(Database& database) {
+    refuseForeignTable(database, "result_elements");
+    addElementTable(database);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
     static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4,
-                                                                   toVersion5, toVersion6};
+                                                                   toVersion5, toVersion6, toVersion7};
     return steps;
 }
 
@@ -225,6 +251,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     addSheetTable(database);
     addContextTable(database);
     addViewTable(database);
+    addElementTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));
@@ -250,6 +277,7 @@ void checkTables(Database& database) {
 void removeSpatialIndexes(Database& database) {
     std::vector<FeatureTable> layers(featureTables.begin(), featureTables.end());
     layers.push_back(placeLayer);
+    layers.push_back(elementLayer);
     for (const FeatureTable& layer : layers) {
         const std::string index = fmt::format("rtree_{}_geom", layer.table);
         std::vector<std::string> statements;
