@@ -68,7 +68,9 @@ Result<WindowAnswer> computeWindowReview(const WindowQuestion& question, Progres
 }
 
 Result<std::vector<std::filesystem::path>> writeWindowReview(const WindowExport& review,
-                                                             const std::filesystem::path& folder) {
+                                                             const std::filesystem::path& folder,
+                                                             Progress& progress,
+                                                             const std::stop_token& stop) {
     const WindowQuestion& asked = review.answer->question;
     WindowStudy study = review.answer->study;
     study.warnings.insert(study.warnings.end(), review.ofRules.begin(), review.ofRules.end());
@@ -79,8 +81,8 @@ Result<std::vector<std::filesystem::path>> writeWindowReview(const WindowExport&
         provenanceOf(review.project, review.file ? &*review.file : nullptr, {asked.to, asked.from, {}, {}}),
         {},
         repeatOptions(asked.settings, review.sheets)};
-    return writeWindowFiles({study, labels, *asked.after, review.project.reading->heights}, review.sheets,
-                            folder, false, review.outputs);
+    return writeWindowFiles({study, labels, *asked.before, *asked.after, review.project.reading->heights},
+                            review.sheets, folder, false, review.outputs, progress, stop);
 }
 
 }  // namespace noonmark

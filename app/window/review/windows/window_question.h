@@ -46,6 +46,7 @@ struct WindowExport {
 
 /// Writes the files of `noonmark-cli review run --windows`. Errors of writeWindowFiles(). Returns the paths.
 Result<std::vector<std::filesystem::path>> writeWindowReview(const WindowExport& review,
-                                                             const std::filesystem::path& folder);
+                                                             const std::filesystem::path& folder,
+                                                             Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

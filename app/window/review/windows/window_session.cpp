@@ -81,8 +81,8 @@ void WindowSession::write(const WindowExport& review, const QString& folder) {
     using Files = std::vector<std::filesystem::path>;
     running_.start<Files>(
         tr("Writing the review"),
-        [review, folder](Progress&, const std::stop_token&) {
-            return writeWindowReview(review, folder.toStdString());
+        [review, folder](Progress& progress, const std::stop_token& stop) {
+            return writeWindowReview(review, folder.toStdString(), progress, stop);
         },
         [this, folder](const Result<Files>& files) {
             if (!files) return tell(files.error());
