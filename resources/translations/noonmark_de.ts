@@ -1905,6 +1905,110 @@ All sides %2, area %3</source>
         <translation>%1
 Alle Seiten %2, Fläche %3</translation>
     </message>
+    <message>
+        <source>%1 h of sun a day, at most %2 h without a break</source>
+        <translation>%1 h Sonne am Tag, höchstens %2 h ohne Unterbrechung</translation>
+    </message>
+    <message>
+        <source>floor %1, %2</source>
+        <translation>Geschoss %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 h a day</source>
+        <translation>%1 h am Tag</translation>
+    </message>
+    <message>
+        <source>Mean sun</source>
+        <translation>Mittlere Sonne</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day, mean over days and points</source>
+        <translation>Sonnenstunden am Tag, Mittel über Tage und Punkte</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>Wenigste Sonne</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day at the darkest point</source>
+        <translation>Sonnenstunden am Tag am dunkelsten Punkt</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>Meiste Sonne</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day at the sunniest point</source>
+        <translation>Sonnenstunden am Tag am sonnigsten Punkt</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
+        <translation>Minuten im Schatten am Tag, Mittel über Tage und Punkte; ein von der Sonne abgewandter Punkt liegt im Schatten</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the points</source>
+        <translation>Längste ununterbrochene Zeit im Schatten an irgendeinem Tag, Mittel über die Punkte</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow at any point on any day</source>
+        <translation>Längste ununterbrochene Zeit im Schatten an irgendeinem Punkt und Tag</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Points where sun is measured</source>
+        <translation>Punkte, an denen die Sonne gemessen wird</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the points over the same steps</source>
+        <translation>Gegen die Strahlenreferenz, an einer Stichprobe der Punkte über dieselben Schritte</translation>
+    </message>
+    <message>
+        <source>Horizons of the points</source>
+        <translation>Horizonte der Punkte</translation>
+    </message>
+    <message>
+        <source>Windows from file</source>
+        <translation>Fenster aus Datei</translation>
+    </message>
+    <message>
+        <source>Points and polygons</source>
+        <translation>Punkte und Polygone</translation>
+    </message>
+    <message>
+        <source>Facades and points</source>
+        <translation>Fassaden und Punkte</translation>
+    </message>
+    <message>
+        <source>%1 windows: %2. Compared with before, %3 get worse and %4 better</source>
+        <translation>%1 Fenster: %2. Gegenüber vorher werden %3 schlechter und %4 besser</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 positions of the sun.</source>
+        <translation>%1 Punkte, %2 Sonnenstände.</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"> m</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>an Fassaden</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>an Fenstern einer Datei</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>auf einer waagerechten Ebene</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2353,6 +2457,211 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Lot from foot&amp;print</source>
         <translation>Grundstück aus Grund&amp;riss</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementForm</name>
+    <message>
+        <source>Width of a bay: a wall has one point in each</source>
+        <translation>Breite eines Achsfelds: eine Wand hat in jedem einen Punkt</translation>
+    </message>
+    <message>
+        <source>Height of a storey: a wall has a row of points in each, and floors are numbered by it</source>
+        <translation>Höhe eines Geschosses: eine Wand hat in jedem eine Reihe von Punkten, und die Geschosse werden danach gezählt</translation>
+    </message>
+    <message>
+        <source>Height of the points above the floor of their storey</source>
+        <translation>Höhe der Punkte über dem Fußboden ihres Geschosses</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>Höhenlagen</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>über dem Gelände</translation>
+    </message>
+    <message>
+        <source>Heights of the file: elevations as those of the city, or metres above the ground below the window</source>
+        <translation>Höhen der Datei: Höhenlagen wie die der Stadt oder Meter über dem Gelände unter dem Fenster</translation>
+    </message>
+    <message>
+        <source>Height of the plane above the mean of the region&apos;s ground. The size of its cells is that under &quot;How exactly&quot;.</source>
+        <translation>Höhe der Ebene über dem mittleren Gelände des Gebiets. Die Größe ihrer Zellen ist die unter „Wie genau“.</translation>
+    </message>
+    <message>
+        <source>all of the region</source>
+        <translation>alle des Gebiets</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them; their middle must be in the region. Empty: all buildings of the region</source>
+        <translation>Namen oder Kennungen von Gebäuden, durch Kommas getrennt; ihre Mitte muss im Gebiet liegen. Leer: alle Gebäude des Gebiets</translation>
+    </message>
+    <message>
+        <source>Adds the selected building, or removes it. Click a building first.</source>
+        <translation>Fügt das gewählte Gebäude hinzu oder entfernt es. Klicken Sie zuerst ein Gebäude an.</translation>
+    </message>
+    <message>
+        <source>file of windows</source>
+        <translation>Datei mit Fenstern</translation>
+    </message>
+    <message>
+        <source>Points or polygons with heights, in any vector format. Fields id, azimuth, floor</source>
+        <translation>Punkte oder Polygone mit Höhen in einem beliebigen Vektorformat. Felder id, azimuth, floor</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Durchsuchen ...</translation>
+    </message>
+    <message>
+        <source>Chooses the file of windows</source>
+        <translation>Wählt die Datei mit den Fenstern</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>Above floor</source>
+        <translation>Über Fußboden</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>bay</source>
+        <translation>Achsfeld</translation>
+    </message>
+    <message>
+        <source>storey</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>above floor</source>
+        <translation>über Fußboden</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>buildings</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Gewähltes dazu</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementModel</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>Facing, °</source>
+        <translation>Richtung, °</translation>
+    </message>
+    <message>
+        <source>Sun, h a day</source>
+        <translation>Sonne, h am Tag</translation>
+    </message>
+    <message>
+        <source>Sun, % of time</source>
+        <translation>Sonne, % der Zeit</translation>
+    </message>
+    <message>
+        <source>Longest sun, h</source>
+        <translation>Längste Sonne, h</translation>
+    </message>
+    <message>
+        <source>Gross, min</source>
+        <translation>Gesamt, min</translation>
+    </message>
+    <message>
+        <source>Continuous, min</source>
+        <translation>Ununterbrochen, min</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementsDock</name>
+    <message>
+        <source> h</source>
+        <translation type="unfinished"> h</translation>
+    </message>
+    <message>
+        <source>Part of a building or point</source>
+        <translation>Teil eines Gebäudes oder Punkts</translation>
+    </message>
+    <message>
+        <source>Lists only the points whose id or building contains this text</source>
+        <translation>Listet nur Punkte auf, deren Kennung oder Gebäude diesen Text enthält</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Lists only the points with less sun a day than this</source>
+        <translation>Listet nur Punkte mit weniger Sonne am Tag auf</translation>
+    </message>
+    <message>
+        <source>Select rows to see their points in the view; double-click to go there</source>
+        <translation>Wählen Sie Zeilen, um ihre Punkte in der Ansicht zu sehen; ein Doppelklick führt dorthin</translation>
+    </message>
+    <message>
+        <source>Sun below</source>
+        <translation>Sonne unter</translation>
+    </message>
+    <message>
+        <source>No points measured</source>
+        <translation>Keine Punkte gemessen</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 von %2 Punkten</translation>
     </message>
 </context>
 <context>
@@ -3980,6 +4289,10 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Punkte von %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -4014,6 +4327,10 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     <message>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>Veraltete Bewertung: die Gewichtstabelle hat sich geändert; neu bewerten.</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the time in the sun</source>
+        <translation>Gemessener Fehler gegen Strahlen: %1 % der Sonnenzeit</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4376,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>S&amp;heets of the review...</source>
         <translation>B&amp;lätter der Prüfung ...</translation>
     </message>
+    <message>
+        <source>Export the review</source>
+        <translation>Prüfung exportieren</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewDock</name>
@@ -4073,10 +4394,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Export...</source>
         <translation>Exportieren ...</translation>
-    </message>
-    <message>
-        <source>Evaluate the rule on the ticked places</source>
-        <translation>Die Regel an den angekreuzten Orten auswerten</translation>
     </message>
     <message>
         <source>Copies the table, with all days, as text for a spreadsheet</source>
@@ -4154,6 +4471,18 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>&lt;h4&gt;Figures with status and source&lt;/h4&gt;</source>
         <translation>&lt;h4&gt;Zahlen mit Stand und Quelle&lt;/h4&gt;</translation>
     </message>
+    <message>
+        <source>Evaluate the rule on the ticked places, or on the windows</source>
+        <translation>Wertet die Regel an den angehakten Orten oder an den Fenstern aus</translation>
+    </message>
+    <message>
+        <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
+        <translation>Eine Regel über Fenster hat keinen Zeitverlauf: Ein Klick auf eine Zeile zeigt, wann ihr Fenster Sonne hat.</translation>
+    </message>
+    <message>
+        <source>Press Run review to evaluate the rule on the windows.</source>
+        <translation>„Prüfung ausführen“ wertet die Regel an den Fenstern aus.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewSession</name>
@@ -4215,10 +4544,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Displayed: %1</source>
         <translation>Angezeigt: %1</translation>
-    </message>
-    <message>
-        <source>%1 (windows: command line only)</source>
-        <translation>%1 (Fenster: nur Befehlszeile)</translation>
     </message>
 </context>
 <context>
@@ -4944,6 +5269,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Run study</source>
         <translation>Berechnen</translation>
     </message>
+    <message>
+        <source>This method measures no facades, windows or planes. Choose Quick or Reference.</source>
+        <translation>Dieses Verfahren misst keine Fassaden, Fenster oder Ebenen. Wählen Sie Schnell oder Referenz.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -5449,12 +5778,6 @@ vom Jahr ebenso viele Wochen</translation>
 <context>
     <name>noonmark::WhatForm</name>
     <message>
-        <source>Where shadow is measured. Changes and scores are measured on the ground only.
-Shadow on facades is shown in the mode Exploration.</source>
-        <translation>Wo Schatten gemessen wird. Änderungen und Bewertungen werden nur auf dem Boden gemessen.
-Schatten auf Fassaden zeigt der Modus Erkundung.</translation>
-    </message>
-    <message>
         <source>Hours of shadow</source>
         <translation>Stunden im Schatten</translation>
     </message>
@@ -5469,6 +5792,16 @@ Schatten auf Fassaden zeigt der Modus Erkundung.</translation>
     <message>
         <source>Review by a rule</source>
         <translation>Prüfung nach einer Regel</translation>
+    </message>
+    <message>
+        <source>Where shadow is measured. Changes and scores are measured on the ground only.
+Facades, windows and planes are measured at points, each with its hours of sun.</source>
+        <translation>Wo der Schatten gemessen wird. Änderungen und Bewertungen werden nur auf dem Boden gemessen.
+Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnenstunden.</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation type="unfinished">Messpunkte</translation>
     </message>
 </context>
 <context>
@@ -5543,6 +5876,143 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
 Click a building first.</source>
         <translation>Die Umgebung des gewählten Gebäudes, bis zum Vierfachen seiner Höhe.
 Zuerst ein Gebäude anklicken.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowForm</name>
+    <message>
+        <source>Selected</source>
+        <translation>Gewähltes</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"> m</translation>
+    </message>
+    <message>
+        <source>Facades, bay by bay</source>
+        <translation>Fassaden, Achse für Achse</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>A file of points or polygons with heights gives the real windows</source>
+        <translation>Eine Datei mit Punkten oder Polygonen mit Höhen gibt die wirklichen Fenster an</translation>
+    </message>
+    <message>
+        <source>GeoPackage, GeoJSON, Shapefile...</source>
+        <translation>GeoPackage, GeoJSON, Shapefile ...</translation>
+    </message>
+    <message>
+        <source>All buildings</source>
+        <translation>Alle Gebäude</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them; empty: all buildings</source>
+        <translation>Namen oder Kennungen von Gebäuden, durch Kommas getrennt; leer: alle Gebäude</translation>
+    </message>
+    <message>
+        <source>Width of a bay, which has one window in each storey</source>
+        <translation>Breite einer Achse, die in jedem Geschoss ein Fenster hat</translation>
+    </message>
+    <message>
+        <source>Height of a storey; windows are numbered by it</source>
+        <translation>Höhe eines Geschosses; danach werden Fenster nummeriert</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Durchsuchen ...</translation>
+    </message>
+    <message>
+        <source>Adds the building that is selected in the view</source>
+        <translation>Fügt das in der Ansicht gewählte Gebäude hinzu</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Geschoss</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowSession</name>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation type="unfinished">Nicht aktuell. %1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
+        <translation>Nicht aktuell: Gebäude, Fenster oder die Regel haben sich geändert. Erneut ausführen.</translation>
+    </message>
+    <message>
+        <source>Writing the review</source>
+        <translation>Prüfung wird geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowTable</name>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, vorher</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1, nachher</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished">%1: %2.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Sun on %1: %2; before: %3.</source>
+        <translation>Sonne am %1: %2; vorher: %3.</translation>
     </message>
 </context>
 <context>

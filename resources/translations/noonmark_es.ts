@@ -1905,6 +1905,110 @@ All sides %2, area %3</source>
         <translation>%1
 Todos los lados %2, área %3</translation>
     </message>
+    <message>
+        <source>%1 h of sun a day, at most %2 h without a break</source>
+        <translation>%1 h de sol al día, como máximo %2 h sin interrupción</translation>
+    </message>
+    <message>
+        <source>floor %1, %2</source>
+        <translation>planta %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 h a day</source>
+        <translation>%1 h al día</translation>
+    </message>
+    <message>
+        <source>Mean sun</source>
+        <translation>Sol medio</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day, mean over days and points</source>
+        <translation>Horas de sol al día, media de días y puntos</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>Sol mínimo</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day at the darkest point</source>
+        <translation>Horas de sol al día en el punto más oscuro</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>Sol máximo</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day at the sunniest point</source>
+        <translation>Horas de sol al día en el punto más soleado</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
+        <translation>Minutos en sombra al día, media de días y puntos; un punto de espaldas al sol está en sombra</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the points</source>
+        <translation>Tiempo ininterrumpido más largo en sombra en cualquier día, media de los puntos</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow at any point on any day</source>
+        <translation>Tiempo ininterrumpido más largo en sombra en cualquier punto y día</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Points where sun is measured</source>
+        <translation>Puntos donde se mide el sol</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the points over the same steps</source>
+        <translation>Frente a la referencia de rayos, en una muestra de los puntos con los mismos pasos</translation>
+    </message>
+    <message>
+        <source>Horizons of the points</source>
+        <translation>Horizontes de los puntos</translation>
+    </message>
+    <message>
+        <source>Windows from file</source>
+        <translation>Ventanas de un archivo</translation>
+    </message>
+    <message>
+        <source>Points and polygons</source>
+        <translation>Puntos y polígonos</translation>
+    </message>
+    <message>
+        <source>Facades and points</source>
+        <translation>Fachadas y puntos</translation>
+    </message>
+    <message>
+        <source>%1 windows: %2. Compared with before, %3 get worse and %4 better</source>
+        <translation>%1 ventanas: %2. En comparación con antes, %3 empeoran y %4 mejoran</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 positions of the sun.</source>
+        <translation>%1 puntos, %2 posiciones del sol.</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"> m</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>en fachadas</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>en ventanas de un archivo</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>en un plano horizontal</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2353,6 +2457,211 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Lot from foot&amp;print</source>
         <translation>Parcela desde la &amp;huella</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementForm</name>
+    <message>
+        <source>Width of a bay: a wall has one point in each</source>
+        <translation>Ancho de un vano: una pared tiene un punto en cada uno</translation>
+    </message>
+    <message>
+        <source>Height of a storey: a wall has a row of points in each, and floors are numbered by it</source>
+        <translation>Altura de una planta: una pared tiene una fila de puntos en cada una, y las plantas se numeran según ella</translation>
+    </message>
+    <message>
+        <source>Height of the points above the floor of their storey</source>
+        <translation>Altura de los puntos sobre el suelo de su planta</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>cotas</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>sobre el terreno</translation>
+    </message>
+    <message>
+        <source>Heights of the file: elevations as those of the city, or metres above the ground below the window</source>
+        <translation>Alturas del archivo: cotas como las de la ciudad, o metros sobre el terreno bajo la ventana</translation>
+    </message>
+    <message>
+        <source>Height of the plane above the mean of the region&apos;s ground. The size of its cells is that under &quot;How exactly&quot;.</source>
+        <translation>Altura del plano sobre la media del terreno de la región. El tamaño de sus celdas es el de «Con qué precisión».</translation>
+    </message>
+    <message>
+        <source>all of the region</source>
+        <translation>todos los de la región</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them; their middle must be in the region. Empty: all buildings of the region</source>
+        <translation>Nombres o identificadores de edificios, separados por comas; su centro debe estar en la región. Vacío: todos los edificios de la región</translation>
+    </message>
+    <message>
+        <source>Adds the selected building, or removes it. Click a building first.</source>
+        <translation>Añade el edificio seleccionado o lo quita. Haga clic antes en un edificio.</translation>
+    </message>
+    <message>
+        <source>file of windows</source>
+        <translation>archivo de ventanas</translation>
+    </message>
+    <message>
+        <source>Points or polygons with heights, in any vector format. Fields id, azimuth, floor</source>
+        <translation>Puntos o polígonos con alturas, en cualquier formato vectorial. Campos id, azimuth, floor</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Examinar...</translation>
+    </message>
+    <message>
+        <source>Chooses the file of windows</source>
+        <translation>Elige el archivo de ventanas</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Alturas</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>Vano</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Above floor</source>
+        <translation>Sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>bay</source>
+        <translation>vano</translation>
+    </message>
+    <message>
+        <source>storey</source>
+        <translation>planta</translation>
+    </message>
+    <message>
+        <source>above floor</source>
+        <translation>sobre el suelo</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>buildings</source>
+        <translation>edificios</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>ventanas</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>alturas</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Añadir selección</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementModel</name>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Facing, °</source>
+        <translation>Orientación, °</translation>
+    </message>
+    <message>
+        <source>Sun, h a day</source>
+        <translation>Sol, h al día</translation>
+    </message>
+    <message>
+        <source>Sun, % of time</source>
+        <translation>Sol, % del tiempo</translation>
+    </message>
+    <message>
+        <source>Longest sun, h</source>
+        <translation>Sol más largo, h</translation>
+    </message>
+    <message>
+        <source>Gross, min</source>
+        <translation>Total, min</translation>
+    </message>
+    <message>
+        <source>Continuous, min</source>
+        <translation>Continuo, min</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementsDock</name>
+    <message>
+        <source> h</source>
+        <translation type="unfinished"> h</translation>
+    </message>
+    <message>
+        <source>Part of a building or point</source>
+        <translation>Parte de un edificio o punto</translation>
+    </message>
+    <message>
+        <source>Lists only the points whose id or building contains this text</source>
+        <translation>Muestra solo los puntos cuyo identificador o edificio contiene este texto</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Lists only the points with less sun a day than this</source>
+        <translation>Muestra solo los puntos con menos sol al día que esto</translation>
+    </message>
+    <message>
+        <source>Select rows to see their points in the view; double-click to go there</source>
+        <translation>Seleccione filas para ver sus puntos en la vista; doble clic para ir allí</translation>
+    </message>
+    <message>
+        <source>Sun below</source>
+        <translation>Sol inferior a</translation>
+    </message>
+    <message>
+        <source>No points measured</source>
+        <translation>Sin puntos medidos</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 puntos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 de %2 puntos</translation>
     </message>
 </context>
 <context>
@@ -3980,6 +4289,10 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Puntos de %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -4014,6 +4327,10 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     <message>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>Puntuación desactualizada: la tabla de pesos ha cambiado; vuelva a puntuar.</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the time in the sun</source>
+        <translation>Error medido frente a rayos: %1 % del tiempo de sol</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4376,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>S&amp;heets of the review...</source>
         <translation>Láminas de la evaluación...</translation>
     </message>
+    <message>
+        <source>Export the review</source>
+        <translation>Exportar la revisión</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewDock</name>
@@ -4073,10 +4394,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Export...</source>
         <translation>Exportar...</translation>
-    </message>
-    <message>
-        <source>Evaluate the rule on the ticked places</source>
-        <translation>Aplicar la norma a los lugares marcados</translation>
     </message>
     <message>
         <source>Copies the table, with all days, as text for a spreadsheet</source>
@@ -4154,6 +4471,18 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>&lt;h4&gt;Figures with status and source&lt;/h4&gt;</source>
         <translation>&lt;h4&gt;Cifras con estado y fuente&lt;/h4&gt;</translation>
     </message>
+    <message>
+        <source>Evaluate the rule on the ticked places, or on the windows</source>
+        <translation>Evalúa la norma en los lugares marcados o en las ventanas</translation>
+    </message>
+    <message>
+        <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
+        <translation>Una norma sobre ventanas no tiene cronología: haga clic en una fila para leer cuándo tiene sol su ventana.</translation>
+    </message>
+    <message>
+        <source>Press Run review to evaluate the rule on the windows.</source>
+        <translation>Pulse «Ejecutar revisión» para evaluar la norma en las ventanas.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewSession</name>
@@ -4215,10 +4544,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Displayed: %1</source>
         <translation>Mostrado: %1</translation>
-    </message>
-    <message>
-        <source>%1 (windows: command line only)</source>
-        <translation>%1 (ventanas: solo línea de órdenes)</translation>
     </message>
 </context>
 <context>
@@ -4944,6 +5269,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Run study</source>
         <translation>Calcular</translation>
     </message>
+    <message>
+        <source>This method measures no facades, windows or planes. Choose Quick or Reference.</source>
+        <translation>Este método no mide fachadas, ventanas ni planos. Elija Rápida o Referencia.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -5449,12 +5778,6 @@ del año, otras tantas semanas</translation>
 <context>
     <name>noonmark::WhatForm</name>
     <message>
-        <source>Where shadow is measured. Changes and scores are measured on the ground only.
-Shadow on facades is shown in the mode Exploration.</source>
-        <translation>Dónde se mide la sombra. Los cambios y puntuaciones se miden solo en el suelo.
-La sombra en fachadas se ve en el modo Exploración.</translation>
-    </message>
-    <message>
         <source>Hours of shadow</source>
         <translation>Horas de sombra</translation>
     </message>
@@ -5469,6 +5792,16 @@ La sombra en fachadas se ve en el modo Exploración.</translation>
     <message>
         <source>Review by a rule</source>
         <translation>Evaluación según una norma</translation>
+    </message>
+    <message>
+        <source>Where shadow is measured. Changes and scores are measured on the ground only.
+Facades, windows and planes are measured at points, each with its hours of sun.</source>
+        <translation>Dónde se mide la sombra. Los cambios y puntuaciones se miden solo en el suelo.
+Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation type="unfinished">receptores</translation>
     </message>
 </context>
 <context>
@@ -5543,6 +5876,143 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Es
 Click a building first.</source>
         <translation>El entorno del edificio seleccionado, hasta cuatro veces su altura.
 Haga clic antes en un edificio.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowForm</name>
+    <message>
+        <source>Selected</source>
+        <translation>Seleccionado</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"> m</translation>
+    </message>
+    <message>
+        <source>Facades, bay by bay</source>
+        <translation>Fachadas, vano por vano</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>De un archivo</translation>
+    </message>
+    <message>
+        <source>A file of points or polygons with heights gives the real windows</source>
+        <translation>Un archivo de puntos o polígonos con alturas da las ventanas reales</translation>
+    </message>
+    <message>
+        <source>GeoPackage, GeoJSON, Shapefile...</source>
+        <translation>GeoPackage, GeoJSON, Shapefile...</translation>
+    </message>
+    <message>
+        <source>All buildings</source>
+        <translation>Todos los edificios</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them; empty: all buildings</source>
+        <translation>Nombres o identificadores de edificios, separados por comas; vacío: todos los edificios</translation>
+    </message>
+    <message>
+        <source>Width of a bay, which has one window in each storey</source>
+        <translation>Anchura de un vano, que tiene una ventana en cada planta</translation>
+    </message>
+    <message>
+        <source>Height of a storey; windows are numbered by it</source>
+        <translation>Altura de una planta; con ella se numeran las ventanas</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Examinar...</translation>
+    </message>
+    <message>
+        <source>Adds the building that is selected in the view</source>
+        <translation>Añade el edificio seleccionado en la vista</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Ventanas</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>Edificios</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>Vano</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Planta</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowSession</name>
+    <message>
+        <source>Review</source>
+        <translation>Revisión</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation type="unfinished">No actualizado. %1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
+        <translation>No está al día: han cambiado los edificios, las ventanas o la norma. Vuelva a ejecutarla.</translation>
+    </message>
+    <message>
+        <source>Writing the review</source>
+        <translation>Escribiendo la revisión</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowTable</name>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, antes</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1, después</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished">%1: %2.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Sun on %1: %2; before: %3.</source>
+        <translation>Sol el %1: %2; antes: %3.</translation>
     </message>
 </context>
 <context>

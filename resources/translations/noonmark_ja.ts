@@ -1905,6 +1905,110 @@ All sides %2, area %3</source>
         <translation>%1
 全辺 %2、面積 %3</translation>
     </message>
+    <message>
+        <source>%1 h of sun a day, at most %2 h without a break</source>
+        <translation>1日の日照%1時間、連続で最長%2時間</translation>
+    </message>
+    <message>
+        <source>floor %1, %2</source>
+        <translation>%1階、%2</translation>
+    </message>
+    <message>
+        <source>%1 h a day</source>
+        <translation>1日%1時間</translation>
+    </message>
+    <message>
+        <source>Mean sun</source>
+        <translation>平均日照</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day, mean over days and points</source>
+        <translation>1日の日照時間。日と点の平均</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>最小の日照</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day at the darkest point</source>
+        <translation>最も暗い点の1日の日照時間</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>最大の日照</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day at the sunniest point</source>
+        <translation>最も日当たりの良い点の1日の日照時間</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
+        <translation>1日の影の時間(分)。日と点の平均。太陽に背を向けた点は影とみなします</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow on any day, mean over the points</source>
+        <translation>任意の日の連続した影の最長時間。点の平均</translation>
+    </message>
+    <message>
+        <source>Longest unbroken run in shadow at any point on any day</source>
+        <translation>任意の点と日の連続した影の最長時間</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Points where sun is measured</source>
+        <translation>日照を測る点</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>誤差</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the points over the same steps</source>
+        <translation>光線による基準との差。点の標本を同じステップで比較</translation>
+    </message>
+    <message>
+        <source>Horizons of the points</source>
+        <translation>点の地平線</translation>
+    </message>
+    <message>
+        <source>Windows from file</source>
+        <translation>ファイルの窓</translation>
+    </message>
+    <message>
+        <source>Points and polygons</source>
+        <translation>点とポリゴン</translation>
+    </message>
+    <message>
+        <source>Facades and points</source>
+        <translation>ファサードと点</translation>
+    </message>
+    <message>
+        <source>%1 windows: %2. Compared with before, %3 get worse and %4 better</source>
+        <translation>窓 %1 か所: %2。以前と比べて悪化 %3、改善 %4</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 positions of the sun.</source>
+        <translation>%1点、太陽の位置%2。</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"> m</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>ファサード</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>ファイルの窓</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>水平面</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2353,6 +2457,211 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Lot from foot&amp;print</source>
         <translation>外形から敷地(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementForm</name>
+    <message>
+        <source>Width of a bay: a wall has one point in each</source>
+        <translation>柱間の幅。壁は柱間ごとに1点を持ちます</translation>
+    </message>
+    <message>
+        <source>Height of a storey: a wall has a row of points in each, and floors are numbered by it</source>
+        <translation>階の高さ。壁は階ごとに1列の点を持ち、階数はこの高さで数えます</translation>
+    </message>
+    <message>
+        <source>Height of the points above the floor of their storey</source>
+        <translation>各階の床から点までの高さ</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>標高</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>Heights of the file: elevations as those of the city, or metres above the ground below the window</source>
+        <translation>ファイルの高さ: 都市と同じ標高、または窓の下の地盤からのメートル</translation>
+    </message>
+    <message>
+        <source>Height of the plane above the mean of the region&apos;s ground. The size of its cells is that under &quot;How exactly&quot;.</source>
+        <translation>領域の平均地盤面からの水平面の高さ。セルの大きさは「精度」で指定したものです。</translation>
+    </message>
+    <message>
+        <source>all of the region</source>
+        <translation>領域内のすべて</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them; their middle must be in the region. Empty: all buildings of the region</source>
+        <translation>建物の名前またはID(コンマ区切り)。中心が領域内にあること。空欄: 領域内のすべての建物</translation>
+    </message>
+    <message>
+        <source>Adds the selected building, or removes it. Click a building first.</source>
+        <translation>選択した建物を追加または除外します。先に建物をクリックしてください。</translation>
+    </message>
+    <message>
+        <source>file of windows</source>
+        <translation>窓のファイル</translation>
+    </message>
+    <message>
+        <source>Points or polygons with heights, in any vector format. Fields id, azimuth, floor</source>
+        <translation>高さのある点またはポリゴン(任意のベクター形式)。フィールド id、azimuth、floor</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>参照...</translation>
+    </message>
+    <message>
+        <source>Chooses the file of windows</source>
+        <translation>窓のファイルを選びます</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高さの基準</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>スパン</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>Above floor</source>
+        <translation>床からの高さ</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>bay</source>
+        <translation>柱間</translation>
+    </message>
+    <message>
+        <source>storey</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>above floor</source>
+        <translation>床からの高さ</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>水平面</translation>
+    </message>
+    <message>
+        <source>buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>高さの基準</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>解除</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>選択を追加</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementModel</name>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>階</translation>
+    </message>
+    <message>
+        <source>Facing, °</source>
+        <translation>方位、°</translation>
+    </message>
+    <message>
+        <source>Sun, h a day</source>
+        <translation>日照、時間/日</translation>
+    </message>
+    <message>
+        <source>Sun, % of time</source>
+        <translation>日照、時間の%</translation>
+    </message>
+    <message>
+        <source>Longest sun, h</source>
+        <translation>最長の日照、時間</translation>
+    </message>
+    <message>
+        <source>Gross, min</source>
+        <translation>累計、分</translation>
+    </message>
+    <message>
+        <source>Continuous, min</source>
+        <translation>連続、分</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementsDock</name>
+    <message>
+        <source> h</source>
+        <translation type="unfinished"> 時間</translation>
+    </message>
+    <message>
+        <source>Part of a building or point</source>
+        <translation>建物または点の一部</translation>
+    </message>
+    <message>
+        <source>Lists only the points whose id or building contains this text</source>
+        <translation>IDまたは建物にこの文字列を含む点だけを表示します</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>指定なし</translation>
+    </message>
+    <message>
+        <source>Lists only the points with less sun a day than this</source>
+        <translation>1日の日照がこれより短い点だけを表示します</translation>
+    </message>
+    <message>
+        <source>Select rows to see their points in the view; double-click to go there</source>
+        <translation>行を選ぶと点がビューに示されます。ダブルクリックでそこへ移動します</translation>
+    </message>
+    <message>
+        <source>Sun below</source>
+        <translation>日照が次より短い</translation>
+    </message>
+    <message>
+        <source>No points measured</source>
+        <translation>測定した点はありません</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1点</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%2点のうち%1点</translation>
     </message>
 </context>
 <context>
@@ -3980,6 +4289,10 @@ Off: at the origin of the city from the other files.</source>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>%1の点</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -4014,6 +4327,10 @@ Off: at the origin of the city from the other files.</source>
     <message>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>古いスコア: 重み表が変わりました。再計算してください。</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the time in the sun</source>
+        <translation>光線に対する測定誤差: 日照時間の%1 %</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4376,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>S&amp;heets of the review...</source>
         <translation>審査の図面(&amp;H)...</translation>
     </message>
+    <message>
+        <source>Export the review</source>
+        <translation>審査を書き出す</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewDock</name>
@@ -4073,10 +4394,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Export...</source>
         <translation>書き出す...</translation>
-    </message>
-    <message>
-        <source>Evaluate the rule on the ticked places</source>
-        <translation>選んだ場所に規定を適用</translation>
     </message>
     <message>
         <source>Copies the table, with all days, as text for a spreadsheet</source>
@@ -4154,6 +4471,18 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>&lt;h4&gt;Figures with status and source&lt;/h4&gt;</source>
         <translation>&lt;h4&gt;数値の状態と出典&lt;/h4&gt;</translation>
     </message>
+    <message>
+        <source>Evaluate the rule on the ticked places, or on the windows</source>
+        <translation>チェックした場所または窓について規則を評価します</translation>
+    </message>
+    <message>
+        <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
+        <translation>窓についての規則に時間経過はありません。行をクリックすると、その窓に日が当たる時間が表示されます。</translation>
+    </message>
+    <message>
+        <source>Press Run review to evaluate the rule on the windows.</source>
+        <translation>「審査を実行」を押すと、窓について規則を評価します。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewSession</name>
@@ -4215,10 +4544,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Displayed: %1</source>
         <translation>表示中: %1</translation>
-    </message>
-    <message>
-        <source>%1 (windows: command line only)</source>
-        <translation>%1 (窓: コマンドラインのみ)</translation>
     </message>
 </context>
 <context>
@@ -4944,6 +5269,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Run study</source>
         <translation>計算</translation>
     </message>
+    <message>
+        <source>This method measures no facades, windows or planes. Choose Quick or Reference.</source>
+        <translation>この方法はファサード、窓、水平面を測れません。「速い」または「基準」を選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -5449,12 +5778,6 @@ of the year, as many weeks</source>
 <context>
     <name>noonmark::WhatForm</name>
     <message>
-        <source>Where shadow is measured. Changes and scores are measured on the ground only.
-Shadow on facades is shown in the mode Exploration.</source>
-        <translation>日影を測る所。変化とスコアは地面だけで測ります。
-外壁の影は「探索」モードで表示。</translation>
-    </message>
-    <message>
         <source>Hours of shadow</source>
         <translation>日影時間</translation>
     </message>
@@ -5469,6 +5792,16 @@ Shadow on facades is shown in the mode Exploration.</source>
     <message>
         <source>Review by a rule</source>
         <translation>規定による審査</translation>
+    </message>
+    <message>
+        <source>Where shadow is measured. Changes and scores are measured on the ground only.
+Facades, windows and planes are measured at points, each with its hours of sun.</source>
+        <translation>影を測る場所。変化とスコアは地盤面でのみ測ります。
+ファサード、窓、水平面は点で測り、点ごとに日照時間を示します。</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation type="unfinished">測定点</translation>
     </message>
 </context>
 <context>
@@ -5543,6 +5876,143 @@ Double click, Enter or right click finishes, Backspace removes the last corner, 
 Click a building first.</source>
         <translation>選択した建物の周り、高さの 4 倍まで。
 先に建物をクリックしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowForm</name>
+    <message>
+        <source>Selected</source>
+        <translation>選択中のもの</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"> m</translation>
+    </message>
+    <message>
+        <source>Facades, bay by bay</source>
+        <translation>ファサード(スパンごと)</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>ファイルから</translation>
+    </message>
+    <message>
+        <source>A file of points or polygons with heights gives the real windows</source>
+        <translation>高さをもつ点またはポリゴンのファイルで実際の窓を指定します</translation>
+    </message>
+    <message>
+        <source>GeoPackage, GeoJSON, Shapefile...</source>
+        <translation>GeoPackage、GeoJSON、Shapefile など</translation>
+    </message>
+    <message>
+        <source>All buildings</source>
+        <translation>すべての建物</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them; empty: all buildings</source>
+        <translation>建物の名前または ID をコンマで区切って入力。空欄ならすべての建物</translation>
+    </message>
+    <message>
+        <source>Width of a bay, which has one window in each storey</source>
+        <translation>スパンの幅。各階に窓が一つあります</translation>
+    </message>
+    <message>
+        <source>Height of a storey; windows are numbered by it</source>
+        <translation>階高。窓の階はこれで数えます</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>参照...</translation>
+    </message>
+    <message>
+        <source>Adds the building that is selected in the view</source>
+        <translation>ビューで選択した建物を追加します</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>スパン</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>階高</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowSession</name>
+    <message>
+        <source>Review</source>
+        <translation>審査</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation type="unfinished">最新ではありません。%1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
+        <translation>最新ではありません: 建物、窓、または規則が変わりました。もう一度実行してください。</translation>
+    </message>
+    <message>
+        <source>Writing the review</source>
+        <translation>審査を書き出しています</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::WindowTable</name>
+    <message>
+        <source>Window</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>以前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>以後</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>階</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1(以前)</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1(以後)</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished">%1: %2。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Sun on %1: %2; before: %3.</source>
+        <translation>%1 の日照: %2、以前: %3。</translation>
     </message>
 </context>
 <context>
