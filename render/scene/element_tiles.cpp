@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr QVector4D tileLineColour{1.0F, 1.0F, 1.0F, 1.0F};
+constexpr QVector4D tileLineColour{0.0F, 0.85F, 1.0F, 1.0F};  // a colour that no palette has
 
 ArrayGeometry* makeTileGeometry(const std::vector<ElementTiles::Tile>& tiles) {
     std::vector<glm::vec3> points, colours;
@@ -63,7 +63,7 @@ ElementTiles::ElementTiles(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* paren
       line_(new ShaderMaterial(QStringLiteral("ribbon"), root_)) {
     material_->bothSides();
     line_->set(QStringLiteral("lineColour"), tileLineColour);
-    line_->set(QStringLiteral("widthPx"), 3.0F);
+    line_->set(QStringLiteral("widthPx"), 4.0F);
     line_->blend();
     line_->alwaysVisible();
     line_->bothSides();

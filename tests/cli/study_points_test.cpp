@@ -62,6 +62,7 @@ TEST_F(StudyPoints, FacadesAreTablesAndAGeoPackage) {
     EXPECT_THAT(csv, StartsWith("id,kind,building,building_name,floor,azimuth_deg,lon_deg,lat_deg,"));
     EXPECT_EQ(std::ranges::count(csv, '\n'), json["receivers"].get<int>() + 1);
     EXPECT_TRUE(std::filesystem::exists(out_ / "elements.gpkg"));
+    EXPECT_THAT(writtenText(out_ / "elements.glb"), StartsWith("glTF"));
     EXPECT_THAT(json["repeat"].get<std::string>(),
                 HasSubstr("--receivers facades --facades-of A --storey 4"));
     // The points that it wrote are windows that it reads, with the same answer.

@@ -1,6 +1,7 @@
 #include "app/report/files/element_files.h"
 
 #include "app/report/files/output_folder.h"
+#include "core/study/elements/element_gltf.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/region_text.h"
 
@@ -15,7 +16,9 @@ bool needsRegionFile(const ElementStudy& study) {
 
 }  // namespace
 
-std::vector<std::string> elementFileNames() { return {"elements.csv", "elements.gpkg", "study.json"}; }
+std::vector<std::string> elementFileNames() {
+    return {"elements.csv", "elements.gpkg", "elements.glb", "study.json"};
+}
 
 Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy& study,
                                                              const std::filesystem::path& folder,
@@ -23,11 +26,13 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
     std::vector<std::string> names = elementFileNames();
     if (needsRegionFile(study)) names.emplace_back(regionFileName);
     if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
-    const ElementTable table = makeElementTable(study);
+    const ElementMap map = makeElementMap(study);
+    const ElementTable table = makeElementTable(map, study.city, sourceValues(study.provenance));
     OutputFolder files(folder, rules);
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
               [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+    files.add("elements.glb", textContent(toGlb(map)));
     files.addLast("study.json",
                   [&](const OutputFolder::Durations& seconds) { return elementStudyJson(study, seconds); });
     if (needsRegionFile(study))

@@ -12,8 +12,9 @@ namespace noonmark {
 /// The names of the files of writeElementFiles(), except region.geojson.
 std::vector<std::string> elementFileNames();
 
-/// Writes elements.csv, elements.gpkg and study.json into a folder, which is created if missing, and
-/// region.geojson where only a polygon states the region. Returns the paths written; all files or none.
+/// Writes elements.csv, elements.gpkg, elements.glb (element_gltf.h) and study.json into a folder, which is
+/// created if missing, and region.geojson where only a polygon states the region. Returns the paths written;
+/// all files or none.
 Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy& study,
                                                              const std::filesystem::path& folder,
                                                              const OutputRules& rules);

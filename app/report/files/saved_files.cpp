@@ -5,6 +5,7 @@
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
 #include "core/io/write_raster.h"
+#include "core/study/elements/element_gltf.h"
 
 namespace noonmark {
 
@@ -19,6 +20,7 @@ Result<std::vector<std::filesystem::path>> writeElements(const SavedResult& resu
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
               [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+    files.add("elements.glb", textContent(toGlb(saved.map)));
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }
@@ -26,7 +28,7 @@ Result<std::vector<std::filesystem::path>> writeElements(const SavedResult& resu
 }  // namespace
 
 std::vector<std::string> savedFileNames(const SavedResult& result) {
-    if (result.kind == "elements") return {"elements.csv", "elements.gpkg", "result.json"};
+    if (result.kind == "elements") return {"elements.csv", "elements.gpkg", "elements.glb", "result.json"};
     return {"result.tif", "result.png", "result.pdf", "result.json"};
 }
 

@@ -10,7 +10,8 @@
 
 namespace noonmark {
 
-/// result.tif, result.png, result.pdf and result.json; of points elements.csv, elements.gpkg and result.json.
+/// result.tif, result.png, result.pdf and result.json; of points elements.csv,
+/// elements.gpkg, elements.glb and result.json.
 std::vector<std::string> savedFileNames(const SavedResult& result);
 
 /// Of a study at points: its tables, as they were when it was saved. Of others: the maps of a saved result, a

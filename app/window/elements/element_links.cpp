@@ -9,7 +9,7 @@
 namespace noonmark {
 
 namespace {
-constexpr double farthestViewM = 150;
+constexpr double farthestViewM = 80;
 constexpr double pitchTowardsWallDeg = 20;
 }  // namespace
 

@@ -7,28 +7,13 @@
 #include "app/window/results/field_picture.h"
 #include "app/window/view/hover_text.h"
 #include "app/window/widgets/number_words.h"
-#include "core/receivers/points/window_pane.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double inFrontOfWallM = 0.03;
-constexpr PaneSize usualPane{{-0.5, -0.6}, {0.5, 0.6}};  // of windows that are points
-
 double minutesOf(const MeasuredElement& element, ShadowMeasure measure) {
     return measure == ShadowMeasure::gross ? element.grossMin : element.continuousMin;
-}
-
-std::array<glm::vec3, 4> cornersOf(const MeasuredElement& element) {
-    const PaneSize pane = element.pane.isKnown() ? element.pane : usualPane;
-    const PaneAxes axes = findPaneAxes(glm::dvec3(element.normal));
-    const glm::dvec3 middle = glm::dvec3(element.position) + inFrontOfWallM * glm::dvec3(element.normal);
-    const auto corner = [&](double right, double up) {
-        return glm::vec3(middle + right * axes.along + up * axes.up);
-    };
-    return {corner(pane.low.x, pane.low.y), corner(pane.high.x, pane.low.y), corner(pane.high.x, pane.high.y),
-            corner(pane.low.x, pane.high.y)};
 }
 
 }  // namespace

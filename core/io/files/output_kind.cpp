@@ -26,6 +26,7 @@ constexpr std::array kindsOfEndings{
     KindOfEnding{".pdf", OutputKind::pdf},         KindOfEnding{".json", OutputKind::json},
     KindOfEnding{".dxf", OutputKind::dxf},         KindOfEnding{".svg", OutputKind::svg},
     KindOfEnding{".mp4", OutputKind::movie},       KindOfEnding{".gif", OutputKind::movie},
+    KindOfEnding{".glb", OutputKind::glb},
 };
 
 bool beginsWithOneOf(std::string_view head, std::initializer_list<std::string_view> magics) {
@@ -89,6 +90,8 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
         case OutputKind::svg:
             return beginsWithOneOf(withoutMarkAndBlanks(head), {"<svg", "<?xml"}) &&
                    head.find("<svg") != head.npos;
+        case OutputKind::glb:
+            return head.starts_with("glTF");
         case OutputKind::movie:
             return head.starts_with("GIF8") || (head.size() >= 8 && head.substr(4, 4) == "ftyp");
     }
@@ -125,6 +128,8 @@ std::string_view describe(OutputKind kind) {
             return "a DXF drawing";
         case OutputKind::svg:
             return "an SVG picture";
+        case OutputKind::glb:
+            return "a binary glTF file";
         case OutputKind::movie:
             return "a movie (MP4, GIF)";
         case OutputKind::project:

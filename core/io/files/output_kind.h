@@ -17,6 +17,7 @@ enum class OutputKind {
     dxf,    ///< text DXF, not the binary form
     svg,
     movie,    ///< MP4 or GIF
+    glb,      ///< binary glTF
     project,  ///< a Noonmark project
 };
 

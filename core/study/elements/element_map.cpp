@@ -44,6 +44,19 @@ MeasuredElement measureElement(const ElementStudy& study, std::size_t point,
 
 }  // namespace
 
+std::array<glm::vec3, 4> cornersOf(const MeasuredElement& element) {
+    constexpr PaneSize usual{{-0.5, -0.6}, {0.5, 0.6}};
+    constexpr double inFrontM = 0.03;
+    const PaneSize pane = element.pane.isKnown() ? element.pane : usual;
+    const PaneAxes axes = findPaneAxes(glm::dvec3(element.normal));
+    const glm::dvec3 middle = glm::dvec3(element.position) + inFrontM * glm::dvec3(element.normal);
+    const auto corner = [&](double right, double up) {
+        return glm::vec3(middle + right * axes.along + up * axes.up);
+    };
+    return {corner(pane.low.x, pane.low.y), corner(pane.high.x, pane.low.y), corner(pane.high.x, pane.high.y),
+            corner(pane.low.x, pane.high.y)};
+}
+
 ElementMap makeElementMap(const ElementStudy& study) {
     std::set<unsigned> months;
     for (const SunDay& day : study.sun.days) months.insert(unsigned(day.date.month()));

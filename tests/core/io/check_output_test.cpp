@@ -122,7 +122,7 @@ TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
     const fs::path words = folder.file("words", "Dear board, please find attached\n");
     for (const OutputKind kind :
          {OutputKind::geoPackage, OutputKind::geoJson, OutputKind::geoTiff, OutputKind::picture,
-          OutputKind::pdf, OutputKind::movie, OutputKind::json, OutputKind::project})
+          OutputKind::pdf, OutputKind::movie, OutputKind::glb, OutputKind::json, OutputKind::project})
         EXPECT_THAT(whyNever(words, kind), HasSubstr("it is not " + std::string(describe(kind))));
     EXPECT_THAT(whyNever(folder.file("one column", "Dear board\n"), OutputKind::table), HasSubstr("CSV"));
     EXPECT_THAT(whyNever(folder.file("markup", "<svg a=\"1,2\">\n"), OutputKind::table), HasSubstr("CSV"));
