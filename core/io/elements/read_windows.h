@@ -43,6 +43,8 @@ struct WindowsRead {
 /// be used is left out with a warning: no geometry, neither point nor polygon, no height, coordinates that
 /// are no numbers, too far away.
 ///
+/// Of CityJSON the surfaces that are marked as Window or Door (cityjson_windows.h).
+///
 /// Error: the file cannot be read, is damaged, states no CRS, lacks the id field, has more than mostWindows
 /// features, or holds no usable window (the error states why); cancelled(). Some 5 us a window. Backend:
 /// read_windows_gdal.cpp.

@@ -10,7 +10,9 @@
 #include "core/base/gdal_calls.h"
 #include "core/geo/distance.h"
 #include "core/geo/earth_drop.h"
+#include "core/io/elements/cityjson_windows.h"
 #include "core/io/elements/read_windows.h"
+#include "core/io/files/file_kind.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/receivers/place_names.h"
@@ -253,6 +255,8 @@ Result<WindowsRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
 
 Result<WindowsRead> readWindows(const Path& file, const WindowFileSettings& settings, const City& city,
                                 Progress& progress, const std::stop_token& stop) try {
+    if (const auto kind = detectFileKind(file); kind && *kind == FileKind::cityJson)
+        return readCityJsonWindows(file, settings, city, stop);
     const GdalCalls calls;
     const auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return tl::make_unexpected(dataset.error());
