@@ -33,8 +33,12 @@ FaceCut cutFace(const OverhangFace& face, glm::dvec3 point, double sine, double 
 }  // namespace
 
 std::optional<HiddenAltitudes> hiddenBy(const OverhangFace& face, glm::dvec3 point, double azimuth) {
+    return hiddenBy(face, point, {std::sin(azimuth), std::cos(azimuth)});
+}
+
+std::optional<HiddenAltitudes> hiddenBy(const OverhangFace& face, glm::dvec3 point, glm::dvec2 direction) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    const FaceCut cut = cutFace(face, point, std::sin(azimuth), std::cos(azimuth));
+    const FaceCut cut = cutFace(face, point, direction.x, direction.y);
     if (cut.count < 2) return std::nullopt;
     const auto [near, far] = std::minmax(cut.ends[0], cut.ends[1], [](auto a, auto b) { return a.x < b.x; });
     if (far.x <= 0) return std::nullopt;  // behind the point

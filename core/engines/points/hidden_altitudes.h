@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -17,6 +18,8 @@ struct HiddenAltitudes {
 
 /// What a face hides at an azimuth above the point's level; none where it is not seen.
 std::optional<HiddenAltitudes> hiddenBy(const OverhangFace& face, glm::dvec3 point, double azimuth);
+/// The same with (sine, cosine) of the azimuth, for many faces at one.
+std::optional<HiddenAltitudes> hiddenBy(const OverhangFace& face, glm::dvec3 point, glm::dvec2 direction);
 
 /// Sorts the intervals and joins those that overlap.
 void joinOverlaps(std::vector<HiddenAltitudes>& hidden);

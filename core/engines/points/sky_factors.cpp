@@ -109,7 +109,9 @@ public:
         const SeenEdge* const piece = skyline_.pieceAt(middle);
         const double steepness = piece != nullptr ? std::hypot(piece->east, piece->north) : 0;
         const bool isPlain = isWall_ && !hasFaces;
-        const GaussRule rule = chooseRule(isPlain ? 2 * half * std::max(1.0, steepness) : 1.0);
+        constexpr double steepOverhang = 20;  // their edges may be near
+        const double change = (to - from) * std::max(hasFaces ? steepOverhang : 1.0, steepness);
+        const GaussRule rule = chooseRule(isWall_ ? change : 1.0);
         SkyIntegral sum;
         for (std::size_t i = 0; i < rule.places.size(); ++i) {
             const double azimuth = middle + rule.places[i] * half;

@@ -177,8 +177,9 @@ double Skyline::tanAt(double azimuth) const {
 std::vector<HiddenAltitudes> Skyline::hiddenAt(double azimuth) const {
     std::vector<HiddenAltitudes> hidden;
     if (const double tan = tanAt(azimuth); tan > 0) hidden.push_back({0, tan});
+    const glm::dvec2 direction(std::sin(azimuth), std::cos(azimuth));
     for (const std::uint32_t index : facesNear(azimuth))
-        if (const auto more = hiddenBy(faces_[index], eye_, azimuth)) hidden.push_back(*more);
+        if (const auto more = hiddenBy(faces_[index], eye_, direction)) hidden.push_back(*more);
     joinOverlaps(hidden);
     return hidden;
 }
