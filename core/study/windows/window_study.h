@@ -59,7 +59,7 @@ struct WindowStudy {
 /// Evaluates a rule on the windows of the scenario. A window is compared with the baseline where its building
 /// is the same in both; the windows of new and changed buildings have no former values. Uses all cores.
 /// Error: a rule about places, the sun below the horizon in all hours of the rule, what placeElements()
-/// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 0.5 ms more where
+/// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 2 ms more where
 /// the rule asks for the sky component.
 Result<WindowStudy> runWindowReview(const Rule& rule, const City& baseline, const City& scenario,
                                     const WindowReviewSettings& settings, Progress& progress,
