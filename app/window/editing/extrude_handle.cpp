@@ -1,12 +1,16 @@
 #include "app/window/editing/extrude_handle.h"
 
 #include <QGuiApplication>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "app/window/editing/extrusion.h"
+#include "app/window/looks/units.h"
 #include "app/window/view/view_panel.h"
+#include "core/base/length_text.h"
 
 namespace noonmark {
 
@@ -104,18 +108,18 @@ void ExtrudeHandle::tell(const QString& figures) {
 bool ExtrudeHandle::key(int key) {
     if (!tower_) return false;
     const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
-    const bool point = (key == Qt::Key_Period || key == Qt::Key_Comma) && !typed_.contains(QLatin1Char('.'));
+    const bool point = key == Qt::Key_Period || key == Qt::Key_Comma;
+    const bool inside = !typed_.isEmpty() && QStringLiteral("'\" FTINCM").contains(QChar(key));
     if (typed_.isEmpty() && !digit && !point) return false;
-    if (digit || point)
-        typed_ += digit ? QChar(key) : QLatin1Char('.');
+    if (digit || point || inside)
+        typed_ += point ? QLatin1Char('.') : QChar(key).toLower();
     else if (key == Qt::Key_Backspace)
         typed_.chop(1);
     else if (key == Qt::Key_Escape)
         typed_.clear();
     else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-        const double height = typed_.toDouble();
-        typed_.clear();
-        Q_EMIT dragged(freeHeight(height, tower_->storeyM));
+        const auto height = parseLength(std::exchange(typed_, {}).toStdString(), unitsInUse());
+        if (height) Q_EMIT dragged(freeHeight(*height, tower_->storeyM));
         Q_EMIT dropped(tower_->heightM);
     } else
         return false;
@@ -123,11 +127,19 @@ bool ExtrudeHandle::key(int key) {
     return true;
 }
 
+// A number alone is in the units in use.
+QString ExtrudeHandle::typedWithUnit() const {
+    const bool isNumber =
+        std::ranges::none_of(typed_, [](QChar c) { return !c.isDigit() && c != QLatin1Char('.'); });
+    if (!isNumber) return typed_;
+    return typed_ + (unitsInUse() == UnitSystem::imperial ? QStringLiteral(" ft") : QStringLiteral(" m"));
+}
+
 void ExtrudeHandle::showTyped() {
     const auto at = panel_.view().overlay().handlePixel(panel_.view().pose(), panel_.view().lens());
     if (!at) return;
     panel_.cursorLabel().show({at->x, at->y},
-                              typed_.isEmpty() ? QString() : tr("Height: %1 m  (Enter)").arg(typed_));
+                              typed_.isEmpty() ? QString() : tr("Height: %1  (Enter)").arg(typedWithUnit()));
 }
 
 }  // namespace noonmark

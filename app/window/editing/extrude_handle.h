@@ -11,7 +11,8 @@ namespace noonmark {
 class ViewPanel;
 
 /// The arrow on top of a tower. Dragging it up or down sets the height, snapped to whole storeys, or free
-/// with Shift. A number typed over the view, followed by Enter, sets the height too.
+/// with Shift. A height typed over the view, "40", "131' 3\"" or
+/// "40 m", followed by Enter, sets it too.
 class ExtrudeHandle final : public QObject, public DragTarget {
     Q_OBJECT
 public:
@@ -48,6 +49,7 @@ private:
     [[nodiscard]] bool isAt(QPointF pixel) const;
     void follow();
     void showTyped();
+    [[nodiscard]] QString typedWithUnit() const;
 
     ViewPanel& panel_;
     std::optional<Tower> tower_;

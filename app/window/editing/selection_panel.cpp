@@ -15,6 +15,7 @@
 #include "app/window/looks/theme.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/study/region_words.h"
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 #include "app/window/widgets/number_words.h"
 #include "app/window/widgets/push_button.h"
@@ -54,9 +55,9 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     : QWidget(parent),
       facts_(new QLabel),
       tools_(new QWidget),
-      height_(numberField(0.1, 2000, 1, 3.5, tr(" m"))),
-      east_(numberField(-10000, 10000, 1, 1, tr(" m"))),
-      north_(numberField(-10000, 10000, 1, 1, tr(" m"))),
+      height_(lengthField(0.1, 2000, 1, 3.5)),
+      east_(lengthField(-10000, 10000, 1, 1)),
+      north_(lengthField(-10000, 10000, 1, 1)),
       turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
       error_(new QLabel) {
     facts_->setWordWrap(true);

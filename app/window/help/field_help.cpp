@@ -15,6 +15,7 @@
 #include <QWhatsThisClickedEvent>
 
 #include "app/window/help/field_texts.h"
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_words.h"
 
 namespace noonmark {
@@ -47,6 +48,9 @@ QString rangeOf(const QString& low, const QString& high, const QString& unit) {
 QString rangeOf(const QWidget& field) {
     if (const auto* whole = qobject_cast<const QSpinBox*>(&field))
         return rangeOf(formatAmount(whole->minimum()), formatAmount(whole->maximum()), whole->suffix());
+    if (const auto* length = qobject_cast<const LengthField*>(&field))
+        return rangeOf(length->textFromValue(length->minimum()), length->textFromValue(length->maximum()),
+                       {});
     if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&field))
         return rangeOf(formatAmount(number->minimum(), number->decimals()),
                        formatAmount(number->maximum(), number->decimals()), number->suffix());

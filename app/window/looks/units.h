@@ -6,8 +6,9 @@ class QSettings;
 
 namespace noonmark {
 
-// The units in which the window shows areas, lengths and heights. Fields to type in stay in metres, results
-// in minutes and square metres; sheets have the units of their project.
+// The units in which the window shows areas, lengths and heights, and in which lengths are typed
+// (app/window/widgets/length_field.h). Results are in minutes and square metres; sheets have the units of
+// their project.
 
 /// The units saved in the settings; metric at first.
 UnitSystem readUnits(const QSettings& settings);

@@ -9,6 +9,7 @@
 #include "app/window/massing/plate_field.h"
 #include "app/window/massing/setback_table.h"
 #include "app/window/massing/tower_draft.h"
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 #include "core/city/plausible_heights.h"
 
@@ -17,8 +18,8 @@ namespace noonmark {
 MassingForm::MassingForm(QWidget* parent)
     : QWidget(parent),
       storeys_(wholeField(1, 500, {})),
-      storeyHeight_(numberField(2, 10, 2, 0.1, tr(" m"))),
-      height_(numberField(2, tallestBuildingM, 1, 3.5, tr(" m"))),
+      storeyHeight_(lengthField(2, 10, 2, 0.1)),
+      height_(lengthField(2, tallestBuildingM, 1, 3.5)),
       plate_(new PlateField),
       turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
       podium_(new QGroupBox(tr("Podium"))),

@@ -7,6 +7,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
@@ -63,8 +64,8 @@ void SetbackTable::show(const std::vector<Setback>& setbacks) {
 void SetbackTable::add(const Setback& setback) {
     const int row = table_->rowCount();
     table_->insertRow(row);
-    auto* above = numberField(0.1, 2000, 1, 3.5, tr(" m"));
-    auto* inset = numberField(0.1, 500, 1, 0.5, tr(" m"));
+    auto* above = lengthField(0.1, 2000, 1, 3.5);
+    auto* inset = lengthField(0.1, 500, 1, 0.5);
     above->setValue(setback.aboveM);
     inset->setValue(setback.insetM);
     table_->setCellWidget(row, 0, above);

@@ -59,9 +59,10 @@ void PreferencesDialog::addLooks(QFormLayout& form) {
     theme_->addItem(tr("Light"), int(ThemeChoice::light));
     theme_->addItem(tr("Dark"), int(ThemeChoice::dark));
     choose(*theme_, int(readThemeChoice(settings_)));
-    units_ = addList(form, tr("Units"), "preferredUnits",
-                     tr("In which areas, lengths and heights are shown; applies when Noonmark starts again. "
-                        "Fields to type in stay in metres"));
+    units_ = addList(
+        form, tr("Units"), "preferredUnits",
+        tr("In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark "
+           "starts again"));
     units_->addItem(tr("Metric: metres"), int(UnitSystem::metric));
     units_->addItem(tr("Imperial: feet"), int(UnitSystem::imperial));
     units_->addItem(tr("Metric and imperial"), int(UnitSystem::both));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
@@ -43,7 +44,7 @@ std::pair<int, int> cellOf(ParcelSide side) {
 }
 
 QDoubleSpinBox* widthField(ParcelSide side, const std::vector<RoadFront>& roads) {
-    QDoubleSpinBox* field = numberField(0, mostRoadM, 2, 0.5, LotRoadsDialog::tr(" m"));
+    QDoubleSpinBox* field = lengthField(0, mostRoadM, 2, 0.5);
     field->setObjectName(QString::fromUtf8(nameOf(side).data(), qsizetype(nameOf(side).size())));
     field->setSpecialValueText(LotRoadsDialog::tr("no road"));
     const auto road = std::ranges::find(roads, side, &RoadFront::side);

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/mesh_fields.h"
 #include "app/window/widgets/number_fields.h"
 
@@ -46,12 +47,12 @@ void ReadingForm::makeFields() {
     heightUnit_ = new QComboBox;
     heightUnit_->addItem(tr("as in the file"), asInFile);
     addUnits(*heightUnit_);
-    metresPerLevel_ = numberField(2, 6, 2, 0.1, tr(" m"));
-    defaultHeight_ = numberField(1, 1000, 2, 1, tr(" m"));
+    metresPerLevel_ = lengthField(2, 6, 2, 0.1);
+    defaultHeight_ = lengthField(1, 1000, 2, 1);
     layer_ = textField(tr("all layers with polygons"));
     crs_ = textField(tr("as in the file (example: EPSG:2263)"));
     lod_ = textField(tr("the highest"));
-    farAway_ = numberField(100, 200000, 0, 1000, tr(" m"));
+    farAway_ = lengthField(100, 200000, 0, 1000);
     terrainFromBases_ = new QComboBox;
     terrainFromBases_->addItem(tr("if neighbours' ground heights differ"), int(TerrainFromBases::automatic));
     terrainFromBases_->addItem(tr("always"), int(TerrainFromBases::always));

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace noonmark {
+
+/// A field for a length. Its value is in metres; it shows and takes the units in use (units.h): feet and
+/// inches where they are imperial, else metres. Any length may be typed with its unit: "12' 6\"", "3.5 m"
+/// (core/base/length_text.h).
+class LengthField final : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit LengthField(QWidget* parent = nullptr) : QDoubleSpinBox(parent) {}
+
+    [[nodiscard]] QString textFromValue(double metres) const override;
+    [[nodiscard]] double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
+};
+
+/// Emits a change only after the whole length was typed. `low`, `high`: metres; `decimals`: of metres; a step
+/// is a foot or, below 0.3 m, an inch in imperial units.
+LengthField* lengthField(double lowM, double highM, int decimals, double stepM);
+
+}  // namespace noonmark

@@ -1,0 +1,60 @@
+#include "app/window/widgets/length_field.h"
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+
+#include "app/window/looks/units.h"
+
+namespace noonmark {
+namespace {
+
+struct LengthFieldTest : ::testing::Test {
+    QLocale before;
+    void SetUp() override { QLocale::setDefault(QLocale::c()); }
+    void TearDown() override {
+        applyUnits(UnitSystem::metric);
+        QLocale::setDefault(before);
+    }
+    static double typed(LengthField& field, const char* text) {
+        field.findChild<QLineEdit*>()->setText(QString::fromUtf8(text));
+        field.interpretText();
+        return field.value();
+    }
+};
+
+TEST_F(LengthFieldTest, ShowsMetresAndTakesFeet) {
+    const std::unique_ptr<LengthField> field(lengthField(0, 2000, 1, 3.5));
+    field->setValue(3.5);
+    EXPECT_EQ(field->text().toStdString(), "3.5 m");
+    EXPECT_EQ(typed(*field, "12"), 12);
+    EXPECT_EQ(typed(*field, "4.2 m"), 4.2);
+    EXPECT_NEAR(typed(*field, "12' 6\""), 3.8, 1e-9) << "3.81 m to the field's tenth";
+    EXPECT_NEAR(typed(*field, "tall"), 3.8, 1e-9) << "stays";
+    EXPECT_EQ(typed(*field, "5000"), 2000) << "the highest that is possible";
+}
+
+TEST_F(LengthFieldTest, ShowsAndTakesFeetAndInchesWhereTheUnitsAreFeet) {
+    applyUnits(UnitSystem::imperial);
+    const std::unique_ptr<LengthField> field(lengthField(0, 2000, 1, 3.5));
+    field->setValue(3.81);
+    EXPECT_EQ(field->text().toStdString(), "12' 6\"");
+    EXPECT_NEAR(typed(*field, "20"), 20 * 0.3048, 1e-4) << "a number alone is in feet";
+    EXPECT_NEAR(typed(*field, "3.5 m"), 3.5, 1e-9);
+    EXPECT_EQ(field->text().toStdString(), "11' 5.8\"");
+    field->interpretText();
+    EXPECT_EQ(field->value(), 3.5) << "a text that was not changed does not round the value";
+    field->stepUp();
+    EXPECT_NEAR(field->value(), 3.5 + 0.3048, 1e-4) << "a foot";
+}
+
+TEST_F(LengthFieldTest, ReadsTheDecimalCommaOfTheLanguage) {
+    QLocale::setDefault(QLocale(QLocale::German));
+    const std::unique_ptr<LengthField> field(lengthField(0, 5000, 2, 1));
+    EXPECT_EQ(typed(*field, "3,25"), 3.25);
+    EXPECT_EQ(typed(*field, "3.5"), 3.5);
+    EXPECT_EQ(typed(*field, "1.250 m"), 1250) << "a point groups thousands";
+}
+
+}  // namespace
+}  // namespace noonmark
