@@ -39,6 +39,18 @@ TriangleMesh makeDoubleArrow(float height) {
     return mesh;
 }
 
+TriangleMesh makeBall(float diameter) {
+    constexpr int rings = 12;
+    std::vector<glm::vec2> profile;
+    for (int i = 0; i <= rings; ++i) {
+        const float angle = std::numbers::pi_v<float> * (float(i) / rings - 0.5F);
+        profile.emplace_back(diameter / 2 * std::cos(angle), diameter / 2 * std::sin(angle));
+    }
+    TriangleMesh mesh;
+    addTurned(mesh, profile);
+    return mesh;
+}
+
 TriangleMesh makePin(float height) {
     const float radius = height * 0.2F, middle = height - radius;
     std::vector<glm::vec2> profile{{0, 0}};

@@ -112,6 +112,15 @@ CameraPose orbit(const CameraPose& pose, glm::dvec2 dragPx, const ViewLens& lens
     return turned;
 }
 
+CameraPose orbit(const CameraPose& pose, const glm::dvec3& pivot, glm::dvec2 dragPx, const ViewLens& lens) {
+    CameraPose turned = orbit(pose, dragPx, lens);
+    if (!pose.isParallel()) return turned;
+    const glm::dvec3 aside = pivot - pose.target;
+    turned.target = pivot - glm::dot(aside, computeRight(pose)) * computeRight(turned) -
+                    glm::dot(aside, computeUp(pose)) * computeUp(turned);
+    return turned;
+}
+
 CameraPose pan(const CameraPose& pose, glm::dvec2 fromPx, glm::dvec2 toPx, const ViewLens& lens) {
     if (pose.isParallel()) {
         const glm::dvec2 byM = (fromPx - toPx) * metresPerPixel(pose, lens);

@@ -25,6 +25,10 @@ CameraPose fromAbove(const Box2& box, double groundM, const ViewLens& lens);
 /// Rotates around the target; dragging across the full width of the window is half a turn.
 CameraPose orbit(const CameraPose& pose, glm::dvec2 dragPx, const ViewLens& lens);
 
+/// In a parallel projection the same rotation around `pivot`, which stays under its pixel; else around the
+/// target.
+CameraPose orbit(const CameraPose& pose, const glm::dvec3& pivot, glm::dvec2 dragPx, const ViewLens& lens);
+
 /// Moves the camera so that the ground under `fromPx` comes to lie under `toPx`; in a parallel projection,
 /// everything.
 CameraPose pan(const CameraPose& pose, glm::dvec2 fromPx, glm::dvec2 toPx, const ViewLens& lens);

@@ -8,12 +8,17 @@
 #include <Qt3DRender/QCamera>
 #include <Qt3DRender/QCameraSelector>
 #include <Qt3DRender/QClearBuffers>
+#include <Qt3DRender/QClipPlane>
+#include <Qt3DRender/QCullFace>
+#include <Qt3DRender/QDepthTest>
 #include <Qt3DRender/QFilterKey>
 #include <Qt3DRender/QLayer>
 #include <Qt3DRender/QLayerFilter>
+#include <Qt3DRender/QParameter>
 #include <Qt3DRender/QRenderCapture>
 #include <Qt3DRender/QRenderPassFilter>
 #include <Qt3DRender/QRenderSettings>
+#include <Qt3DRender/QRenderStateSet>
 #include <Qt3DRender/QRenderSurfaceSelector>
 #include <Qt3DRender/QTechniqueFilter>
 #include <Qt3DRender/QViewport>
@@ -36,6 +41,8 @@ constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
 constexpr double viewDeg = 40;
 constexpr std::size_t mostEdgesInMotion = 150'000;
 constexpr int restMs = 200;
+// Without a section box: Mesa clips at distances that a shader writes even where clipping is not enabled.
+const SectionBox everything{glm::dvec3(-1e9), glm::dvec3(1e9)};
 
 QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
 QVector3D vectorOf(const QColor& c) { return {float(c.redF()), float(c.greenF()), float(c.blueF())}; }
@@ -110,9 +117,11 @@ CityView::~CityView() = default;
 void CityView::makeFrameGraph() {
     auto* surface = new Qt3DRender::QRenderSurfaceSelector;
     surface->setSurface(this);
-    auto* viewport = new Qt3DRender::QViewport(forwardFilter(surface));
-    auto* camera = new Qt3DRender::QCameraSelector(viewport);
-    camera->setCamera(this->camera());
+    Qt3DRender::QTechniqueFilter* forward = forwardFilter(surface);
+    auto* selector = new Qt3DRender::QCameraSelector(new Qt3DRender::QViewport(forward));
+    selector->setCamera(this->camera());
+    makeClipping(*forward, selector);
+    Qt3DRender::QFrameGraphNode* camera = clipping_;
     auto* clear =
         new Qt3DRender::QClearBuffers(drawn(false, false, passes(ShaderMaterial::depthPass, camera)));
     clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
@@ -123,6 +132,42 @@ void CityView::makeFrameGraph() {
     drawn(true, false, colour);
     capture_ = new Qt3DRender::QRenderCapture(drawn(true, true, colour));
     setActiveFrameGraph(surface);
+}
+
+// The states replace those that Qt3D sets by itself. With a section box, the clip distances of the shaders
+// count, and faces are drawn from behind too: through a cut the inside of a building shows.
+void CityView::makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::QFrameGraphNode* parent) {
+    clipping_ = new Qt3DRender::QRenderStateSet(parent);
+    auto* nearest = new Qt3DRender::QDepthTest;
+    nearest->setDepthFunction(Qt3DRender::QDepthTest::Less);
+    clipping_->addRenderState(nearest);
+    culling_ = new Qt3DRender::QCullFace;
+    culling_->setMode(Qt3DRender::QCullFace::Back);
+    clipping_->addRenderState(culling_);
+    for (int plane = 0; plane < 6; ++plane) {
+        auto* clip = new Qt3DRender::QClipPlane(root_);
+        clip->setPlaneIndex(plane);
+        clipPlanes_.push_back(clip);
+    }
+    sectionLow_ = new Qt3DRender::QParameter(QStringLiteral("sectionLow"), vectorOf(everything.lowM));
+    sectionHigh_ = new Qt3DRender::QParameter(QStringLiteral("sectionHigh"), vectorOf(everything.highM));
+    for (Qt3DRender::QParameter* side : {sectionLow_, sectionHigh_}) forward.addParameter(side);
+}
+
+void CityView::clip(bool on) {
+    for (Qt3DRender::QRenderState* plane : clipPlanes_)
+        on ? clipping_->addRenderState(plane) : clipping_->removeRenderState(plane);
+    culling_->setMode(on ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
+}
+
+void CityView::showSection(const std::optional<SectionBox>& box) {
+    if (box == section_) return;
+    if (box.has_value() != section_.has_value()) clip(box.has_value());
+    section_ = box;
+    const SectionBox drawn = box.value_or(everything);
+    sectionLow_->setValue(vectorOf(drawn.lowM));
+    sectionHigh_->setValue(vectorOf(drawn.highM));
+    Q_EMIT sectionChanged();
 }
 
 // Only the passes of materials with this value of the key "pass".
@@ -177,6 +222,7 @@ void CityView::makeMaterials() {
     tiles_ = std::make_unique<ElementTiles>(blended_, root_);
     overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
+    sectionMarks_ = std::make_unique<SectionMarks>(overlay_->layer(), blended_, root_);
     places_->onChange([this] { names_->start(); });
 }
 
@@ -304,6 +350,7 @@ void CityView::applyCamera() {
     overlay_->setLens(pose_, view);
     places_->setLens(view);
     tiles_->setLens(view);
+    sectionMarks_->setLens(pose_, view);
     names_->start();
 }
 

@@ -15,6 +15,7 @@
 #include "render/scene/ground_picture.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
+#include "render/scene/section_marks.h"
 #include "render/scene/sun_layer.h"
 #include "render/scene/surface_layer.h"
 #include "render/view/view_ray.h"
@@ -22,10 +23,15 @@
 class QTimer;
 
 namespace Qt3DRender {
+class QCullFace;
 class QFrameGraphNode;
 class QLayer;
 class QLayerFilter;
+class QParameter;
 class QRenderCapture;
+class QRenderState;
+class QRenderStateSet;
+class QTechniqueFilter;
 }  // namespace Qt3DRender
 
 namespace noonmark {
@@ -69,6 +75,11 @@ public:
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
+    /// Cuts away what lies outside the box; empty: shows everything. Shadows and pictures stay those of the
+    /// whole city. It stays when the city changes.
+    void showSection(const std::optional<SectionBox>& box);
+    [[nodiscard]] const std::optional<SectionBox>& section() const { return section_; }
+    [[nodiscard]] SectionMarks& sectionMarks() { return *sectionMarks_; }
 
     [[nodiscard]] const CameraPose& pose() const { return pose_; }
     void setPose(const CameraPose& pose);
@@ -80,6 +91,7 @@ public:
 
 Q_SIGNALS:
     void poseChanged();  ///< also emitted when the size of the view changes
+    void sectionChanged();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -90,6 +102,8 @@ private:
     Qt3DRender::QFrameGraphNode* passes(const char* pass, Qt3DRender::QFrameGraphNode* parent);
     Qt3DRender::QLayerFilter* drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
     void makeMaterials();
+    void clip(bool on);
+    void makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::QFrameGraphNode* parent);
     void applyCamera();
     void showEdges(bool shown);
     void showGround(const CityArrays& arrays);
@@ -121,6 +135,13 @@ private:
     std::unique_ptr<ElementTiles> tiles_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;
+    std::optional<SectionBox> section_;
+    Qt3DRender::QRenderStateSet* clipping_ = nullptr;
+    Qt3DRender::QCullFace* culling_ = nullptr;
+    std::vector<Qt3DRender::QRenderState*> clipPlanes_;  ///< in clipping_ while there is a section box
+    Qt3DRender::QParameter* sectionLow_ = nullptr;
+    Qt3DRender::QParameter* sectionHigh_ = nullptr;
+    std::unique_ptr<SectionMarks> sectionMarks_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;
 };
 

@@ -29,4 +29,19 @@ std::optional<Pick> ScenePicker::pick(const ViewRay& ray) const {
     return before ? Pick{glm::dvec3(hit->position), hit->building, hit->normal} : nearest;
 }
 
+std::optional<Pick> ScenePicker::pick(const ViewRay& ray, const SectionBox& section) const {
+    const auto span = findSpan(section, ray);
+    if (!span) return std::nullopt;
+    const glm::dvec3 start = ray.origin + span->fromM * ray.direction;
+    if (const auto cut = findBuildingAround(start)) return Pick{start, cut, glm::vec3(-ray.direction)};
+    const auto hit = pick({start, ray.direction});
+    return hit && contains(section, hit->position) ? hit : std::nullopt;
+}
+
+// Seen from inside, a roof faces away.
+std::optional<std::uint32_t> ScenePicker::findBuildingAround(const glm::dvec3& point) const {
+    const auto above = scene_ ? scene_->firstHit(glm::vec3(point), {0, 0, 1}) : std::nullopt;
+    return above && above->normal.z > 0 ? above->building : std::nullopt;
+}
+
 }  // namespace noonmark

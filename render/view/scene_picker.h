@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engines/ray/ray_scene.h"
+#include "render/view/section_box.h"
 #include "render/view/view_ray.h"
 
 namespace noonmark {
@@ -20,6 +21,8 @@ public:
 
     /// The first hit of the ray: a building or the ground. Empty above the horizon.
     [[nodiscard]] std::optional<Pick> pick(const ViewRay& ray) const;
+    /// The first hit inside the box. A building that the box cuts is hit where the ray enters it.
+    [[nodiscard]] std::optional<Pick> pick(const ViewRay& ray, const SectionBox& section) const;
 
     /// Where the ray hits the ground, ignoring buildings.
     [[nodiscard]] std::optional<glm::dvec3> ground(const ViewRay& ray) const;
@@ -30,6 +33,8 @@ public:
     [[nodiscard]] const std::optional<RayScene>& scene() const { return scene_; }
 
 private:
+    [[nodiscard]] std::optional<std::uint32_t> findBuildingAround(const glm::dvec3& point) const;
+
     City city_;
     std::optional<RayScene> scene_;
     double lowM_ = 0;

@@ -55,7 +55,8 @@ bool ViewNavigator::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::optional<Pick> ViewNavigator::pickAt(QPointF pixel) const {
-    return scene_.pick(makeRayThrough(view_.pose(), view_.lens(), of(pixel)));
+    const ViewRay ray = makeRayThrough(view_.pose(), view_.lens(), of(pixel));
+    return view_.section() ? scene_.pick(ray, *view_.section()) : scene_.pick(ray);
 }
 
 std::optional<glm::dvec3> ViewNavigator::groundAt(QPointF pixel) const {
@@ -75,6 +76,9 @@ void ViewNavigator::go(const CameraPose& pose) {
 void ViewNavigator::press(const QMouseEvent& event) {
     pressedAt_ = last_ = event.position();
     dragging_ = doubled_ = false;
+    // The target of a level elevation lies above the ground.
+    const glm::dvec3 middle = view_.pose().target;
+    pivot_ = {middle.x, middle.y, scene_.groundAt({middle.x, middle.y})};
     if (event.button() != Qt::LeftButton) return;
     const auto takes = [&](DragTarget* target) { return target->grab(event.position()); };
     const auto target = std::ranges::find_if(targets_, takes);
@@ -93,7 +97,7 @@ void ViewNavigator::drag(const QMouseEvent& event) {
     else if (pans(event))
         go(pan(view_.pose(), of(last_), of(here), view_.lens()));
     else
-        go(orbit(view_.pose(), of(here - last_), view_.lens()));
+        go(orbit(view_.pose(), pivot_, of(here - last_), view_.lens()));
     last_ = here;
 }
 

@@ -78,6 +78,7 @@ private:
     ScenePicker scene_;
     QPointF pressedAt_;
     QPointF last_;
+    glm::dvec3 pivot_{0};  // of a drag that rotates: the ground below the middle of the view
     std::vector<DragTarget*> targets_;
     DragTarget* held_ = nullptr;
     bool dragging_ = false;

@@ -6,8 +6,10 @@ in vec3 texel;
 out vec2 at;
 uniform mat4 mvp;
 uniform vec2 viewSize;
+#pragma include clip.inc
 
 void main() {
+    clip(vertexPosition);
     vec4 anchor = mvp * vec4(vertexPosition, 1.0);
     at = texel.xy;
     if (anchor.w <= 0.01) {  // behind the eye

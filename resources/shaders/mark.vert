@@ -8,8 +8,10 @@ uniform mat4 mvp;
 uniform mat4 inverseViewMatrix;
 uniform vec3 anchor;
 uniform float metresPerPixel;  // at one metre from the eye
+#pragma include clip.inc
 
 void main() {
+    clipNothing();
     float depth = max((mvp * vec4(anchor, 1.0)).w, 0.01);
     mat3 camera = mat3(inverseViewMatrix);
     vec3 upright = camera * vec3(vertexPosition.x, vertexPosition.z, -vertexPosition.y);

@@ -4,8 +4,10 @@ in vec3 vertexPosition;
 out vec3 eyeSpace;
 uniform mat4 modelView;
 uniform mat4 mvp;
+#pragma include clip.inc
 
 void main() {
+    clip(vertexPosition);
     eyeSpace = vec3(modelView * vec4(vertexPosition, 1.0));
     gl_Position = mvp * vec4(vertexPosition, 1.0);
     gl_Position.z -= 0.00002 * gl_Position.w;

@@ -6,6 +6,7 @@ in float side;
 uniform mat4 mvp;
 uniform vec2 viewSize;
 uniform float widthPx;
+#pragma include clip.inc
 
 vec4 inFrontOfEye(vec4 point, vec4 other) {
     const float least = 0.01;
@@ -14,6 +15,7 @@ vec4 inFrontOfEye(vec4 point, vec4 other) {
 }
 
 void main() {
+    clip(vertexPosition);
     vec4 here = mvp * vec4(vertexPosition, 1.0);
     vec4 there = mvp * vec4(otherEnd, 1.0);
     here = inFrontOfEye(here, there);

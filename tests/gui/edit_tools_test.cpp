@@ -1,5 +1,6 @@
 #include "app/window/editing/edit_tools.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -206,6 +207,29 @@ TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
     EXPECT_EQ(lastEdit<AddBuilding>().building->sourceId, "Tower 1");
     EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 70);
     EXPECT_EQ(tools.building().id(), "Tower 1") << "the new building is selected";
+}
+
+TEST_F(EditToolsTest, ATowerIsCopiedToAnotherLotWithItsParameters) {
+    lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
+    tools.setLots(lots);
+    tools.tower().begin(lots[0], {}, 20);
+    tools.tower().build();
+    ASSERT_EQ(tools.building().id(), "Tower 1");
+    field<QComboBox>(tools.massingDock(), "lot").setCurrentIndex(1);
+    field<QPushButton>(tools.massingDock(), "copyTower").click();
+    ASSERT_TRUE(tools.tower().active()) << "to be looked at, and changed, before it is built";
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 20);
+    tools.tower().build();
+    ASSERT_EQ(made.size(), 2U) << "one undo step each";
+    const Building& copy = *lastEdit<AddBuilding>().building;
+    EXPECT_EQ(copy.sourceId, "Tower 2");
+    EXPECT_FLOAT_EQ(topM(copy), 70);
+    EXPECT_NEAR(area(copy.parts.front().footprint), 25 * 25, 0.1) << "a whole lot stays a whole lot";
+    tools.building().select(0);
+    std::string refused;
+    QObject::connect(&tools, &EditTools::failed, [&refused](const Error& error) { refused = error.what; });
+    tools.copyTower(lots[0]);
+    EXPECT_THAT(refused, testing::HasSubstr("No tower is selected"));
 }
 
 TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {

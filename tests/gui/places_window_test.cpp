@@ -144,6 +144,37 @@ TEST_F(PlacesWindow, DroppedPolygonsAreReadOrOpenedAsTheUserChooses) {
     EXPECT_EQ(workbench().city()->city().buildings.size(), 3U);
 }
 
+// A box of 10 m, 10 m high, in the metres and axes of OBJ files (y is up).
+TEST_F(PlacesWindow, ADroppedMeshIsPlacedOnTheLotUnderTheCursor) {
+    const QString name = folder.filePath(QStringLiteral("box.obj"));
+    QFile box(name);
+    ASSERT_TRUE(box.open(QIODevice::WriteOnly));
+    box.write(
+        "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    box.close();
+    session().addLot({"Lot 1", test::square({-60, -60}, 40)});
+    CityView& view = window->panel().view();
+    view.setPose({{-50, -50, 0}, 300, 0, 90});
+    const auto corner = pixelOf(view.pose(), view.lens(), {-57, -58, 0});
+    window->places().takeDropped({name}, QPointF(corner->x, corner->y));
+    ASSERT_TRUE(waitFor([this] { return window->tools().mesh().active(); }, 10000));
+    ASSERT_TRUE(waitFor([this] { return window->tools().context().preview.shown(); }));
+    window->tools().mesh().build();
+    ASSERT_TRUE(waitFor([this] { return workbench().city()->city().buildings.size() == 4; }));
+    const glm::dvec2 middle = findMiddle(*workbench().city()->city().buildings.back());
+    EXPECT_NEAR(middle.x, -40, 0.01) << "the middle of the lot, not the cursor";
+    EXPECT_NEAR(middle.y, -40, 0.01);
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(waitFor([this] { return workbench().city()->city().buildings.size() == 3; }));
+    QFile bad(folder.filePath(QStringLiteral("bad.obj")));
+    ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+    bad.write("v 0 0\n");
+    bad.close();
+    window->places().takeDropped({bad.fileName()}, QPointF(10, 10));
+    EXPECT_TRUE(waitFor([this] { return message().contains(QStringLiteral("bad.obj")); }));
+}
+
 TEST_F(PlacesWindow, AFileWithoutPolygonsIsRefused) {
     QFile bad(folder.filePath(QStringLiteral("bad.geojson")));
     ASSERT_TRUE(bad.open(QIODevice::WriteOnly));

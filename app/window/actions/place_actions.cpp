@@ -34,6 +34,10 @@ bool mayHoldPlaces(const QStringList& files) {
     return !files.isEmpty();
 }
 
+bool isMass(const QStringList& files) {
+    return files.size() == 1 && massEndings().contains(QFileInfo(files.front()).suffix().toLower());
+}
+
 PlaceActions::Dropped askByMenu() {
     QMenu menu;
     const QAction* places = menu.addAction(QObject::tr("Read &places into this project"));
@@ -79,7 +83,8 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
     connect(&workbench_.session(), &ProjectSession::changed, this, &PlaceActions::follow);
     connect(&workbench_, &Workbench::cityShown, this, &PlaceActions::follow);
     connect(&panel_.placeTool(), &PolygonTool::finished, this, &PlaceActions::takeDrawn);
-    connect(&panel_, &ViewPanel::filesDropped, this, &PlaceActions::takeDropped);
+    connect(&panel_, &ViewPanel::filesDropped, this,
+            [this](const QStringList& files, QPointF pixel) { takeDropped(files, pixel); });
 }
 
 void PlaceActions::makeActions() {
@@ -138,7 +143,11 @@ void PlaceActions::take(const PlacesRead& read) {
     read.warnings.empty() ? panel_.messages().showNote(text) : panel_.messages().showHelp(text);
 }
 
-void PlaceActions::takeDropped(const QStringList& files) {
+void PlaceActions::takeDropped(const QStringList& files, std::optional<QPointF> pixel) {
+    if (workbench_.city() && isMass(files)) {
+        const auto ground = pixel ? panel_.navigator().groundAt(*pixel) : std::nullopt;
+        return tools_.placeMesh(files.front(), ground ? std::optional(glm::dvec2(*ground)) : std::nullopt);
+    }
     const Dropped wanted = workbench_.city() && mayHoldPlaces(files) ? ask_() : Dropped::open;
     if (wanted == Dropped::open) opening_.open(files);
     if (wanted == Dropped::readPlaces) read(files);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QObject>
+#include <QPointF>
 #include <QStringList>
 #include <functional>
+#include <optional>
 
 #include "app/window/study/job_slot.h"
 #include "core/io/places/read_places.h"
@@ -32,9 +34,10 @@ public:
 
     /// Reads places into the open project; those of the same source are replaced.
     void read(const QStringList& files);
-    /// Files dropped on the window: opened, or, if a city is open and they may hold places, as the user
-    /// chooses.
-    void takeDropped(const QStringList& files);
+    /// Files dropped on the window. A mesh dropped on an open city becomes a proposal, placed on the lot
+    /// under `pixel` or there on the ground. Other files are opened, or, if a city is open and they may hold
+    /// places, as the user chooses.
+    void takeDropped(const QStringList& files, std::optional<QPointF> pixel = {});
     void draw();
     void makeFromBuilding();
     void zoomTo(const std::string& place);

@@ -4,22 +4,26 @@
 #include "app/window/exploration/exploration.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
+#include "app/window/view/section_dialog.h"
 #include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
 namespace {
 
+constexpr QPoint cornerOfView{12, 60};  // where a small window covers little of the view
+
 QString mouseAndKeys() {
     return QObject::tr(
         "Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms "
         "to the cursor. Arrow keys "
         "pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: "
-        "from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid "
+        "from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section "
+        "box. B: solid "
         "buildings or "
         "wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. "
         "Click a building to "
-        "select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M "
+        "select it: drag its arrow or type its height and press Enter, Delete demolishes it, M "
         "moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): "
         "click corners, with Shift at right angles to the last side; double click, Enter or right click "
         "finishes, Backspace removes the last corner, Esc cancels.");
@@ -56,6 +60,11 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                      tr("Click points on roofs, walls and ground: distance, height, area. Backspace removes "
                         "the last point, a double click ends"),
                      false)),
+      section_(
+          makeSwitch(this, tr("Section bo&x"), QKeySequence(tr("Shift+X")),
+                     tr("Cuts away what lies outside a box, by handles or numbers; shadows remain those of "
+                        "the whole city"),
+                     false)),
       keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence(tr("Ctrl+F1")), {}, "keys")) {
     ViewNavigator& navigator = panel_.navigator();
     connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
@@ -67,6 +76,9 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
     connect(byMaps_, &QAction::toggled, &exploration, &Exploration::setByMaps);
     connect(measure_, &QAction::triggered, this, &ViewActions::setMeasuring);
     connect(&panel_.measureTool(), &MeasureTool::activeChanged, measure_, &QAction::setChecked);
+    connect(section_, &QAction::triggered, this, &ViewActions::setSection);
+    connect(&panel_.section(), &SectionTool::changed, section_,
+            [this] { section_->setChecked(panel_.section().box().has_value()); });
     connect(keys_, &QAction::triggered, this, [this] { panel_.messages().showHelp(mouseAndKeys()); });
     connect(&tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {
         panel_.navigator().showSlanting(boxAround({lot.name, {lot.outline}}));
@@ -76,6 +88,16 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
 void ViewActions::setMeasuring(bool on) {
     panel_.setUnits(workbench_.session().project().sheets.units);
     on ? panel_.measureTool().begin() : panel_.measureTool().end();
+}
+
+void ViewActions::setSection(bool on) {
+    if (!sectionDialog_) {
+        sectionDialog_ = new SectionDialog(panel_, &panel_);
+        sectionDialog_->move(panel_.mapToGlobal(cornerOfView));
+        connect(sectionDialog_, &SectionDialog::removed, this, [this] { setSection(false); });
+    }
+    on ? panel_.section().setAroundCity() : panel_.section().set({});
+    sectionDialog_->setVisible(on);
 }
 
 void ViewActions::showRegion() {

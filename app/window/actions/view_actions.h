@@ -10,6 +10,7 @@ namespace noonmark {
 
 class Exploration;
 class ProjectDock;
+class SectionDialog;
 class ViewPanel;
 class Workbench;
 
@@ -27,11 +28,13 @@ public:
     [[nodiscard]] QAction* mapOnGround() const { return map_; }       ///< checkable
     [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
     [[nodiscard]] QAction* measure() const { return measure_; }       ///< checkable
+    [[nodiscard]] QAction* sectionBox() const { return section_; }    ///< checkable
     [[nodiscard]] QAction* help() const { return keys_; }             ///< mouse and keys
 
 private:
     void showRegion();
     void setMeasuring(bool on);
+    void setSection(bool on);
 
     Workbench& workbench_;
     ViewPanel& panel_;
@@ -43,6 +46,8 @@ private:
     QAction* map_;
     QAction* byMaps_;
     QAction* measure_;
+    QAction* section_;
+    SectionDialog* sectionDialog_ = nullptr;  ///< from the first use on; a child of the panel
     QAction* keys_;
 };
 

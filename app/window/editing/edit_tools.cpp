@@ -8,8 +8,10 @@
 #include "app/window/editing/selection_panel.h"
 #include "app/window/files/file_dialogs.h"
 #include "app/window/looks/icons.h"
+#include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_panel.h"
 #include "app/window/view/ground_lines.h"
+#include "scenarios/massing/copy_massing.h"
 
 namespace noonmark {
 
@@ -106,6 +108,7 @@ void EditTools::connectTools() {
         tower_.begin(lot, {});
         tellOfDesign();
     });
+    connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
     connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
@@ -240,12 +243,44 @@ void EditTools::replace() {
     tellOfDesign();
 }
 
+void EditTools::copyTower(const NamedLot& lot) {
+    if (!context_.city) return;
+    auto design = tower_.draft();
+    if (!design && building_.selected())
+        design = tower_.designOf(*context_.city->city().buildings[*building_.selected()]);
+    if (!design)
+        return Q_EMIT failed({"No tower is selected whose massing is known",
+                              {},
+                              "Select a tower that was designed since the project was opened, then copy it"});
+    if (design->lot.outline == lot.outline)
+        return Q_EMIT failed({"The tower stands on this lot already", lot.name, "Choose another lot"});
+    const auto copy = copyMassing(design->lot.outline, design->settings, lot.outline);
+    if (!copy) return Q_EMIT failed(copy.error());
+    tower_.cancel();
+    tower_.resume({lot, copy->settings, freeTowerName(context_.city->city()), {}});
+    tellOfDesign();
+    if (const QString changes = describeCopy(*copy); !changes.isEmpty()) Q_EMIT hinted(changes);
+}
+
 void EditTools::tellOfDesign() {
     context_.panel.view().requestActivate();  // the view receives a typed height
     Q_EMIT designBegan();
     Q_EMIT hinted(
-        tr("Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc "
+        tr("Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc "
            "cancels."));
+}
+
+void EditTools::placeMesh(const QString& file, std::optional<glm::dvec2> ground) {
+    if (!context_.city) return;
+    cancel();
+    const auto lot = std::ranges::find_if(
+        context_.lots, [&ground](const NamedLot& one) { return ground && contains(one.outline, *ground); });
+    if (lot != context_.lots.end()) {
+        Building outline;
+        outline.parts.push_back({.footprint = lot->outline});
+        ground = findMiddle(outline);
+    }
+    mesh_.begin(file, ground);
 }
 
 void EditTools::importMesh() {

@@ -6,6 +6,7 @@
 // one undo step and gets back the changed city. EditPreview shows edits before they are made.
 
 #include <QPointer>
+#include <optional>
 #include <vector>
 
 #include "app/window/editing/building_editing.h"
@@ -47,6 +48,11 @@ public:
 
     void drawLot();
     void lotFromFootprint();
+    /// Designs on this lot a copy of the tower that is selected or being designed.
+    void copyTower(const NamedLot& lot);
+    /// Reads a mesh as a building of the scenario and places it on the lot at this point of the ground, or
+    /// there.
+    void placeMesh(const QString& file, std::optional<glm::dvec2> ground);
     void replace();  ///< the selected building with a tower
     /// The edits were refused: shows the unchanged city.
     void takeBack();

@@ -28,10 +28,10 @@ MeshPlacing::MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* par
     connect(&panel_, &PlacingPanel::cancelled, this, &MeshPlacing::cancel);
 }
 
-void MeshPlacing::begin(const QString& file) {
+void MeshPlacing::begin(const QString& file, std::optional<glm::dvec2> place) {
     if (!context_.city) return;
     mesh_.reset();
-    place_.reset();
+    place_ = place;
     file_ = file;
     read();
 }

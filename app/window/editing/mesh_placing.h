@@ -16,7 +16,8 @@ class MeshPlacing final : public QObject {
 public:
     MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
 
-    void begin(const QString& file);
+    /// `place`: its middle on the ground; empty: the user clicks it.
+    void begin(const QString& file, std::optional<glm::dvec2> place = {});
     void show();  ///< again, in the current city
     void cancel();
     [[nodiscard]] bool active() const { return mesh_.has_value(); }

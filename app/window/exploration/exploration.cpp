@@ -48,8 +48,10 @@ void Exploration::setPeriod(const Period& period, const Observer& observer) {
     ask();
 }
 
-void Exploration::look(const CameraPose& pose, const ViewLens& lens) {
-    if (question_.pose == pose && question_.lens == lens) return;
+void Exploration::look(const CameraPose& pose, const ViewLens& lens,
+                       const std::optional<SectionBox>& section) {
+    if (question_.pose == pose && question_.lens == lens && question_.section == section) return;
+    question_.section = section;
     question_.pose = pose;
     question_.lens = lens;
     waiting_ = true;

@@ -21,8 +21,9 @@ public:
 
     void setCity(std::shared_ptr<const OpenCity> city);
     void setPeriod(const Period& period,
-                   const Observer& observer);                 ///< does nothing if both are unchanged
-    void look(const CameraPose& pose, const ViewLens& lens);  ///< `lens` in device pixels
+                   const Observer& observer);  ///< does nothing if both are unchanged
+    /// `lens` in device pixels.
+    void look(const CameraPose& pose, const ViewLens& lens, const std::optional<SectionBox>& section = {});
     /// Uses shadow accrual maps, as in the paper, or rays, which are exact and on a CPU as fast.
     void setByMaps(bool maps);
     void setActive(bool active);  ///< starts or stops; the last answer stays until something changes

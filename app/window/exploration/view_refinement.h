@@ -9,6 +9,7 @@
 #include "core/engines/api/surface_engine.h"
 #include "core/engines/graph/steps_around.h"
 #include "render/view/explored_view.h"
+#include "render/view/section_box.h"
 
 namespace noonmark {
 
@@ -21,6 +22,7 @@ struct ViewQuestion {
     Observer observer;                    ///< place from which the sun is seen
     std::shared_ptr<const SunSteps> sun;  ///< of the period, if already known
     double turnTests = firstTurnTests;    ///< see turnTestsAfter()
+    std::optional<SectionBox> section{};  ///< only what lies inside is seen
 };
 
 /// The state of a view's refinement. Immutable: each refinement creates a new one.

@@ -23,6 +23,11 @@ const QStringList& modelEndings() {
     return endings;
 }
 
+const QStringList& massEndings() {
+    static const QStringList endings = listOf("obj ply gltf glb");
+    return endings;
+}
+
 const QStringList& terrainEndings() {
     static const QStringList endings = listOf("tif tiff asc grd img hgt dem dt0 dt1 dt2 bil flt xyz gpkg");
     return endings;

@@ -9,6 +9,7 @@ namespace noonmark {
 /// docs/user/data.md lists the same formats.
 const QStringList& vectorEndings();   ///< footprints, places, regions
 const QStringList& modelEndings();    ///< 3D city models and meshes
+const QStringList& massEndings();     ///< meshes without a place of their own: a building to be placed
 const QStringList& terrainEndings();  ///< rasters of elevations
 
 /// A filter of a file dialog: "Meshes (*.obj *.ply)".

@@ -274,7 +274,8 @@ void MainWindow::connectModes() {
     rest->setSingleShot(true);
     rest->setInterval(drawsInSoftware() ? cameraRestMs : 0);
     connect(rest, &QTimer::timeout, this, &MainWindow::explore);
-    connect(&panel_->view(), &CityView::poseChanged, rest, qOverload<>(&QTimer::start));
+    for (auto signal : {&CityView::poseChanged, &CityView::sectionChanged})
+        connect(&panel_->view(), signal, rest, qOverload<>(&QTimer::start));
     panel_->results().setMode(mode_.mode());
     activateExploration();
 }
@@ -290,7 +291,7 @@ void MainWindow::explore() {
     ViewLens lens = panel_->view().lens();
     lens.widthPx *= panel_->view().devicePixelRatio();
     lens.heightPx *= panel_->view().devicePixelRatio();
-    exploration_.look(panel_->view().pose(), lens);
+    exploration_.look(panel_->view().pose(), lens, panel_->view().section());
 }
 
 // A moment has its own shadows, which cost nothing while the camera moves.

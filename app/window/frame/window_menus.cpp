@@ -69,6 +69,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addMenu(QObject::tr("Plan, elevat&ions, from the sun"))->addActions(actions.presets.actions());
     menu.addMenu(actions.savedViews.menu());
     menu.addAction(actions.view.measure());
+    menu.addAction(actions.view.sectionBox());
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());

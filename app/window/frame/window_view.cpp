@@ -11,6 +11,7 @@ namespace noonmark {
 ProjectSaving::View WindowView::toSave() const {
     const ProjectSession& session = workbench_.session();
     ViewState state{.camera = panel_.view().pose(),
+                    .section = panel_.view().section(),
                     .mode = mode_.mode(),
                     .measure = panel_.legend().measure(),
                     .changeScale = panel_.legend().changeScale(),
@@ -35,6 +36,7 @@ void WindowView::restore() {
         panel_.legend().setMeasure(view.measure);
     }
     panel_.legend().setChangeScale(view.changeScale);
+    panel_.section().set(view.section);
     if (view.camera)
         panel_.view().setPose(*view.camera);
     else

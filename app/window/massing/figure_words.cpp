@@ -1,6 +1,7 @@
 #include "app/window/massing/figure_words.h"
 
 #include <QObject>
+#include <QStringList>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,6 +17,15 @@ QString describeFigures(const MassingFigures& figures) {
     return QObject::tr("%1, %2\n%3 floor area, FAR %4")
         .arg(describeLength(figures.heightM), describeStoreys(figures.storeys),
              describeSmallArea(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
+}
+
+QString describeCopy(const CopiedMassing& copy) {
+    QStringList changes;
+    if (copy.plateReduced) changes << QObject::tr("the floor plate is smaller");
+    if (copy.turnDropped) changes << QObject::tr("the tower is not turned");
+    if (copy.setbacksDropped > 0) changes << QObject::tr("upper setbacks are left out");
+    if (changes.isEmpty()) return {};
+    return QObject::tr("To fit this lot: %1.").arg(changes.join(QStringLiteral(", ")));
 }
 
 QString describeMove(glm::dvec2 byM) {

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "scenarios/massing/massing.h"
+#include "scenarios/massing/copy_massing.h"
 
 namespace noonmark {
 
@@ -12,6 +12,9 @@ QString describeStoreys(int storeys);
 /// Two lines, "35.0 m, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor while a tower is
 /// extruded.
 QString describeFigures(const MassingFigures& figures);
+
+/// What a copy of a tower had to change to fit its lot; empty: nothing.
+QString describeCopy(const CopiedMassing& copy);
 
 /// "12.0 m east, 3.5 m south"
 QString describeMove(glm::dvec2 byM);

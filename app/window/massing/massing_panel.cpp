@@ -61,9 +61,14 @@ MassingPanel::MassingPanel(QWidget* parent)
 
 QWidget* MassingPanel::makeLotRow() {
     lot_ = new QComboBox;
+    lot_->setObjectName(QStringLiteral("lot"));
     lot_->setToolTip(tr("The project's lots"));
     design_ = pushButton(tr("Design tower"), "designTower",
                          tr("Designs a tower on this lot; building it demolishes the buildings on the lot"));
+    copy_ =
+        pushButton(tr("Copy tower here"), "copyTower",
+                   tr("Sets the tower that is selected or being designed on this lot too, with its storeys, "
+                      "plate areas and setbacks, turned as the lot is"));
     auto* draw =
         pushButton(tr("Draw lot"), "drawLot",
                    tr("Click corners on the ground (Shift: at right angles to the last side).\nDouble click, "
@@ -76,13 +81,21 @@ QWidget* MassingPanel::makeLotRow() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(lot_);
     column->addLayout(buttons);
+    column->addWidget(copy_);
     connect(draw, &QPushButton::clicked, this, &MassingPanel::drawRequested);
     connect(design_, &QPushButton::clicked, this, [this] {
-        const int chosen = lot_->currentIndex();
-        if (chosen >= 0 && std::size_t(chosen) < lots_.size())
-            Q_EMIT designRequested(lots_[std::size_t(chosen)]);
+        if (const auto lot = chosenLot()) Q_EMIT designRequested(*lot);
+    });
+    connect(copy_, &QPushButton::clicked, this, [this] {
+        if (const auto lot = chosenLot()) Q_EMIT copyRequested(*lot);
     });
     return row;
+}
+
+std::optional<NamedLot> MassingPanel::chosenLot() const {
+    const int chosen = lot_->currentIndex();
+    if (chosen < 0 || std::size_t(chosen) >= lots_.size()) return std::nullopt;
+    return lots_[std::size_t(chosen)];
 }
 
 QWidget* MassingPanel::makeFigures() {
@@ -119,7 +132,7 @@ void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
     if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
     lot_->setEnabled(!lots.empty());
-    design_->setEnabled(!lots.empty());
+    for (QPushButton* button : {design_, copy_}) button->setEnabled(!lots.empty());
 }
 
 void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "app/window/massing/tower_draft.h"
 
@@ -32,12 +33,14 @@ public:
 Q_SIGNALS:
     void drawRequested();
     void designRequested(noonmark::NamedLot lot);  ///< a tower on an existing lot
+    void copyRequested(noonmark::NamedLot lot);    ///< the tower selected or designed, on this lot
     void edited();
     void applied();
     void cancelled();
 
 private:
     QWidget* makeLotRow();
+    [[nodiscard]] std::optional<NamedLot> chosenLot() const;
     QWidget* makeFigures();
     void setDesigning(bool designing);
 
@@ -45,6 +48,7 @@ private:
     TowerDraft draft_;
     QComboBox* lot_;
     QPushButton* design_;
+    QPushButton* copy_;
     QWidget* body_;
     QLabel* on_;
     QLineEdit* name_;

@@ -29,6 +29,7 @@ public:
     /// building, even if it has the same id in another scenario.
     [[nodiscard]] std::optional<TowerDraft> designOf(const Building& building) const;
     void resume(TowerDraft draft);
+    [[nodiscard]] const std::optional<TowerDraft>& draft() const { return draft_; }
     [[nodiscard]] bool active() const { return draft_.has_value(); }
 
     void setHeight(double heightM);  ///< from the handle

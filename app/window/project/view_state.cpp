@@ -154,6 +154,18 @@ std::optional<CameraPose> cameraFrom(const std::string& text) try {
     return std::nullopt;
 }
 
+std::string sectionText(const SectionBox& box) {
+    return Json{box.lowM.x, box.lowM.y, box.lowM.z, box.highM.x, box.highM.y, box.highM.z}.dump();
+}
+
+std::optional<SectionBox> sectionFrom(const std::string& text) try {
+    const auto numbers = Json::parse(text).get<std::vector<double>>();
+    if (numbers.size() != 6) return std::nullopt;
+    return repairSection({{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}});
+} catch (const Json::exception&) {
+    return std::nullopt;
+}
+
 double secondsFrom(const std::string& text) try {
     return std::max(0.0, Json::parse(text).get<double>());
 } catch (const Json::exception&) {
@@ -188,6 +200,7 @@ Texts textsOf(const ViewState& state) {
     }
     if (!state.review.empty()) texts["review"] = state.review;
     if (state.camera) texts["camera"] = cameraText(*state.camera);
+    if (state.section) texts["section"] = sectionText(*state.section);
     if (state.study) texts["study"] = studyJson(*state.study).dump();
     if (state.elements) texts["elements"] = elementsJson(*state.elements).dump();
     return texts;
@@ -196,6 +209,7 @@ Texts textsOf(const ViewState& state) {
 ViewState parseViewState(const Texts& texts) {
     ViewState state;
     state.camera = cameraFrom(found(texts, "camera"));
+    state.section = sectionFrom(found(texts, "section"));
     state.mode = modeFrom(found(texts, "mode"));
     if (found(texts, "measure") == "continuous") state.measure = ShadowMeasure::continuous;
     state.changeScale = changeScaleIn(texts);

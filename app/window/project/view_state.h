@@ -9,6 +9,7 @@
 #include "app/window/view/view_mode.h"
 #include "core/study/elements/place_elements.h"
 #include "render/view/camera_pose.h"
+#include "render/view/section_box.h"
 #include "scenarios/scenario.h"
 
 namespace noonmark {
@@ -16,6 +17,7 @@ namespace noonmark {
 /// The window's state that is saved in Project::view and restored when the project is opened.
 struct ViewState {
     std::optional<CameraPose> camera;
+    std::optional<SectionBox> section{};
     ViewMode mode = ViewMode::exploration;
     ShadowMeasure measure = ShadowMeasure::gross;
     ChangeScale changeScale;
@@ -28,8 +30,8 @@ struct ViewState {
     std::string review;                       ///< what is reviewed: JSON, as review_choice.h writes it
 };
 
-/// Keys: "camera", "mode", "measure", "change_scale", "scenario", "baseline", "answer", "answer_seconds",
-/// "study" (JSON), "elements" (JSON), "review" (JSON).
+/// Keys: "camera", "section", "mode", "measure", "change_scale", "scenario", "baseline", "answer",
+/// "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from

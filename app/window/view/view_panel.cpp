@@ -37,6 +37,7 @@ ViewPanel::ViewPanel(QWidget* parent)
       placeTool_(new PolygonTool(tr("place"), this)),
       measureTool_(new MeasureTool(this)),
       label_(new CursorLabel(*view_, this)),
+      section_(new SectionTool(*view_, *navigator_, *label_, this)),
       messages_(new MessageBar),
       time_(new TimeStrip),
       legend_(new LegendStrip),
@@ -76,11 +77,13 @@ void ViewPanel::connectNavigator() {
         const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
         if (ground) tool->addPoint(*ground, shiftIsDown());
     });
-    const auto finish = [this] {
+    connect(navigator_, &ViewNavigator::doubleClicked, this, [this] {
         if (PolygonTool* tool = activeTool()) tool->finish();
-    };
-    connect(navigator_, &ViewNavigator::doubleClicked, this, finish);
-    connect(navigator_, &ViewNavigator::rightClicked, this, finish);
+    });
+    connect(navigator_, &ViewNavigator::rightClicked, this, [this](QPointF pixel) {
+        if (PolygonTool* tool = activeTool()) return tool->finish();
+        Q_EMIT menuWanted(pixel);
+    });
     connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
 }
 
@@ -276,7 +279,7 @@ void ViewPanel::dropEvent(QDropEvent* event) {
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) files << url.toLocalFile();
     event->acceptProposedAction();
-    if (!files.isEmpty()) Q_EMIT filesDropped(files);
+    if (!files.isEmpty()) Q_EMIT filesDropped(files, event->position());
 }
 
 }  // namespace noonmark

@@ -14,6 +14,7 @@
 #include "app/window/view/map_layer.h"
 #include "app/window/view/measure_tool.h"
 #include "app/window/view/polygon_tool.h"
+#include "app/window/view/section_tool.h"
 #include "app/window/widgets/cursor_label.h"
 #include "app/window/widgets/legend_strip.h"
 #include "app/window/widgets/message_bar.h"
@@ -44,6 +45,7 @@ public:
     [[nodiscard]] PolygonTool& lotTool() { return *lotTool_; }
     [[nodiscard]] PolygonTool& placeTool() { return *placeTool_; }
     [[nodiscard]] MeasureTool& measureTool() { return *measureTool_; }
+    [[nodiscard]] SectionTool& section() { return *section_; }
     /// A polygon is being drawn, or a distance measured: clicks belong to it.
     [[nodiscard]] bool drawing() const;
     void setUnits(UnitSystem units) { units_ = units; }  ///< of what is measured
@@ -61,8 +63,9 @@ public:
     void takePicture(const QString& title, const QString& when, std::function<void(QImage)> done);
 
 Q_SIGNALS:
-    void hovered(QString text);  ///< text for what is under the cursor; empty: nothing
-    void filesDropped(QStringList files);
+    void hovered(QString text);      ///< text for what is under the cursor; empty: nothing
+    void menuWanted(QPointF pixel);  ///< a right click that finishes no polygon
+    void filesDropped(QStringList files, QPointF pixel);  ///< where on the view
     void keyPressed(int key);  ///< keys over the view that the polygon being drawn does not use
 
 protected:
@@ -94,6 +97,7 @@ private:
     MeasureTool* measureTool_;
     UnitSystem units_ = UnitSystem::metric;
     CursorLabel* label_;
+    SectionTool* section_;
     MessageBar* messages_;
     TimeStrip* time_;
     LegendStrip* legend_;

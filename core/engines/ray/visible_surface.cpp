@@ -4,8 +4,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <optional>
 
 #include "core/base/units.h"
@@ -43,7 +45,28 @@ std::optional<double> distanceToGround(glm::dvec3 origin, glm::dvec3 direction) 
     return distance;
 }
 
-PointSeen lookAt(const RayScene& scene, bool flatGround, const LineOfSight& line) {
+// Moves the start of the line to where it enters the box; false if it misses the box.
+bool enter(const Box3& box, glm::dvec3& origin, const glm::dvec3& direction) {
+    double fromM = 0, toM = 1e30;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = double(box.low[axis]) - origin[axis], high = double(box.high[axis]) - origin[axis];
+        if (direction[axis] == 0 && (low > 0 || high < 0)) return false;
+        if (direction[axis] == 0) continue;
+        const auto [near, far] = std::minmax({low / direction[axis], high / direction[axis]});
+        fromM = std::max(fromM, near);
+        toM = std::min(toM, far);
+    }
+    origin += fromM * direction;
+    return fromM <= toM;
+}
+
+bool isInside(const Box3& box, glm::vec3 place) {
+    constexpr float sharedM = 0.01F;  // surfaces in a side of the box belong to it
+    return glm::all(glm::greaterThanEqual(place, box.low - sharedM)) &&
+           glm::all(glm::lessThanEqual(place, box.high + sharedM));
+}
+
+PointSeen lookAlong(const RayScene& scene, bool flatGround, const LineOfSight& line) {
     const glm::dvec3 direction = glm::normalize(line.direction);
     const auto hit = scene.firstHit(glm::vec3(line.origin), glm::vec3(direction));
     const auto ground = flatGround ? distanceToGround(line.origin, direction) : std::nullopt;
@@ -56,6 +79,19 @@ PointSeen lookAt(const RayScene& scene, bool flatGround, const LineOfSight& line
     if (groundM > farthestVisibleM) return {};
     const glm::vec3 place(line.origin + groundM * direction);
     return {{place.x, place.y, 0}, {0, 0, line.origin.z >= 0 ? 1 : -1}, true};
+}
+
+PointSeen lookAt(const RayScene& scene, bool flatGround, LineOfSight line,
+                 const std::optional<Box3>& section) {
+    if (!section) return lookAlong(scene, flatGround, line);
+    line.direction = glm::normalize(line.direction);
+    if (!enter(*section, line.origin, line.direction)) return {};
+    const auto hit = scene.firstHit(glm::vec3(line.origin), glm::vec3(line.direction));
+    const bool cut = hit && hit->building && glm::dot(hit->normal, glm::vec3(line.direction)) > 0;
+    const PointSeen seen = lookAlong(scene, flatGround, line);
+    const bool shown =
+        seen.any && isInside(*section, seen.position) && !(cut && seen.position == hit->position);
+    return shown ? seen : PointSeen{};
 }
 
 VisibleSurface gatherPoints(const std::vector<PointSeen>& pixels, glm::vec3 eye) {
@@ -103,7 +139,7 @@ Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround
         for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
             for (int column = 0; column < camera.widthPx; ++column)
                 pixels[std::size_t(row) * std::size_t(camera.widthPx) + std::size_t(column)] =
-                    lookAt(scene, flatGround, lineThrough(camera, column, row));
+                    lookAt(scene, flatGround, lineThrough(camera, column, row), camera.section);
     });
     if (stop.stop_requested()) return cancelled();
     return gatherPoints(pixels, glm::vec3(camera.eye));

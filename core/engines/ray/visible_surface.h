@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/receivers/surface_points.h"
 
@@ -22,6 +24,8 @@ struct PixelCamera {
     double heightM = 0;  ///< above 0: a parallel projection, whose image is so high; verticalDeg is unused
     int widthPx = 1;     ///< 1 to 16384
     int heightPx = 1;    ///< 1 to 16384
+    /// Only what lies inside is seen; faces seen from behind, the inside of what the box cuts, are not.
+    std::optional<Box3> section{};
 };
 
 /// A camera at `eye` that looks at `target`, upright; if it looks straight down, north is up.

@@ -47,6 +47,25 @@ TEST(VisibleSurface, SeesRoofFacadeAndGround) {
     EXPECT_EQ(std::size_t(roof + facade + ground), view.surface.points.size());
 }
 
+// The box is cut at half its height: its roof and the facade above are gone, and its inside is not seen.
+TEST(VisibleSurface, OnlyWhatLiesInTheSectionIsSeen) {
+    View view;
+    view.camera.section = Box3{{-30, -30, -1}, {30, 30, 10}};
+    const auto cut = findVisibleSurface(RayScene::over(view.city).value(), true, view.camera).value();
+    int facade = 0, ground = 0;
+    for (std::size_t i = 0; i < cut.points.size(); ++i) {
+        const glm::vec3 p = cut.points.positions[i];
+        EXPECT_LE(p.z, 10.011F);
+        EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), 30.011F);
+        const bool onFacade = std::abs(p.y + 10) < 1e-3F && cut.points.normals[i].y < -0.99F;
+        onFacade ? ++facade : ++ground;
+        if (!onFacade) EXPECT_EQ(p.z, 0) << "neither roof nor inner walls";
+    }
+    EXPECT_GT(facade, 20);
+    EXPECT_GT(ground, 50);
+    EXPECT_LT(cut.points.size(), view.surface.points.size());
+}
+
 TEST(VisibleSurface, AParallelProjectionIsToScale) {
     View view;
     // From straight above, 60 m of ground in 48 pixels: 1.25 m a pixel; the box of 20 m covers 16 pixels a

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "render/view/section_box.h"
+#include "render/view/view_navigator.h"
+
+namespace noonmark {
+
+class CursorLabel;
+
+/// The section box of a view, and the handles on its sides that can be dragged.
+class SectionTool final : public QObject, public DragTarget {
+    Q_OBJECT
+public:
+    /// All must outlive it.
+    SectionTool(CityView& view, ViewNavigator& navigator, CursorLabel& label, QObject* parent = nullptr);
+    ~SectionTool() override;
+
+    [[nodiscard]] const std::optional<SectionBox>& box() const { return view_.section(); }
+    void set(const std::optional<SectionBox>& box);  ///< empty: shows everything
+    void setAroundCity();
+    void setAround(const Box2& ground);  ///< this part of the city, at its full height
+    /// Shows outline and handles. Without them the box still cuts, so that pictures show the city alone.
+    void showHandles(bool shown);
+
+    bool grab(QPointF pixel) override;
+    void dragTo(QPointF pixel) override;
+    void drop() override;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    [[nodiscard]] std::optional<std::size_t> handleAt(QPointF pixel) const;
+    [[nodiscard]] glm::dvec2 pixelsPerMetre(const glm::dvec3& at, int axis) const;
+    void showMarks();
+
+    /// A drag: the side, where it was, and how its axis lies on the screen.
+    struct Drag {
+        std::size_t side = 0;
+        double startM = 0;
+        QPointF fromPx;
+        glm::dvec2 alongPx{0};  ///< pixels a metre
+    };
+
+    CityView& view_;
+    CursorLabel& label_;
+    bool handlesShown_ = false;
+    std::optional<Drag> drag_;
+};
+
+}  // namespace noonmark
