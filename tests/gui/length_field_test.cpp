@@ -29,8 +29,8 @@ TEST_F(LengthFieldTest, ShowsMetresAndTakesFeet) {
     EXPECT_EQ(field->text().toStdString(), "3.5 m");
     EXPECT_EQ(typed(*field, "12"), 12);
     EXPECT_EQ(typed(*field, "4.2 m"), 4.2);
-    EXPECT_NEAR(typed(*field, "12' 6\""), 3.8, 1e-9) << "3.81 m to the field's tenth";
-    EXPECT_NEAR(typed(*field, "tall"), 3.8, 1e-9) << "stays";
+    EXPECT_NEAR(typed(*field, "12' 6\""), 3.81, 1e-9) << "exact, though shown as 3.8 m";
+    EXPECT_NEAR(typed(*field, "tall"), 3.81, 1e-9) << "stays";
     EXPECT_EQ(typed(*field, "5000"), 2000) << "the highest that is possible";
 }
 

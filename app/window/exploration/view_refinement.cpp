@@ -108,7 +108,7 @@ Result<ViewAnswer> lookedAt(int level, const ViewQuestion& question, std::shared
     answer.view.camera = makeExploredCamera(question.pose, question.lens, answer.view.spacingPx);
     if (question.section)
         answer.view.camera.section =
-            Box3{glm::vec3(question.section->lowM), glm::vec3(question.section->highM)};
+            VisibleBox{glm::vec3(question.section->lowM), glm::vec3(question.section->highM)};
     const City& city = question.city->city();
     const auto surface =
         findVisibleSurface(question.city->picker.scene().value(), !city.terrain, answer.view.camera, stop);

@@ -46,7 +46,7 @@ std::optional<double> distanceToGround(glm::dvec3 origin, glm::dvec3 direction) 
 }
 
 // Moves the start of the line to where it enters the box; false if it misses the box.
-bool enter(const Box3& box, glm::dvec3& origin, const glm::dvec3& direction) {
+bool enter(const VisibleBox& box, glm::dvec3& origin, const glm::dvec3& direction) {
     double fromM = 0, toM = 1e30;
     for (int axis = 0; axis < 3; ++axis) {
         const double low = double(box.low[axis]) - origin[axis], high = double(box.high[axis]) - origin[axis];
@@ -60,7 +60,7 @@ bool enter(const Box3& box, glm::dvec3& origin, const glm::dvec3& direction) {
     return fromM <= toM;
 }
 
-bool isInside(const Box3& box, glm::vec3 place) {
+bool isInside(const VisibleBox& box, glm::vec3 place) {
     constexpr float sharedM = 0.01F;  // surfaces in a side of the box belong to it
     return glm::all(glm::greaterThanEqual(place, box.low - sharedM)) &&
            glm::all(glm::lessThanEqual(place, box.high + sharedM));
@@ -82,7 +82,7 @@ PointSeen lookAlong(const RayScene& scene, bool flatGround, const LineOfSight& l
 }
 
 PointSeen lookAt(const RayScene& scene, bool flatGround, LineOfSight line,
-                 const std::optional<Box3>& section) {
+                 const std::optional<VisibleBox>& section) {
     if (!section) return lookAlong(scene, flatGround, line);
     line.direction = glm::normalize(line.direction);
     if (!enter(*section, line.origin, line.direction)) return {};

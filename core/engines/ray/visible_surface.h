@@ -7,11 +7,16 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/city/meshes/mesh_topology.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/receivers/surface_points.h"
 
 namespace noonmark {
+
+/// A box along the axes, local metres.
+struct VisibleBox {
+    glm::vec3 low{0};
+    glm::vec3 high{0};
+};
 
 /// A camera in perspective or parallel projection, and its image size. Local metres; forward, right and up
 /// are orthogonal unit vectors.
@@ -25,7 +30,7 @@ struct PixelCamera {
     int widthPx = 1;     ///< 1 to 16384
     int heightPx = 1;    ///< 1 to 16384
     /// Only what lies inside is seen; faces seen from behind, the inside of what the box cuts, are not.
-    std::optional<Box3> section{};
+    std::optional<VisibleBox> section{};
 };
 
 /// A camera at `eye` that looks at `target`, upright; if it looks straight down, north is up.

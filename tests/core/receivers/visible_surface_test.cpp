@@ -50,7 +50,7 @@ TEST(VisibleSurface, SeesRoofFacadeAndGround) {
 // The box is cut at half its height: its roof and the facade above are gone, and its inside is not seen.
 TEST(VisibleSurface, OnlyWhatLiesInTheSectionIsSeen) {
     View view;
-    view.camera.section = Box3{{-30, -30, -1}, {30, 30, 10}};
+    view.camera.section = VisibleBox{{-30, -30, -1}, {30, 30, 10}};
     const auto cut = findVisibleSurface(RayScene::over(view.city).value(), true, view.camera).value();
     int facade = 0, ground = 0;
     for (std::size_t i = 0; i < cut.points.size(); ++i) {
@@ -59,7 +59,9 @@ TEST(VisibleSurface, OnlyWhatLiesInTheSectionIsSeen) {
         EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), 30.011F);
         const bool onFacade = std::abs(p.y + 10) < 1e-3F && cut.points.normals[i].y < -0.99F;
         onFacade ? ++facade : ++ground;
-        if (!onFacade) EXPECT_EQ(p.z, 0) << "neither roof nor inner walls";
+        if (!onFacade) {
+            EXPECT_EQ(p.z, 0) << "neither roof nor inner walls";
+        }
     }
     EXPECT_GT(facade, 20);
     EXPECT_GT(ground, 50);
