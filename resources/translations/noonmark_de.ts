@@ -429,6 +429,10 @@
         <source>The wall-clock time that is shown, in the time zone of the study.</source>
         <translation>Die gezeigte Uhrzeit, in der Zeitzone der Untersuchung.</translation>
     </message>
+    <message>
+        <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
+        <translation>Die Fenster mit ihren Urteilen vorher und nachher, zuerst die, die schlechter werden. Ein Klick auf eine Spalte sortiert danach, ein Klick auf eine Zeile sagt, wann ihr Fenster Sonne hat.</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -1888,10 +1892,6 @@ Press Enter or double-click to go to it</source>
 Eingabe oder Doppelklick zeigt sie</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe in Metern tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
-    </message>
-    <message>
         <source>%1, %2 up (%3 in space)</source>
         <translation>%1, %2 hinauf (%3 im Raum)</translation>
     </message>
@@ -1995,7 +1995,7 @@ Alle Seiten %2, Fläche %3</translation>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"> m</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>on facades</source>
@@ -2008,6 +2008,26 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>on a level plane</source>
         <translation>auf einer waagerechten Ebene</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. Umschalt+M: messen. Umschalt+X: Schnittbox. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>the floor plate is smaller</source>
+        <translation>die Geschossfläche ist kleiner</translation>
+    </message>
+    <message>
+        <source>the tower is not turned</source>
+        <translation>der Turm ist nicht gedreht</translation>
+    </message>
+    <message>
+        <source>upper setbacks are left out</source>
+        <translation>obere Rücksprünge entfallen</translation>
+    </message>
+    <message>
+        <source>To fit this lot: %1.</source>
+        <translation>Damit er auf dieses Grundstück passt: %1.</translation>
     </message>
 </context>
 <context>
@@ -2451,12 +2471,12 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Die Ecken des Grundstücks anklicken. Umschalt: rechtwinklig zur letzten Seite. Doppelklick oder Eingabe beendet.</translation>
     </message>
     <message>
-        <source>Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
-        <translation>Am Pfeil ziehen oder eine Höhe in Metern tippen. Umschalt: nicht an Geschosse fangen. Eingabe baut, Esc bricht ab.</translation>
-    </message>
-    <message>
         <source>Lot from foot&amp;print</source>
         <translation>Grundstück aus Grund&amp;riss</translation>
+    </message>
+    <message>
+        <source>Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
+        <translation>Ziehen Sie den Pfeil oder tippen Sie eine Höhe. Umschalttaste: nicht auf Geschosse einrasten. Eingabetaste baut, Esc bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -2625,7 +2645,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::ElementsDock</name>
     <message>
         <source> h</source>
-        <translation type="unfinished"> h</translation>
+        <translation> h</translation>
     </message>
     <message>
         <source>Part of a building or point</source>
@@ -2773,8 +2793,8 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
 <context>
     <name>noonmark::ExtrudeHandle</name>
     <message>
-        <source>Height: %1 m  (Enter)</source>
-        <translation>Höhe: %1 m  (Eingabe)</translation>
+        <source>Height: %1  (Enter)</source>
+        <translation>Höhe: %1  (Eingabetaste)</translation>
     </message>
 </context>
 <context>
@@ -2864,6 +2884,13 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
     </message>
 </context>
 <context>
+    <name>noonmark::LengthField</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LiveFollower</name>
     <message>
         <source>Live shadow</source>
@@ -2903,10 +2930,6 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
     <message>
         <source>Northwest</source>
         <translation>Nordwesten</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>no road</source>
@@ -2957,10 +2980,6 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
 </context>
 <context>
     <name>noonmark::MassingForm</name>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
     <message>
         <source>Podium</source>
         <translation>Sockel</translation>
@@ -3065,6 +3084,14 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
     <message>
         <source>No lots yet: draw one</source>
         <translation>Noch keine Grundstücke: eines zeichnen</translation>
+    </message>
+    <message>
+        <source>Copy tower here</source>
+        <translation>Turm hierher kopieren</translation>
+    </message>
+    <message>
+        <source>Sets the tower that is selected or being designed on this lot too, with its storeys, plate areas and setbacks, turned as the lot is</source>
+        <translation>Setzt den gewählten oder gerade entworfenen Turm auch auf dieses Grundstück, mit seinen Geschossen, Geschossflächen und Rücksprüngen, gedreht wie das Grundstück</translation>
     </message>
 </context>
 <context>
@@ -3708,10 +3735,6 @@ Szenario
         <translation>Einheiten</translation>
     </message>
     <message>
-        <source>In which areas, lengths and heights are shown; applies when Noonmark starts again. Fields to type in stay in metres</source>
-        <translation>Für angezeigte Flächen, Längen und Höhen; gilt beim nächsten Start von Noonmark. Eingabefelder bleiben in Metern</translation>
-    </message>
-    <message>
         <source>Metric: metres</source>
         <translation>Metrisch: Meter</translation>
     </message>
@@ -3754,6 +3777,10 @@ Szenario
     <message>
         <source>Only where no file is opened with the program. Help &gt; Start page shows it at any time</source>
         <translation>Nur wenn keine Datei mit dem Programm geöffnet wird. Hilfe &gt; Startseite zeigt sie jederzeit</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark starts again</source>
+        <translation>In denen Flächen, Längen und Höhen gezeigt und Längen eingegeben werden; gilt beim nächsten Start von Noonmark</translation>
     </message>
 </context>
 <context>
@@ -3948,10 +3975,6 @@ Szenario
     <message>
         <source>as in the file</source>
         <translation>wie in der Datei</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>all layers with polygons</source>
@@ -4774,11 +4797,70 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
-    <name>noonmark::SelectionPanel</name>
+    <name>noonmark::SectionDialog</name>
     <message>
-        <source> m</source>
-        <translation> m</translation>
+        <source>Section box</source>
+        <translation>Schnittbox</translation>
     </message>
+    <message>
+        <source>West</source>
+        <translation>Westen</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Osten</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Süden</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norden</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>From the origin of the project, to the east and to the north</source>
+        <translation>Vom Ursprung des Projekts nach Osten und nach Norden</translation>
+    </message>
+    <message>
+        <source>Height above the origin of the project</source>
+        <translation>Höhe über dem Ursprung des Projekts</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>The box around the ground in view</source>
+        <translation>Der Quader um den sichtbaren Boden</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The box around the whole city</source>
+        <translation>Der Quader um die ganze Stadt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Shows everything again</source>
+        <translation>Zeigt wieder alles</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SelectionPanel</name>
     <message>
         <source>Import mesh...</source>
         <translation>3D-Modell einfügen ...</translation>
@@ -4901,10 +4983,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Add setback</source>
         <translation>Rücksprung hinzufügen</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
 </context>
 <context>
@@ -5571,6 +5649,18 @@ vom Jahr ebenso viele Wochen</translation>
         <source>Click points on roofs, walls and ground: distance, height, area. Backspace removes the last point, a double click ends</source>
         <translation>Punkte auf Dächern, Wänden und Boden anklicken: Abstand, Höhe, Fläche. Rücktaste entfernt den letzten Punkt, ein Doppelklick beendet</translation>
     </message>
+    <message>
+        <source>Section bo&amp;x</source>
+        <translation>Schnittbo&amp;x</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies outside a box, by handles or numbers; shadows remain those of the whole city</source>
+        <translation>Schneidet weg, was außerhalb eines Quaders liegt, mit Griffen oder Zahlen; die Schatten bleiben die der ganzen Stadt</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ViewPanel</name>
@@ -5801,7 +5891,7 @@ Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnen
     </message>
     <message>
         <source>receivers</source>
-        <translation type="unfinished">Messpunkte</translation>
+        <translation>Messpunkte</translation>
     </message>
 </context>
 <context>
@@ -5886,7 +5976,7 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"> m</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>Facades, bay by bay</source>
@@ -5948,6 +6038,10 @@ Zuerst ein Gebäude anklicken.</translation>
         <source>Storey</source>
         <translation>Geschoss</translation>
     </message>
+    <message>
+        <source>The file of the windows: points or polygons with heights</source>
+        <translation>Die Datei der Fenster: Punkte oder Polygone mit Höhen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::WindowSession</name>
@@ -5957,7 +6051,7 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
     <message>
         <source>Not up to date. %1</source>
-        <translation type="unfinished">Nicht aktuell. %1</translation>
+        <translation>Nicht aktuell. %1</translation>
     </message>
     <message>
         <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
@@ -6004,7 +6098,7 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2.</translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>none</source>

@@ -429,6 +429,10 @@
         <source>The wall-clock time that is shown, in the time zone of the study.</source>
         <translation>La hora local mostrada, en la zona horaria del estudio.</translation>
     </message>
+    <message>
+        <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
+        <translation>Las ventanas con sus veredictos antes y después, primero las que empeoran. Un clic en una columna ordena por ella, un clic en una fila dice cuándo tiene sol su ventana.</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -1888,10 +1892,6 @@ Press Enter or double-click to go to it</source>
 Pulse Intro o haga doble clic para ir a ella</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. O: proyección paralela. Mayús+P: planta. R: zona. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura en metros y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
-    </message>
-    <message>
         <source>%1, %2 up (%3 in space)</source>
         <translation>%1, %2 hacia arriba (%3 en el espacio)</translation>
     </message>
@@ -1995,7 +1995,7 @@ Todos los lados %2, área %3</translation>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"> m</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>on facades</source>
@@ -2008,6 +2008,26 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>on a level plane</source>
         <translation>en un plano horizontal</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. Mayús+M: medir. Mayús+X: caja de corte. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>the floor plate is smaller</source>
+        <translation>la planta es menor</translation>
+    </message>
+    <message>
+        <source>the tower is not turned</source>
+        <translation>la torre no está girada</translation>
+    </message>
+    <message>
+        <source>upper setbacks are left out</source>
+        <translation>se omiten retranqueos superiores</translation>
+    </message>
+    <message>
+        <source>To fit this lot: %1.</source>
+        <translation>Para que quepa en este solar: %1.</translation>
     </message>
 </context>
 <context>
@@ -2451,12 +2471,12 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Haga clic en las esquinas de la parcela. Mayús: en ángulo recto con el último lado. Doble clic o Intro termina.</translation>
     </message>
     <message>
-        <source>Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
-        <translation>Arrastre la flecha o escriba una altura en metros. Mayús: sin ajustar a plantas. Intro construye, Esc cancela.</translation>
-    </message>
-    <message>
         <source>Lot from foot&amp;print</source>
         <translation>Parcela desde la &amp;huella</translation>
+    </message>
+    <message>
+        <source>Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
+        <translation>Arrastre la flecha o escriba una altura. Mayús: sin ajustar a plantas. Intro construye, Esc cancela.</translation>
     </message>
 </context>
 <context>
@@ -2625,7 +2645,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <name>noonmark::ElementsDock</name>
     <message>
         <source> h</source>
-        <translation type="unfinished"> h</translation>
+        <translation> h</translation>
     </message>
     <message>
         <source>Part of a building or point</source>
@@ -2773,8 +2793,8 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
 <context>
     <name>noonmark::ExtrudeHandle</name>
     <message>
-        <source>Height: %1 m  (Enter)</source>
-        <translation>Altura: %1 m  (Intro)</translation>
+        <source>Height: %1  (Enter)</source>
+        <translation>Altura: %1  (Intro)</translation>
     </message>
 </context>
 <context>
@@ -2864,6 +2884,13 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
     </message>
 </context>
 <context>
+    <name>noonmark::LengthField</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LiveFollower</name>
     <message>
         <source>Live shadow</source>
@@ -2903,10 +2930,6 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
     <message>
         <source>Northwest</source>
         <translation>Noroeste</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>no road</source>
@@ -2957,10 +2980,6 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
 </context>
 <context>
     <name>noonmark::MassingForm</name>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
     <message>
         <source>Podium</source>
         <translation>Basamento</translation>
@@ -3065,6 +3084,14 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>No lots yet: draw one</source>
         <translation>Aún no hay parcelas: dibuje una</translation>
+    </message>
+    <message>
+        <source>Copy tower here</source>
+        <translation>Copiar la torre aquí</translation>
+    </message>
+    <message>
+        <source>Sets the tower that is selected or being designed on this lot too, with its storeys, plate areas and setbacks, turned as the lot is</source>
+        <translation>Coloca también en este solar la torre seleccionada o en diseño, con sus plantas, superficies de planta y retranqueos, girada como el solar</translation>
     </message>
 </context>
 <context>
@@ -3708,10 +3735,6 @@ Escenario
         <translation>Unidades</translation>
     </message>
     <message>
-        <source>In which areas, lengths and heights are shown; applies when Noonmark starts again. Fields to type in stay in metres</source>
-        <translation>De las áreas, longitudes y alturas mostradas; se aplica al reiniciar Noonmark. Los campos de entrada siguen en metros</translation>
-    </message>
-    <message>
         <source>Metric: metres</source>
         <translation>Métrico: metros</translation>
     </message>
@@ -3754,6 +3777,10 @@ Escenario
     <message>
         <source>Only where no file is opened with the program. Help &gt; Start page shows it at any time</source>
         <translation>Solo si el programa no se abre con un archivo. Ayuda &gt; Página de inicio la muestra siempre</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark starts again</source>
+        <translation>En las que se muestran áreas, longitudes y alturas y se escriben longitudes; se aplica al volver a iniciar Noonmark</translation>
     </message>
 </context>
 <context>
@@ -3948,10 +3975,6 @@ Escenario
     <message>
         <source>as in the file</source>
         <translation>como en el archivo</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>all layers with polygons</source>
@@ -4774,11 +4797,70 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     </message>
 </context>
 <context>
-    <name>noonmark::SelectionPanel</name>
+    <name>noonmark::SectionDialog</name>
     <message>
-        <source> m</source>
-        <translation> m</translation>
+        <source>Section box</source>
+        <translation>Caja de corte</translation>
     </message>
+    <message>
+        <source>West</source>
+        <translation>Oeste</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Parte superior</translation>
+    </message>
+    <message>
+        <source>From the origin of the project, to the east and to the north</source>
+        <translation>Desde el origen del proyecto, hacia el este y hacia el norte</translation>
+    </message>
+    <message>
+        <source>Height above the origin of the project</source>
+        <translation>Altura sobre el origen del proyecto</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Lo que muestra la vista</translation>
+    </message>
+    <message>
+        <source>The box around the ground in view</source>
+        <translation>La caja en torno al suelo visible</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>The box around the whole city</source>
+        <translation>La caja en torno a toda la ciudad</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Shows everything again</source>
+        <translation>Muestra todo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SelectionPanel</name>
     <message>
         <source>Import mesh...</source>
         <translation>Importar malla...</translation>
@@ -4901,10 +4983,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Add setback</source>
         <translation>Añadir retranqueo</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
 </context>
 <context>
@@ -5571,6 +5649,18 @@ del año, otras tantas semanas</translation>
         <source>Click points on roofs, walls and ground: distance, height, area. Backspace removes the last point, a double click ends</source>
         <translation>Haga clic en puntos de tejados, paredes y suelo: distancia, altura, área. Retroceso quita el último punto, un doble clic termina</translation>
     </message>
+    <message>
+        <source>Section bo&amp;x</source>
+        <translation>Ca&amp;ja de corte</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies outside a box, by handles or numbers; shadows remain those of the whole city</source>
+        <translation>Recorta lo que queda fuera de una caja, con tiradores o números; las sombras siguen siendo las de toda la ciudad</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ViewPanel</name>
@@ -5801,7 +5891,7 @@ Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</
     </message>
     <message>
         <source>receivers</source>
-        <translation type="unfinished">receptores</translation>
+        <translation>receptores</translation>
     </message>
 </context>
 <context>
@@ -5886,7 +5976,7 @@ Haga clic antes en un edificio.</translation>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"> m</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>Facades, bay by bay</source>
@@ -5948,6 +6038,10 @@ Haga clic antes en un edificio.</translation>
         <source>Storey</source>
         <translation>Planta</translation>
     </message>
+    <message>
+        <source>The file of the windows: points or polygons with heights</source>
+        <translation>El archivo de las ventanas: puntos o polígonos con alturas</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::WindowSession</name>
@@ -5957,7 +6051,7 @@ Haga clic antes en un edificio.</translation>
     </message>
     <message>
         <source>Not up to date. %1</source>
-        <translation type="unfinished">No actualizado. %1</translation>
+        <translation>No actualizado. %1</translation>
     </message>
     <message>
         <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
@@ -6004,7 +6098,7 @@ Haga clic antes en un edificio.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2.</translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>none</source>

@@ -429,6 +429,10 @@
         <source>The wall-clock time that is shown, in the time zone of the study.</source>
         <translation>表示する時刻 (検討のタイムゾーン)。</translation>
     </message>
+    <message>
+        <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
+        <translation>窓と、以前・以後の判定です。悪化するものが先に並びます。列をクリックすると並べ替え、行をクリックするとその窓に日が当たる時間がわかります。</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -1888,10 +1892,6 @@ Press Enter or double-click to go to it</source>
 Enter またはダブルクリックで移ります</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。O: 平行投影。Shift+P: 平面図。R: 範囲。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さをメートルで入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
-    </message>
-    <message>
         <source>%1, %2 up (%3 in space)</source>
         <translation>%1、上に %2 (空間で %3)</translation>
     </message>
@@ -1995,7 +1995,7 @@ All sides %2, area %3</source>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"> m</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>on facades</source>
@@ -2008,6 +2008,26 @@ All sides %2, area %3</source>
     <message>
         <source>on a level plane</source>
         <translation>水平面</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。Shift+M: 計測。Shift+X: 断面ボックス。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さを入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
+    </message>
+    <message>
+        <source>the floor plate is smaller</source>
+        <translation>基準階を縮小</translation>
+    </message>
+    <message>
+        <source>the tower is not turned</source>
+        <translation>タワーの回転なし</translation>
+    </message>
+    <message>
+        <source>upper setbacks are left out</source>
+        <translation>上部のセットバックを省略</translation>
+    </message>
+    <message>
+        <source>To fit this lot: %1.</source>
+        <translation>この敷地に合わせるための変更: %1。</translation>
     </message>
 </context>
 <context>
@@ -2451,12 +2471,12 @@ as published. Approximate: the legend states the measured error</source>
         <translation>敷地の角をクリック。Shift: 直前の辺に直角。ダブルクリックか Enter で終了。</translation>
     </message>
     <message>
-        <source>Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
-        <translation>矢印をドラッグするか高さをメートルで入力。Shift: 階に合わせない。Enter で建設、Esc で中止。</translation>
-    </message>
-    <message>
         <source>Lot from foot&amp;print</source>
         <translation>外形から敷地(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
+        <translation>矢印をドラッグするか、高さを入力します。Shift: 階に揃えない。Enter で建設、Esc で取り消し。</translation>
     </message>
 </context>
 <context>
@@ -2625,7 +2645,7 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::ElementsDock</name>
     <message>
         <source> h</source>
-        <translation type="unfinished"> 時間</translation>
+        <translation> 時間</translation>
     </message>
     <message>
         <source>Part of a building or point</source>
@@ -2773,8 +2793,8 @@ as published. Approximate: the legend states the measured error</source>
 <context>
     <name>noonmark::ExtrudeHandle</name>
     <message>
-        <source>Height: %1 m  (Enter)</source>
-        <translation>高さ: %1 m  (Enter)</translation>
+        <source>Height: %1  (Enter)</source>
+        <translation>高さ: %1  (Enter)</translation>
     </message>
 </context>
 <context>
@@ -2864,6 +2884,13 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
     </message>
 </context>
 <context>
+    <name>noonmark::LengthField</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LiveFollower</name>
     <message>
         <source>Live shadow</source>
@@ -2903,10 +2930,6 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
     <message>
         <source>Northwest</source>
         <translation>北西</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>no road</source>
@@ -2957,10 +2980,6 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
 </context>
 <context>
     <name>noonmark::MassingForm</name>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
     <message>
         <source>Podium</source>
         <translation>基壇</translation>
@@ -3065,6 +3084,14 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>No lots yet: draw one</source>
         <translation>敷地がありません: 描いてください</translation>
+    </message>
+    <message>
+        <source>Copy tower here</source>
+        <translation>タワーをここへコピー</translation>
+    </message>
+    <message>
+        <source>Sets the tower that is selected or being designed on this lot too, with its storeys, plate areas and setbacks, turned as the lot is</source>
+        <translation>選択中または設計中のタワーを、階数・床面積・セットバックを保ち、敷地の向きに合わせてこの敷地にも置きます</translation>
     </message>
 </context>
 <context>
@@ -3708,10 +3735,6 @@ Scenario
         <translation>単位</translation>
     </message>
     <message>
-        <source>In which areas, lengths and heights are shown; applies when Noonmark starts again. Fields to type in stay in metres</source>
-        <translation>表示する面積、長さ、高さの単位。次回の起動時に適用。入力欄はメートルのままです</translation>
-    </message>
-    <message>
         <source>Metric: metres</source>
         <translation>メートル法: メートル</translation>
     </message>
@@ -3754,6 +3777,10 @@ Scenario
     <message>
         <source>Only where no file is opened with the program. Help &gt; Start page shows it at any time</source>
         <translation>ファイルを開かずに起動したときだけ。ヘルプ &gt; スタートページ でいつでも表示できます</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark starts again</source>
+        <translation>面積・長さ・高さの表示と長さの入力に使う単位。Noonmark の次回起動時に適用されます</translation>
     </message>
 </context>
 <context>
@@ -3948,10 +3975,6 @@ Scenario
     <message>
         <source>as in the file</source>
         <translation>ファイルの通り</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>all layers with polygons</source>
@@ -4774,11 +4797,70 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
-    <name>noonmark::SelectionPanel</name>
+    <name>noonmark::SectionDialog</name>
     <message>
-        <source> m</source>
-        <translation> m</translation>
+        <source>Section box</source>
+        <translation>断面ボックス</translation>
     </message>
+    <message>
+        <source>West</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下端</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上端</translation>
+    </message>
+    <message>
+        <source>From the origin of the project, to the east and to the north</source>
+        <translation>プロジェクトの原点から東および北へ</translation>
+    </message>
+    <message>
+        <source>Height above the origin of the project</source>
+        <translation>プロジェクトの原点からの高さ</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>ビューに見える範囲</translation>
+    </message>
+    <message>
+        <source>The box around the ground in view</source>
+        <translation>見えている地面を囲む箱</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>リセット</translation>
+    </message>
+    <message>
+        <source>The box around the whole city</source>
+        <translation>都市全体を囲む箱</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>解除</translation>
+    </message>
+    <message>
+        <source>Shows everything again</source>
+        <translation>すべてを再び表示します</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SelectionPanel</name>
     <message>
         <source>Import mesh...</source>
         <translation>メッシュを読み込む...</translation>
@@ -4901,10 +4983,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Add setback</source>
         <translation>セットバックを追加</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
 </context>
 <context>
@@ -5571,6 +5649,18 @@ of the year, as many weeks</source>
         <source>Click points on roofs, walls and ground: distance, height, area. Backspace removes the last point, a double click ends</source>
         <translation>屋根・壁・地面の点をクリック: 距離、高さ、面積。Backspace で最後の点を消し、ダブルクリックで終わります</translation>
     </message>
+    <message>
+        <source>Section bo&amp;x</source>
+        <translation>断面ボックス(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies outside a box, by handles or numbers; shadows remain those of the whole city</source>
+        <translation>ハンドルまたは数値で指定した箱の外側を切り取ります。日影は都市全体のままです</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ViewPanel</name>
@@ -5801,7 +5891,7 @@ Facades, windows and planes are measured at points, each with its hours of sun.<
     </message>
     <message>
         <source>receivers</source>
-        <translation type="unfinished">測定点</translation>
+        <translation>測定点</translation>
     </message>
 </context>
 <context>
@@ -5886,7 +5976,7 @@ Click a building first.</source>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"> m</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>Facades, bay by bay</source>
@@ -5948,6 +6038,10 @@ Click a building first.</source>
         <source>Storey</source>
         <translation>階高</translation>
     </message>
+    <message>
+        <source>The file of the windows: points or polygons with heights</source>
+        <translation>窓のファイル: 高さをもつ点またはポリゴン</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::WindowSession</name>
@@ -5957,7 +6051,7 @@ Click a building first.</source>
     </message>
     <message>
         <source>Not up to date. %1</source>
-        <translation type="unfinished">最新ではありません。%1</translation>
+        <translation>最新ではありません。%1</translation>
     </message>
     <message>
         <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
@@ -6004,7 +6098,7 @@ Click a building first.</source>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2。</translation>
+        <translation>%1: %2。</translation>
     </message>
     <message>
         <source>none</source>

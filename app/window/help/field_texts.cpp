@@ -28,6 +28,11 @@ constexpr FieldText texts[] = {
      QT_TRANSLATE_NOOP("FieldText",
                        "The places with their verdicts, and below each its days with the numbers behind it. "
                        "A click shows the timeline, a double click zooms to the place.")},
+    {"windowVerdicts",
+     QT_TRANSLATE_NOOP(
+         "FieldText",
+         "The windows with their verdicts before and after, those that get worse first. A click on "
+         "a column sorts by it, a click on a row tells when its window has sun.")},
     {"reviewFrom", QT_TRANSLATE_NOOP("FieldText", "What the proposal is compared with.")},
     {"placeFilter",
      QT_TRANSLATE_NOOP("FieldText", "Lists only the places whose name or kind contains this text.")},

@@ -78,7 +78,9 @@ public:
         while (!left.empty()) {
             const bool isLast = int(layers.size()) + 1 == mostLayers;
             std::vector<const SideWindow*> covered;
-            layers.push_back(drawLayer(isShown, left, isLast, covered));
+            FacadeElevation layer = drawLayer(isShown, left, isLast, covered);
+            // Nearer walls may cover all: then the windows are seen only without them.
+            if (!layer.windows.empty()) layers.push_back(std::move(layer));
             isShown.assign(faces_.size(), false);
             for (const SideWindow* window : covered)
                 if (window->face) isShown[*window->face] = true;

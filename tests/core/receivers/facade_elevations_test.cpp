@@ -68,6 +68,25 @@ TEST(FacadeElevations, WindowsOfACourtHaveALayerOfTheirOwn) {
     EXPECT_EQ(drawn.size(), panes.size()) << "each window once";
 }
 
+// Only the court's windows are asked for: the wings in front of them make no picture of their own.
+TEST(FacadeElevations, WindowsThatNearerWallsAllCoverAreDrawnAlone) {
+    City city;
+    Footprint court{rectangle(0, 0, 30, 30), {rectangle(10, 10, 20, 20)}};
+    std::ranges::reverse(court.holes[0]);
+    city.buildings.push_back(buildingOf(court, 0, 9));
+    auto panes = panesOn(city);
+    std::erase_if(panes, [](const ElevationPane& pane) {
+        const glm::dvec2 place(pane.middle);
+        return std::min({place.x, place.y, 30 - place.x, 30 - place.y}) < 5;
+    });
+    const auto sides = drawElevations(city.buildings[0].get(), panes);
+    ASSERT_EQ(sides.size(), 4U);
+    for (const FacadeElevation& side : sides) {
+        EXPECT_EQ(side.windows.size(), 9U);
+        EXPECT_EQ(side.layers, 1);
+    }
+}
+
 // A wing 4 m in front of the main wall, half as high: the windows above it belong to the same picture.
 TEST(FacadeElevations, WallsBehindALowerWingAreDrawnAboveIt) {
     City city = cityOf({{{0, 0, 0}, {12, 6, 12}}});

@@ -44,12 +44,14 @@ WindowForm::WindowForm(QWidget* parent)
     source_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     file_->setObjectName(QStringLiteral("windowFile"));
     file_->setPlaceholderText(tr("GeoPackage, GeoJSON, Shapefile..."));
+    file_->setToolTip(tr("The file of the windows: points or polygons with heights"));
     buildings_->setObjectName(QStringLiteral("windowBuildings"));
     buildings_->setPlaceholderText(tr("All buildings"));
     buildings_->setToolTip(tr("Names or ids of buildings, with commas between them; empty: all buildings"));
     bay_->setToolTip(tr("Width of a bay, which has one window in each storey"));
     storey_->setToolTip(tr("Height of a storey; windows are numbered by it"));
     auto* browse = new QPushButton(tr("Browse..."));
+    browse->setToolTip(file_->toolTip());
     fileRow_ = rowOf(file_, browse);
     buildingsRow_ = rowOf(buildings_, addSelected_);
     addSelected_->setObjectName(QStringLiteral("addSelectedBuilding"));
