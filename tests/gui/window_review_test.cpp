@@ -114,7 +114,8 @@ TEST_F(WindowReviewWindow, WritesTheFilesOfTheCommandLine) {
     const auto review = windows().finished();
     ASSERT_TRUE(review);
     NoProgress progress;
-    const auto files = writeWindowReview(*review, folder.filePath(QStringLiteral("out")).toStdString(), progress, {});
+    const auto files =
+        writeWindowReview(*review, folder.filePath(QStringLiteral("out")).toStdString(), progress, {});
     ASSERT_TRUE(files) << files.error().text();
     EXPECT_EQ(files->size(), 4U);
     const QByteArray json = test::bytesOf(folder.filePath(QStringLiteral("out/review.json")));
