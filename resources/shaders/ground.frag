@@ -14,11 +14,12 @@ uniform float hazeDistance;
 #pragma include pictured.inc
 #pragma include sunlit.inc
 
+// Software drawing looks textures up in branches not taken, too: far outside, the filter would run for minutes.
 vec3 mappedGround() {
-    if (mapBox.z <= 0.0) return groundColour;
-    vec2 within = (place.xy - mapBox.xy) / mapBox.zw;
-    if (any(lessThan(within, vec2(0.0))) || any(greaterThan(within, vec2(1.0)))) return groundColour;
-    vec4 drawn = texture(map, within);
+    vec2 within = (place.xy - mapBox.xy) / max(mapBox.zw, vec2(1.0));
+    vec2 inside = clamp(within, 0.0, 1.0);
+    vec4 drawn = texture(map, inside);
+    if (mapBox.z <= 0.0 || within != inside) return groundColour;
     return drawn.rgb + groundColour * (1.0 - drawn.a);
 }
 
