@@ -69,6 +69,16 @@ TEST_F(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
     }
 }
 
+// Far from a low eye the ground lies outside of its pictures, where the filter of a texture must not run.
+TEST_F(DrawOrder, ALowViewFromNearByIsDrawnToTheHorizon) {
+    show();
+    for (const double pitchDeg : {35.0, 20.0, 10.0, 3.0}) {
+        panel.view().setPose(
+            {.target = {0, -60, 1.5}, .distanceM = 80, .headingDeg = 334, .pitchDeg = pitchDeg});
+        EXPECT_FALSE(captured().isNull()) << pitchDeg;
+    }
+}
+
 // The region's outline must be visible through buildings.
 TEST_F(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
     const auto isRed = [this] {
