@@ -50,20 +50,10 @@ Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
 
 std::vector<RepeatOption> repeatOptions(const ReviewRunOptions& options, const BookSettings& sheets) {
     const ReviewedWindows& windows = options.windows;
-    const ElementSettings& elements = windows.elements;
-    std::vector<RepeatOption> repeated;
+    std::vector<RepeatOption> repeated = makeRepeatOptions(windows.elements);
     const auto add = [&](const char* name, std::vector<std::string> values) {
         repeated.push_back({name, std::move(values)});
     };
-    if (windows.ofFile) add("--windows", {elements.windows.filename().string()});
-    if (windows.ofFile && !elements.windowFile.idField.empty())
-        add("--window-id", {elements.windowFile.idField});
-    if (windows.ofFile && elements.windowFile.crs) add("--windows-crs", {*elements.windowFile.crs});
-    if (windows.ofFile && elements.windowFile.aboveGround) add("--window-heights", {"ground"});
-    if (windows.onFacades && elements.buildings.empty()) add("--facades-of", {"all"});
-    for (const std::string& name : elements.buildings) add("--facades-of", {name});
-    if (windows.onFacades) add("--bay", {fmt::format("{}", elements.facades.bayM)});
-    add("--storey", {fmt::format("{}", elements.facades.storeyM)});
     add("--region", {windows.region});
     if (windows.wallM) add("--wall", {fmt::format("{}", *windows.wallM)});
     if (!windows.sunshine.empty()) add("--sunshine", {fmt::format("{}", fmt::join(windows.sunshine, ","))});

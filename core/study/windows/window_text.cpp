@@ -205,6 +205,26 @@ Json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels) {
     return json;
 }
 
+std::vector<RepeatOption> makeRepeatOptions(const ElementSettings& windows) {
+    std::vector<RepeatOption> options;
+    const auto add = [&](const char* name, std::string value) {
+        options.push_back({name, {std::move(value)}});
+    };
+    if (windows.places == ElementPlaces::windows) {
+        const WindowFileSettings& file = windows.windowFile;
+        add("--windows", windows.windows.filename().string());
+        if (!file.idField.empty()) add("--window-id", file.idField);
+        if (file.crs) add("--windows-crs", *file.crs);
+        if (file.aboveGround) add("--window-heights", "ground");
+    } else {
+        if (windows.buildings.empty()) add("--facades-of", "all");
+        for (const std::string& name : windows.buildings) add("--facades-of", name);
+        add("--bay", fmt::format("{}", windows.facades.bayM));
+    }
+    add("--storey", fmt::format("{}", windows.facades.storeyM));
+    return options;
+}
+
 Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabels& labels,
                                       std::size_t width) {
     const auto& project = labels.provenance.project;

@@ -25,6 +25,9 @@ std::string valueText(const Criterion& criterion, const std::optional<Measured>&
 /// zone.
 nlohmann::ordered_json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels);
 
+/// The options of `review run` that name the same windows.
+std::vector<RepeatOption> makeRepeatOptions(const ElementSettings& windows);
+
 /// The noonmark-cli command line that reproduces the review, as of a review of places.
 Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabels& labels,
                                       std::size_t width = 120);

@@ -1,7 +1,5 @@
 #include "app/window/review/windows/window_question.h"
 
-#include <fmt/format.h>
-
 #include "app/report/book/review/review_book.h"
 #include "app/report/files/window_files.h"
 #include "core/base/memory_guard.h"
@@ -13,16 +11,7 @@ namespace {
 
 /// The options of the command line that ask for the same windows.
 std::vector<RepeatOption> repeatOptions(const WindowReviewSettings& settings, const BookSettings& sheets) {
-    const ElementSettings& elements = settings.elements;
-    std::vector<RepeatOption> options;
-    if (elements.places == ElementPlaces::windows) {
-        options.push_back({"--windows", {elements.windows.filename().string()}});
-    } else {
-        if (elements.buildings.empty()) options.push_back({"--facades-of", {"all"}});
-        for (const std::string& name : elements.buildings) options.push_back({"--facades-of", {name}});
-        options.push_back({"--bay", {fmt::format("{}", elements.facades.bayM)}});
-    }
-    options.push_back({"--storey", {fmt::format("{}", elements.facades.storeyM)}});
+    std::vector<RepeatOption> options = makeRepeatOptions(settings.elements);
     options.push_back({"--region", {"city"}});
     for (RepeatOption& option : makeRepeatOptions(sheets)) options.push_back(std::move(option));
     return options;
