@@ -74,9 +74,7 @@ struct SectionWindow : ProjectWindow {
         return image.pixelColor(int(pixel->x * ratio), int(pixel->y * ratio));
     }
     bool becomes(const glm::dvec3& point, const std::function<bool(QColor)>& holds) {
-        for (int i = 0; i < 60; ++i)
-            if (holds(colourAt(point))) return true;
-        return false;
+        return waitFor([&] { return holds(colourAt(point)); }, 10000);  // frames lag behind the scene
     }
 };
 
