@@ -141,9 +141,11 @@ void CityView::makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::Q
     auto* nearest = new Qt3DRender::QDepthTest;
     nearest->setDepthFunction(Qt3DRender::QDepthTest::Less);
     clipping_->addRenderState(nearest);
-    culling_ = new Qt3DRender::QCullFace;
-    culling_->setMode(Qt3DRender::QCullFace::Back);
-    clipping_->addRenderState(culling_);
+    fromOutside_ = new Qt3DRender::QCullFace(root_);
+    fromOutside_->setMode(Qt3DRender::QCullFace::Back);
+    fromBothSides_ = new Qt3DRender::QCullFace(root_);
+    fromBothSides_->setMode(Qt3DRender::QCullFace::NoCulling);
+    clipping_->addRenderState(fromOutside_);
     for (int plane = 0; plane < 6; ++plane) {
         auto* clip = new Qt3DRender::QClipPlane(root_);
         clip->setPlaneIndex(plane);
@@ -157,7 +159,9 @@ void CityView::makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::Q
 void CityView::clip(bool on) {
     for (Qt3DRender::QRenderState* plane : clipPlanes_)
         on ? clipping_->addRenderState(plane) : clipping_->removeRenderState(plane);
-    culling_->setMode(on ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
+    // One state in the place of the other: Qt3D now and then misses a change of a state's mode.
+    clipping_->removeRenderState(on ? fromOutside_ : fromBothSides_);
+    clipping_->addRenderState(on ? fromBothSides_ : fromOutside_);
 }
 
 void CityView::showSection(const std::optional<SectionBox>& box) {

@@ -137,7 +137,8 @@ private:
     std::unique_ptr<PlaceMarks> places_;
     std::optional<SectionBox> section_;
     Qt3DRender::QRenderStateSet* clipping_ = nullptr;
-    Qt3DRender::QCullFace* culling_ = nullptr;
+    Qt3DRender::QCullFace* fromOutside_ = nullptr;       ///< faces drawn without a section box
+    Qt3DRender::QCullFace* fromBothSides_ = nullptr;     ///< and with one
     std::vector<Qt3DRender::QRenderState*> clipPlanes_;  ///< in clipping_ while there is a section box
     Qt3DRender::QParameter* sectionLow_ = nullptr;
     Qt3DRender::QParameter* sectionHigh_ = nullptr;

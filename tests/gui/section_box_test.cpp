@@ -91,6 +91,8 @@ TEST_F(SectionWindow, CutsBuildingsAndPicksWhatIsLeft) {
     window->camera().sectionBox()->trigger();
     ASSERT_TRUE(tool().box());
     tool().set(moveSide(*tool().box(), {2, true}, topM / 2));
+    // Through the cut the inside is drawn in the colour of what was cut, red 0.36 x 255 = 92.
+    EXPECT_TRUE(becomes({middle.x, middle.y, topM / 2}, [](QColor c) { return std::abs(c.red() - 92) < 4; }));
     const auto cut = window->panel().navigator().pickAt(centre);
     ASSERT_TRUE(cut && cut->building) << "a cut building can still be picked";
     EXPECT_NEAR(cut->position.z, topM / 2, 0.02) << "in the cut";
