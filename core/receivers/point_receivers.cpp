@@ -81,7 +81,9 @@ private:
 };
 
 Result<void> checkFacades(const FacadeSettings& settings) {
-    const auto inRange = [](double metres) { return metres >= 0.25 && metres <= 50; };
+    const auto inRange = [](double metres) {
+        return metres >= FacadeSettings::leastM && metres <= FacadeSettings::mostM;
+    };
     if (!inRange(settings.bayM) || !inRange(settings.storeyM))
         return failure("The bays or storeys of facades are out of range", "facades", "Give 0.25 to 50 m");
     if (!(settings.aboveFloorM >= 0 && settings.aboveFloorM <= settings.storeyM))

@@ -41,8 +41,9 @@ struct PointReceivers {
 
 /// Receivers on walls: one for each storey and bay.
 struct FacadeSettings {
-    double bayM = 3;     ///< width of a bay, 0.25 to 50: a wall has as many equal bays as come nearest to it
-    double storeyM = 3;  ///< height of a storey, 0.25 to 50
+    static constexpr double leastM = 0.25, mostM = 50;  ///< of a bay and of a storey
+    double bayM = 3;           ///< width of a bay: a wall has as many equal bays as come nearest to it
+    double storeyM = 3;        ///< height of a storey
     double aboveFloorM = 1.5;  ///< height of the receivers above the floor of their storey, 0 to storeyM
     bool operator==(const FacadeSettings&) const = default;
 };

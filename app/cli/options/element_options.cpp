@@ -31,9 +31,11 @@ void addFacadeOptions(CLI::App& command, StudyOptions& options) {
         command.add_option(name, value, help)->capture_default_str()->check(within(from, to))->type_name("M");
     };
     FacadeSettings& facades = elements.facades;
-    addMetres("--bay", facades.bayM, "Facades: width of a bay, one point each", 0.25, 50);
+    addMetres("--bay", facades.bayM, "Facades: width of a bay, one point each", FacadeSettings::leastM,
+              FacadeSettings::mostM);
     addMetres("--storey", facades.storeyM,
-              "Height of a storey: facades have one point each, windows are numbered by it", 0.25, 50);
+              "Height of a storey: facades have one point each, windows are numbered by it",
+              FacadeSettings::leastM, FacadeSettings::mostM);
     addMetres("--above-floor", facades.aboveFloorM, "Facades: height of the points above the floor", 0, 50);
 }
 

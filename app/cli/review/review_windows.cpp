@@ -165,7 +165,7 @@ void addFacades(CLI::App& command, ReviewedWindows& windows) {
     const auto addMetres = [&](const char* name, double& value, const char* help) {
         command.add_option(name, value, help)
             ->capture_default_str()
-            ->check(within(0.25, 50.0))
+            ->check(within(FacadeSettings::leastM, FacadeSettings::mostM))
             ->type_name("M");
     };
     addMetres("--bay", windows.elements.facades.bayM, "Facades: width of a bay, one window each");

@@ -9,8 +9,11 @@ namespace {
 WindowChoice windowsFrom(const nlohmann::json& json) {
     WindowChoice windows{json.at("of_file"), json.at("file"), json.at("buildings"), json.at("bay_m"),
                          json.at("storey_m")};
-    for (double* metres : {&windows.bayM, &windows.storeyM})
-        if (!(*metres >= 0.25 && *metres <= 50)) *metres = WindowChoice{}.bayM;
+    const auto inRange = [](double metres) {
+        return metres >= FacadeSettings::leastM && metres <= FacadeSettings::mostM;
+    };
+    if (!inRange(windows.bayM)) windows.bayM = WindowChoice{}.bayM;
+    if (!inRange(windows.storeyM)) windows.storeyM = WindowChoice{}.storeyM;
     return windows;
 }
 

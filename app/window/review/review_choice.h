@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/receivers/point_receivers.h"
 #include "core/review/read_rule.h"
 #include "scenarios/scenario.h"
 
@@ -11,11 +12,11 @@ namespace noonmark {
 
 /// The windows that a rule about windows is evaluated on.
 struct WindowChoice {
-    bool ofFile = false;    ///< else one window in each bay and storey of facades
-    std::string file;       ///< points or polygons with heights
-    std::string buildings;  ///< names or ids with commas between them; empty: all
-    double bayM = 3;        ///< width of a bay, 0.25 to 50
-    double storeyM = 3;     ///< 0.25 to 50
+    bool ofFile = false;                  ///< else one window in each bay and storey of facades
+    std::string file;                     ///< points or polygons with heights
+    std::string buildings;                ///< names or ids with commas between them; empty: all
+    double bayM = FacadeSettings{}.bayM;  ///< as in FacadeSettings
+    double storeyM = FacadeSettings{}.storeyM;
     bool operator==(const WindowChoice&) const = default;
 };
 

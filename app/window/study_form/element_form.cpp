@@ -65,8 +65,9 @@ ElementForm::ElementForm(QWidget* parent) : QWidget(parent), form_(new QFormLayo
 }
 
 void ElementForm::makeFields() {
-    bay_ = metresField("bay", 0.25, 50, tr("Width of a bay: a wall has one point in each"));
-    storey_ = metresField("storey", 0.25, 50,
+    bay_ = metresField("bay", FacadeSettings::leastM, FacadeSettings::mostM,
+                       tr("Width of a bay: a wall has one point in each"));
+    storey_ = metresField("storey", FacadeSettings::leastM, FacadeSettings::mostM,
                           tr("Height of a storey: a wall has a row of points in each, and floors are "
                              "numbered by it"));
     aboveFloor_ =

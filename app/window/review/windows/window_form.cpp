@@ -9,6 +9,7 @@
 
 #include "app/window/files/file_dialogs.h"
 #include "app/window/widgets/number_fields.h"
+#include "core/receivers/point_receivers.h"
 
 namespace noonmark {
 
@@ -23,7 +24,7 @@ QWidget* rowOf(QWidget* field, QWidget* button) {
     return content;
 }
 
-constexpr double leastM = 0.25, mostM = 50;  // of a bay and of a storey
+constexpr double leastM = FacadeSettings::leastM, mostM = FacadeSettings::mostM;
 constexpr int facadesRow = 0, fileRow = 1;
 
 }  // namespace
