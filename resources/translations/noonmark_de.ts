@@ -2601,6 +2601,14 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Add selected</source>
         <translation>Gewähltes dazu</translation>
     </message>
+    <message>
+        <source>all buildings</source>
+        <translation>alle Gebäude</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
+        <translation>Namen oder Kennungen von Gebäuden, durch Kommas getrennt. Leer: alle Gebäude</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ElementModel</name>
@@ -5971,14 +5979,6 @@ Zuerst ein Gebäude anklicken.</translation>
 <context>
     <name>noonmark::WindowForm</name>
     <message>
-        <source>Selected</source>
-        <translation>Gewähltes</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>Facades, bay by bay</source>
         <translation>Fassaden, Achse für Achse</translation>
     </message>
@@ -5991,56 +5991,8 @@ Zuerst ein Gebäude anklicken.</translation>
         <translation>Eine Datei mit Punkten oder Polygonen mit Höhen gibt die wirklichen Fenster an</translation>
     </message>
     <message>
-        <source>GeoPackage, GeoJSON, Shapefile...</source>
-        <translation>GeoPackage, GeoJSON, Shapefile ...</translation>
-    </message>
-    <message>
-        <source>All buildings</source>
-        <translation>Alle Gebäude</translation>
-    </message>
-    <message>
-        <source>Names or ids of buildings, with commas between them; empty: all buildings</source>
-        <translation>Namen oder Kennungen von Gebäuden, durch Kommas getrennt; leer: alle Gebäude</translation>
-    </message>
-    <message>
-        <source>Width of a bay, which has one window in each storey</source>
-        <translation>Breite einer Achse, die in jedem Geschoss ein Fenster hat</translation>
-    </message>
-    <message>
-        <source>Height of a storey; windows are numbered by it</source>
-        <translation>Höhe eines Geschosses; danach werden Fenster nummeriert</translation>
-    </message>
-    <message>
-        <source>Browse...</source>
-        <translation>Durchsuchen ...</translation>
-    </message>
-    <message>
-        <source>Adds the building that is selected in the view</source>
-        <translation>Fügt das in der Ansicht gewählte Gebäude hinzu</translation>
-    </message>
-    <message>
         <source>Windows</source>
         <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Buildings</source>
-        <translation>Gebäude</translation>
-    </message>
-    <message>
-        <source>Bay</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>Storey</source>
-        <translation>Geschoss</translation>
-    </message>
-    <message>
-        <source>The file of the windows: points or polygons with heights</source>
-        <translation>Die Datei der Fenster: Punkte oder Polygone mit Höhen</translation>
     </message>
 </context>
 <context>

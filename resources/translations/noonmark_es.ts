@@ -2601,6 +2601,14 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Add selected</source>
         <translation>Añadir selección</translation>
     </message>
+    <message>
+        <source>all buildings</source>
+        <translation>todos los edificios</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
+        <translation>Nombres o identificadores de edificios, separados por comas. Vacío: todos los edificios</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ElementModel</name>
@@ -5971,14 +5979,6 @@ Haga clic antes en un edificio.</translation>
 <context>
     <name>noonmark::WindowForm</name>
     <message>
-        <source>Selected</source>
-        <translation>Seleccionado</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>Facades, bay by bay</source>
         <translation>Fachadas, vano por vano</translation>
     </message>
@@ -5991,56 +5991,8 @@ Haga clic antes en un edificio.</translation>
         <translation>Un archivo de puntos o polígonos con alturas da las ventanas reales</translation>
     </message>
     <message>
-        <source>GeoPackage, GeoJSON, Shapefile...</source>
-        <translation>GeoPackage, GeoJSON, Shapefile...</translation>
-    </message>
-    <message>
-        <source>All buildings</source>
-        <translation>Todos los edificios</translation>
-    </message>
-    <message>
-        <source>Names or ids of buildings, with commas between them; empty: all buildings</source>
-        <translation>Nombres o identificadores de edificios, separados por comas; vacío: todos los edificios</translation>
-    </message>
-    <message>
-        <source>Width of a bay, which has one window in each storey</source>
-        <translation>Anchura de un vano, que tiene una ventana en cada planta</translation>
-    </message>
-    <message>
-        <source>Height of a storey; windows are numbered by it</source>
-        <translation>Altura de una planta; con ella se numeran las ventanas</translation>
-    </message>
-    <message>
-        <source>Browse...</source>
-        <translation>Examinar...</translation>
-    </message>
-    <message>
-        <source>Adds the building that is selected in the view</source>
-        <translation>Añade el edificio seleccionado en la vista</translation>
-    </message>
-    <message>
         <source>Windows</source>
         <translation>Ventanas</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>Buildings</source>
-        <translation>Edificios</translation>
-    </message>
-    <message>
-        <source>Bay</source>
-        <translation>Vano</translation>
-    </message>
-    <message>
-        <source>Storey</source>
-        <translation>Planta</translation>
-    </message>
-    <message>
-        <source>The file of the windows: points or polygons with heights</source>
-        <translation>El archivo de las ventanas: puntos o polígonos con alturas</translation>
     </message>
 </context>
 <context>

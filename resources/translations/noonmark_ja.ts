@@ -2601,6 +2601,14 @@ as published. Approximate: the legend states the measured error</source>
         <source>Add selected</source>
         <translation>選択を追加</translation>
     </message>
+    <message>
+        <source>all buildings</source>
+        <translation>すべての建物</translation>
+    </message>
+    <message>
+        <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
+        <translation>建物の名前または ID をコンマで区切って入力。空欄ならすべての建物</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ElementModel</name>
@@ -5971,14 +5979,6 @@ Click a building first.</source>
 <context>
     <name>noonmark::WindowForm</name>
     <message>
-        <source>Selected</source>
-        <translation>選択中のもの</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>Facades, bay by bay</source>
         <translation>ファサード(スパンごと)</translation>
     </message>
@@ -5991,56 +5991,8 @@ Click a building first.</source>
         <translation>高さをもつ点またはポリゴンのファイルで実際の窓を指定します</translation>
     </message>
     <message>
-        <source>GeoPackage, GeoJSON, Shapefile...</source>
-        <translation>GeoPackage、GeoJSON、Shapefile など</translation>
-    </message>
-    <message>
-        <source>All buildings</source>
-        <translation>すべての建物</translation>
-    </message>
-    <message>
-        <source>Names or ids of buildings, with commas between them; empty: all buildings</source>
-        <translation>建物の名前または ID をコンマで区切って入力。空欄ならすべての建物</translation>
-    </message>
-    <message>
-        <source>Width of a bay, which has one window in each storey</source>
-        <translation>スパンの幅。各階に窓が一つあります</translation>
-    </message>
-    <message>
-        <source>Height of a storey; windows are numbered by it</source>
-        <translation>階高。窓の階はこれで数えます</translation>
-    </message>
-    <message>
-        <source>Browse...</source>
-        <translation>参照...</translation>
-    </message>
-    <message>
-        <source>Adds the building that is selected in the view</source>
-        <translation>ビューで選択した建物を追加します</translation>
-    </message>
-    <message>
         <source>Windows</source>
         <translation>窓</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>ファイル</translation>
-    </message>
-    <message>
-        <source>Buildings</source>
-        <translation>建物</translation>
-    </message>
-    <message>
-        <source>Bay</source>
-        <translation>スパン</translation>
-    </message>
-    <message>
-        <source>Storey</source>
-        <translation>階高</translation>
-    </message>
-    <message>
-        <source>The file of the windows: points or polygons with heights</source>
-        <translation>窓のファイル: 高さをもつ点またはポリゴン</translation>
     </message>
 </context>
 <context>

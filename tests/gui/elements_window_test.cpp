@@ -36,7 +36,9 @@ struct ElementsWindow : test::AnswersWindow {
     ElementTiles& tiles() { return window->panel().view().tiles(); }
     template <class Field>
     Field& field(const char* name) {
-        return *window->findChild<Field*>(QString::fromLatin1(name));
+        const QString wanted = QString::fromLatin1(name);  // the review dock has some of the same
+        auto* ofStudy = window->findChild<StudyDock*>()->findChild<Field*>(wanted);
+        return ofStudy != nullptr ? *ofStudy : *window->findChild<Field*>(wanted);
     }
     void choosePlaces(int entry) {
         auto& list = field<QComboBox>("places");

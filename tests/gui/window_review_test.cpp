@@ -76,21 +76,23 @@ TEST_F(WindowReviewWindow, TheTableHasTheVerdictsOfTheReview) {
     }
     EXPECT_EQ(table.text().count(u'\n'), table.topLevelItemCount());
     EXPECT_TRUE(windows().whyOutdated().isEmpty());
-    form().findChild<QLineEdit*>(QStringLiteral("windowBuildings"))->setText(QStringLiteral("New"));
-    Q_EMIT form().findChild<QLineEdit*>(QStringLiteral("windowBuildings"))->editingFinished();
+    form().findChild<QLineEdit*>(QStringLiteral("facadesOf"))->setText(QStringLiteral("New"));
+    Q_EMIT form().findChild<QLineEdit*>(QStringLiteral("facadesOf"))->editingFinished();
     EXPECT_FALSE(windows().whyOutdated().isEmpty());
     run();
     EXPECT_LT(windows().answer()->study.windows.size(), expected->windows.size());
 }
 
 TEST_F(WindowReviewWindow, TakesTheBuildingThatIsSelectedInTheView) {
-    auto* add = form().findChild<QPushButton*>(QStringLiteral("addSelectedBuilding"));
+    auto* add = form().findChild<QPushButton*>(QStringLiteral("facadesOfSelected"));
     EXPECT_FALSE(add->isEnabled());
     window->tools().building().select(0U);
     ASSERT_TRUE(add->isEnabled());
     add->click();
+    const std::string id = window->tools().building().id();
+    EXPECT_EQ(window->review().choice().windows.buildings, std::vector<std::string>{id});
     add->click();
-    EXPECT_EQ(window->review().choice().windows.buildings, window->tools().building().id());
+    EXPECT_TRUE(window->review().choice().windows.buildings.empty()) << "a second click takes it out";
 }
 
 TEST_F(WindowReviewWindow, SortsNumbersAsNumbers) {
@@ -130,19 +132,23 @@ TEST_F(WindowReviewWindow, AFileThatIsMissingIsNamed) {
     source->setCurrentIndex(1);
     Q_EMIT source->activated(1);
     EXPECT_TRUE(state().contains(QStringLiteral("No file of windows"))) << state().toStdString();
-    auto* file = form().findChild<QLineEdit*>(QStringLiteral("windowFile"));
+    auto* file = form().findChild<QLineEdit*>(QStringLiteral("windowsFile"));
     file->setText(QStringLiteral("no such file.gpkg"));
     Q_EMIT file->editingFinished();
     run();
     EXPECT_TRUE(message().contains(QStringLiteral("no such file.gpkg"))) << message().toStdString();
 }
 
-TEST(WindowChoice, ComesBackFromItsText) {
+TEST(WindowReviewChoice, ComesBackFromItsText) {
     ReviewChoice choice;
-    choice.windows = {true, "windows.gpkg", "A,B", 2.5, 3.2};
+    choice.windows.places = ElementPlaces::windows;
+    choice.windows.windows = "windows.gpkg";
+    choice.windows.windowFile.aboveGround = true;
+    choice.windows.buildings = {"A", "B"};
+    choice.windows.facades.storeyM = 3.2;
     EXPECT_EQ(parseReviewChoice(formatText(choice)), choice);
-    choice.windows.bayM = 1e9;
-    EXPECT_EQ(parseReviewChoice(formatText(choice)).windows.bayM, WindowChoice{}.bayM);
+    choice.windows.facades.bayM = 1e9;
+    EXPECT_EQ(parseReviewChoice(formatText(choice)).windows, ElementSettings{});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/study_options.h"
+#include "core/receivers/points/plane_points.h"
 
 namespace noonmark::cli {
 
@@ -77,7 +78,7 @@ void addElementOptions(CLI::App& command, StudyOptions& options) {
     command
         .add_option("--plane-height", options.elements.planeHeightM,
                     "Plane: its height above the mean of the region's ground")
-        ->check(within(0.0, 1000.0))
+        ->check(within(0.0, mostPlaneHeightM))
         ->type_name("M");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/window/project/element_settings_json.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/receivers/roof_receivers.h"
 #include "scenarios/project/tables/ring_json.h"
@@ -101,37 +102,8 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     return std::nullopt;
 }
 
-Json elementsJson(const ElementSettings& elements) {
-    return {{"places", nameOf(elements.places)},
-            {"buildings", elements.buildings},
-            {"bay_m", elements.facades.bayM},
-            {"storey_m", elements.facades.storeyM},
-            {"above_floor_m", elements.facades.aboveFloorM},
-            {"windows", elements.windows.string()},
-            {"window_id", elements.windowFile.idField},
-            {"windows_crs", elements.windowFile.crs.value_or("")},
-            {"windows_above_ground", elements.windowFile.aboveGround},
-            {"plane_height_m", elements.planeHeightM}};
-}
-
-std::optional<ElementSettings> elementsFrom(const std::string& text) try {
-    if (text.empty()) return std::nullopt;
-    const Json json = Json::parse(text);
-    ElementSettings elements;
-    const auto places = std::ranges::find(allElementPlaces, json.at("places").get<std::string>(),
-                                          [](ElementPlaces one) { return nameOf(one); });
-    if (places == allElementPlaces.end()) return std::nullopt;
-    elements.places = *places;
-    elements.buildings = json.at("buildings").get<std::vector<std::string>>();
-    elements.facades = {json.at("bay_m"), json.at("storey_m"), json.at("above_floor_m")};
-    elements.windows = json.at("windows").get<std::string>();
-    elements.windowFile.idField = json.at("window_id");
-    if (const std::string crs = json.at("windows_crs"); !crs.empty()) elements.windowFile.crs = crs;
-    elements.windowFile.aboveGround = json.at("windows_above_ground");
-    elements.planeHeightM = json.at("plane_height_m");
-    return elements;
-} catch (const std::exception&) {  // unexpected JSON structure
-    return std::nullopt;
+std::optional<ElementSettings> elementsFrom(const std::string& text) {
+    return elementSettingsFrom(Json::parse(text, nullptr, false));
 }
 
 std::string cameraText(const CameraPose& pose) {
@@ -202,7 +174,7 @@ Texts textsOf(const ViewState& state) {
     if (state.camera) texts["camera"] = cameraText(*state.camera);
     if (state.section) texts["section"] = sectionText(*state.section);
     if (state.study) texts["study"] = studyJson(*state.study).dump();
-    if (state.elements) texts["elements"] = elementsJson(*state.elements).dump();
+    if (state.elements) texts["elements"] = elementSettingsJson(*state.elements).dump();
     return texts;
 }
 

@@ -4,21 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "core/receivers/point_receivers.h"
 #include "core/review/read_rule.h"
+#include "core/study/elements/place_elements.h"
 #include "scenarios/scenario.h"
 
 namespace noonmark {
-
-/// The windows that a rule about windows is evaluated on.
-struct WindowChoice {
-    bool ofFile = false;                  ///< else one window in each bay and storey of facades
-    std::string file;                     ///< points or polygons with heights
-    std::string buildings;                ///< names or ids with commas between them; empty: all
-    double bayM = FacadeSettings{}.bayM;  ///< as in FacadeSettings
-    double storeyM = FacadeSettings{}.storeyM;
-    bool operator==(const WindowChoice&) const = default;
-};
 
 /// What the user has chosen to review. Saved with the view of the project.
 struct ReviewChoice {
@@ -28,7 +18,7 @@ struct ReviewChoice {
     std::string to;                   ///< the scenario; empty: whichever is displayed
     bool allPlaces = true;
     std::vector<std::string> places;  ///< names, unless all
-    WindowChoice windows;             ///< of rules about windows
+    ElementSettings windows;          ///< of rules about windows: facades, or windows of a file
     bool operator==(const ReviewChoice&) const = default;
 };
 

@@ -195,7 +195,7 @@ void ReviewDock::connectSession() {
             [this] { windows_.applies() ? windows_.run() : review_.run(); });
     progress_->follow(windows_.running());
     connect(&windows_, &WindowSession::answered, this, &ReviewDock::showAnswer);
-    connect(windowForm_, &WindowForm::edited, this, [this](const WindowChoice& windows) {
+    connect(windowForm_, &WindowForm::edited, this, [this](const ElementSettings& windows) {
         ReviewChoice choice = review_.choice();
         choice.windows = windows;
         review_.choose(choice);
@@ -405,7 +405,7 @@ void ReviewDock::showRule() {
     about_->setProperty("shown", html);
 }
 
-void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setSelected(id); }
+void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setBuilding(id); }
 
 void ReviewDock::copyTable() {
     QGuiApplication::clipboard()->setText(windows_.applies() ? windowTable_->text() : table_->text());

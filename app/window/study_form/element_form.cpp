@@ -12,6 +12,7 @@
 #include "app/window/files/file_dialogs.h"
 #include "app/window/widgets/number_fields.h"
 #include "app/window/widgets/push_button.h"
+#include "core/receivers/points/plane_points.h"
 
 namespace noonmark {
 
@@ -57,7 +58,8 @@ QString joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
-ElementForm::ElementForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+ElementForm::ElementForm(Use use, QWidget* parent)
+    : QWidget(parent), use_(use), form_(new QFormLayout(this)) {
     makeFields();
     placeFields();
     connectFields();
@@ -78,15 +80,18 @@ void ElementForm::makeFields() {
     heights_->setToolTip(
         tr("Heights of the file: elevations as those of the city, or metres above the "
            "ground below the window"));
-    plane_ = metresField("planeHeight", 0, 1000,
+    plane_ = metresField("planeHeight", 0, mostPlaneHeightM,
                          tr("Height of the plane above the mean of the region's ground. The size of its "
                             "cells is that under \"How exactly\"."));
 }
 
 QWidget* ElementForm::makeBuildings() {
-    buildings_ = lineField("facadesOf", tr("all of the region"),
-                           tr("Names or ids of buildings, with commas between them; their middle must be in "
-                              "the region. Empty: all buildings of the region"));
+    const bool isStudy = use_ == Use::study;
+    buildings_ =
+        lineField("facadesOf", isStudy ? tr("all of the region") : tr("all buildings"),
+                  isStudy ? tr("Names or ids of buildings, with commas between them; their middle must be in "
+                               "the region. Empty: all buildings of the region")
+                          : tr("Names or ids of buildings, with commas between them. Empty: all buildings"));
     selected_ = pushButton({}, "facadesOfSelected",
                            tr("Adds the selected building, or removes it. Click a building first."));
     return rowOf(buildings_, selected_);
@@ -185,7 +190,7 @@ void ElementForm::showRows() {
     visible(heights_, windows);
     visible(bay_, facades);
     visible(storey_, facades || windows);
-    visible(aboveFloor_, facades);
+    visible(aboveFloor_, facades && use_ == Use::study);
     visible(plane_, settings_.places == ElementPlaces::plane);
 }
 

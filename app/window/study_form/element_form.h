@@ -12,11 +12,13 @@ class QPushButton;
 
 namespace noonmark {
 
-/// The points of a study: of which buildings' facades, from which file of windows, or how high the plane is.
+/// Where points lie: of which buildings' facades, on which windows of a file, or how high a plane is.
 class ElementForm final : public QWidget {
     Q_OBJECT
 public:
-    explicit ElementForm(QWidget* parent = nullptr);
+    /// A rule states itself how high above a floor its windows are, and is about the whole city.
+    enum class Use { study, rule };
+    explicit ElementForm(Use use = Use::study, QWidget* parent = nullptr);
 
     void show(const ElementSettings& settings);  ///< without a signal
     void setBuilding(const QString& id);         ///< the selected building; empty: none
@@ -36,6 +38,7 @@ private:
     void showRows();
     void showButton();
 
+    Use use_;
     ElementSettings settings_;
     QString building_;
     QLineEdit* buildings_;  ///< ids or names with commas; empty: all of the region

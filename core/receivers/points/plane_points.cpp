@@ -44,7 +44,7 @@ void addPlanePoint(const Grid& grid, std::uint32_t cell, double planeM, PointRec
 
 Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
                                  double heightM, const std::stop_token& stop) {
-    if (!(heightM >= 0 && heightM <= 1000))
+    if (!(heightM >= 0 && heightM <= mostPlaneHeightM))
         return failure(fmt::format("A plane {} m above the ground is out of range", heightM), "plane",
                        "Give 0 to 1000 m");
     const auto grid = gridOver(region, settings);

@@ -19,9 +19,11 @@ struct PlanePoints {
     std::size_t belowGround = 0;  ///< cells that are left out, as the ground rises above the plane
 };
 
+inline constexpr double mostPlaneHeightM = 1000;
+
 /// One receiver in the middle of each cell of the region, on the horizontal plane `heightM` above the mean of
 /// the region's ground, facing up. Ids are "column,row" of the grid that gridOver() makes. Error: a height
-/// outside 0 to 1000 m, a cell out of range, more than mostReceivers cells, cancelled().
+/// outside 0 to mostPlaneHeightM, a cell out of range, more than mostReceivers cells, cancelled().
 Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
                                  double heightM, const std::stop_token& stop = {});
 

@@ -27,7 +27,7 @@ struct ElementSettings {
     FacadeSettings facades;         ///< its storeyM also numbers the floors of windows
     std::filesystem::path windows;  ///< file of the windows
     WindowFileSettings windowFile;
-    double planeHeightM = 0;  ///< above the mean of the region's ground, 0 to 1000
+    double planeHeightM = 0;  ///< above the mean of the region's ground, 0 to mostPlaneHeightM
     bool operator==(const ElementSettings&) const = default;
 };
 

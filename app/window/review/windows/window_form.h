@@ -2,45 +2,29 @@
 
 #include <QWidget>
 
-#include "app/window/review/review_choice.h"
+#include "core/study/elements/place_elements.h"
 
 class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
-class QLineEdit;
-class QPushButton;
 
 namespace noonmark {
 
-/// Which windows a rule is evaluated on: those of a file, or one in each bay and storey of facades.
+class ElementForm;
+
+/// Which windows a rule is evaluated on: one in each bay and storey of facades, or those of a file.
 class WindowForm final : public QWidget {
     Q_OBJECT
 public:
     explicit WindowForm(QWidget* parent = nullptr);
 
-    void show(const WindowChoice& choice);
-    /// The building that a button adds to the list; empty: none is selected.
-    void setSelected(const QString& id);
+    void show(const ElementSettings& windows);  ///< without a signal
+    void setBuilding(const QString& id);        ///< the selected building; empty: none
 
 Q_SIGNALS:
-    void edited(noonmark::WindowChoice choice);
+    void edited(noonmark::ElementSettings windows);
 
 private:
-    void take();
-    void chooseFile();
-    void addSelected();
-    void showSource();
-
-    QFormLayout* form_;
     QComboBox* source_;
-    QLineEdit* file_;
-    QLineEdit* buildings_;
-    QPushButton* addSelected_;
-    QWidget* fileRow_;
-    QWidget* buildingsRow_;
-    QString selected_;
-    QDoubleSpinBox* bay_;
-    QDoubleSpinBox* storey_;
+    ElementForm* form_;
 };
 
 }  // namespace noonmark

@@ -20,21 +20,9 @@ std::vector<RepeatOption> repeatOptions(const WindowReviewSettings& settings, co
 }  // namespace
 
 bool isSame(const WindowQuestion& a, const WindowQuestion& b) {
-    const ElementSettings &first = a.settings.elements, &second = b.settings.elements;
     return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
            a.after == b.after && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&
-           first.places == second.places && first.windows == second.windows &&
-           first.buildings == second.buildings && first.facades == second.facades;
-}
-
-ElementSettings elementsOf(const WindowChoice& choice) {
-    ElementSettings elements;
-    elements.places = choice.ofFile ? ElementPlaces::windows : ElementPlaces::facades;
-    if (choice.ofFile) elements.windows = choice.file;
-    if (!choice.ofFile && !choice.buildings.empty()) elements.buildings = {choice.buildings};
-    elements.facades.bayM = choice.bayM;
-    elements.facades.storeyM = choice.storeyM;
-    return elements;
+           a.settings.elements == b.settings.elements;
 }
 
 Result<WindowAnswer> computeWindowReview(const WindowQuestion& question, Progress& progress,

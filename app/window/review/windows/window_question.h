@@ -27,9 +27,6 @@ struct WindowAnswer {
     WindowStudy study;
 };
 
-/// The windows that a choice asks for: of its file, or of the facades of its buildings.
-ElementSettings elementsOf(const WindowChoice& choice);
-
 /// The file of windows is hashed as it is read. Errors of runWindowReview() and of reading.
 Result<WindowAnswer> computeWindowReview(const WindowQuestion& question, Progress& progress,
                                          const std::stop_token& stop);

@@ -25,7 +25,7 @@ Result<WindowQuestion> WindowSession::question() {
     auto rule = review_.rule();
     if (!rule) return tl::make_unexpected(rule.error());
     const ReviewChoice& choice = review_.choice();
-    if (choice.windows.ofFile && choice.windows.file.empty())
+    if (choice.windows.places == ElementPlaces::windows && choice.windows.windows.empty())
         return failure("No file of windows is chosen", {},
                        "Choose a file of points or polygons with heights, or take the facades");
     const auto compared = review_.comparedCities();
@@ -33,13 +33,13 @@ Result<WindowQuestion> WindowSession::question() {
     const StudySettings& study = workbench_.document().settings();
     Region region = makeRegionFromLocalBox(bounds(*compared->after));
     region.name = "the whole city";
-    return WindowQuestion{*std::move(rule),
-                          choice.from,
-                          compared->to,
-                          compared->before,
-                          compared->after,
-                          {elementsOf(choice.windows), std::move(region), study.period.zone,
-                           int(study.period.start.year()), std::nullopt}};
+    return WindowQuestion{
+        *std::move(rule),
+        choice.from,
+        compared->to,
+        compared->before,
+        compared->after,
+        {choice.windows, std::move(region), study.period.zone, int(study.period.start.year()), std::nullopt}};
 }
 
 void WindowSession::run() {
