@@ -25,12 +25,17 @@ void change(ArrayGeometry* geometry, const std::vector<std::uint32_t>& indices,
 }  // namespace
 
 BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces,
-                               ShaderMaterial& edges, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent)
+                               ShaderMaterial& cut, ShaderMaterial& edges, Qt3DRender::QLayer* blended,
+                               Qt3DCore::QEntity* parent)
     : arrays_(std::move(arrays)) {
     if (!arrays_->triangles.empty()) {
         faceArray_ = makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays_->points,
                                          arrays_->triangles);
         faces_ = makeArrayEntity(faceArray_, faces, parent);
+        cut_ = new Qt3DCore::QEntity(parent);
+        cut_->addComponent(faceArray_);
+        cut_->addComponent(&cut);
+        cut_->setEnabled(false);
     }
     if (!arrays_->edges.empty()) {
         edgeArray_ =
@@ -40,6 +45,7 @@ BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderM
 }
 
 BuildingBodies::~BuildingBodies() {
+    delete cut_;
     delete faces_;
     delete edges_;
 }
@@ -61,6 +67,10 @@ void BuildingBodies::leaveOut(const std::vector<std::uint32_t>& buildings) {
 
 void BuildingBodies::showFaces(bool shown) {
     if (faces_) faces_->setEnabled(shown);
+}
+
+void BuildingBodies::showCut(bool shown) {
+    if (cut_) cut_->setEnabled(shown);
 }
 
 void BuildingBodies::showEdges(bool shown) {

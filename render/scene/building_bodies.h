@@ -22,9 +22,9 @@ class ShaderMaterial;
 class BuildingBodies {
 public:
     /// `arrays` is not null; all arguments outlive this object. Empty arrays are not drawn. The edges belong
-    /// to `blended`, the layer drawn after all faces.
-    BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces, ShaderMaterial& edges,
-                   Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
+    /// to `blended`, the layer drawn after all faces. `cut`: of the faces from behind, hidden at first.
+    BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces, ShaderMaterial& cut,
+                   ShaderMaterial& edges, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
     ~BuildingBodies();
     BuildingBodies(const BuildingBodies&) = delete;
     BuildingBodies& operator=(const BuildingBodies&) = delete;
@@ -36,6 +36,7 @@ public:
 
     void showFaces(bool shown);
     void showEdges(bool shown);
+    void showCut(bool shown);  ///< the faces from behind, which are seen where something cuts buildings open
 
 private:
     void set(std::uint32_t building, bool shown);
@@ -43,6 +44,7 @@ private:
     std::shared_ptr<const CityArrays> arrays_;
     std::vector<std::uint32_t> leftOut_;
     Qt3DCore::QEntity* faces_ = nullptr;
+    Qt3DCore::QEntity* cut_ = nullptr;  ///< shares the geometry of faces_
     Qt3DCore::QEntity* edges_ = nullptr;
     ArrayGeometry* faceArray_ = nullptr;
     ArrayGeometry* edgeArray_ = nullptr;

@@ -105,9 +105,13 @@ void ShaderMaterial::drawDepthFirst() {
     pass_->addRenderState(depthTest(Qt3DRender::QDepthTest::LessOrEqual));
 }
 
-void ShaderMaterial::bothSides() {
+void ShaderMaterial::bothSides() { cull(Qt3DRender::QCullFace::NoCulling); }
+
+void ShaderMaterial::fromBehind() { cull(Qt3DRender::QCullFace::Front); }
+
+void ShaderMaterial::cull(int mode) {
     auto* culling = new Qt3DRender::QCullFace;
-    culling->setMode(Qt3DRender::QCullFace::NoCulling);
+    culling->setMode(Qt3DRender::QCullFace::CullingMode(mode));
     pass_->addRenderState(culling);
 }
 

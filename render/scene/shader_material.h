@@ -24,6 +24,7 @@ public:
     void blend();          ///< alpha blending, without writing depth
     void alwaysVisible();  ///< ignores depth: drawn over nearer objects
     void bothSides();      ///< disables culling
+    void fromBehind();     ///< draws only what is seen from behind
     /// Draws depth alone before colour, so that hidden surfaces cost no colour: where the processor draws, a
     /// city has ten layers of buildings behind each other.
     void drawDepthFirst();
@@ -33,6 +34,8 @@ public:
     static constexpr const char* colourPass = "colour";
 
 private:
+    void cull(int mode);  ///< a QCullFace::CullingMode
+
     QString vertex_;
     Qt3DRender::QRenderPass* pass_;
     Qt3DRender::QTechnique* technique_;

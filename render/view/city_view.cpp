@@ -41,7 +41,7 @@ constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
 constexpr double viewDeg = 40;
 constexpr std::size_t mostEdgesInMotion = 150'000;
 constexpr int restMs = 200;
-// Without a section box: Mesa clips at distances that a shader writes even where clipping is not enabled.
+// Without a section box.
 const SectionBox everything{glm::dvec3(-1e9), glm::dvec3(1e9)};
 
 QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
@@ -134,44 +134,40 @@ void CityView::makeFrameGraph() {
     setActiveFrameGraph(surface);
 }
 
-// The states replace those that Qt3D sets by itself. With a section box, the clip distances of the shaders
-// count, and faces are drawn from behind too: through a cut the inside of a building shows.
+// The states replace those that Qt3D sets by itself. The shaders clip at the section box, which without one
+// is very large.
 void CityView::makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::QFrameGraphNode* parent) {
     clipping_ = new Qt3DRender::QRenderStateSet(parent);
     auto* nearest = new Qt3DRender::QDepthTest;
     nearest->setDepthFunction(Qt3DRender::QDepthTest::Less);
     clipping_->addRenderState(nearest);
-    fromOutside_ = new Qt3DRender::QCullFace(root_);
-    fromOutside_->setMode(Qt3DRender::QCullFace::Back);
-    fromBothSides_ = new Qt3DRender::QCullFace(root_);
-    fromBothSides_->setMode(Qt3DRender::QCullFace::NoCulling);
-    clipping_->addRenderState(fromOutside_);
+    auto* fromOutside = new Qt3DRender::QCullFace;
+    fromOutside->setMode(Qt3DRender::QCullFace::Back);
+    clipping_->addRenderState(fromOutside);
     for (int plane = 0; plane < 6; ++plane) {
-        auto* clip = new Qt3DRender::QClipPlane(root_);
+        auto* clip = new Qt3DRender::QClipPlane;
         clip->setPlaneIndex(plane);
-        clipPlanes_.push_back(clip);
+        clipping_->addRenderState(clip);
     }
     sectionLow_ = new Qt3DRender::QParameter(QStringLiteral("sectionLow"), vectorOf(everything.lowM));
     sectionHigh_ = new Qt3DRender::QParameter(QStringLiteral("sectionHigh"), vectorOf(everything.highM));
     for (Qt3DRender::QParameter* side : {sectionLow_, sectionHigh_}) forward.addParameter(side);
 }
 
-void CityView::clip(bool on) {
-    for (Qt3DRender::QRenderState* plane : clipPlanes_)
-        on ? clipping_->addRenderState(plane) : clipping_->removeRenderState(plane);
-    // One state in the place of the other: Qt3D now and then misses a change of a state's mode.
-    clipping_->removeRenderState(on ? fromOutside_ : fromBothSides_);
-    clipping_->addRenderState(on ? fromBothSides_ : fromOutside_);
-}
-
 void CityView::showSection(const std::optional<SectionBox>& box) {
     if (box == section_) return;
-    if (box.has_value() != section_.has_value()) clip(box.has_value());
     section_ = box;
+    showCut();
     const SectionBox drawn = box.value_or(everything);
     sectionLow_->setValue(vectorOf(drawn.lowM));
     sectionHigh_->setValue(vectorOf(drawn.highM));
     Q_EMIT sectionChanged();
+}
+
+// The insides of buildings, where a section box cuts them open.
+void CityView::showCut() {
+    for (BuildingBodies* bodies : {city_.get(), added_.get()})
+        if (bodies) bodies->showCut(facesShown_ && section_);
 }
 
 // Only the passes of materials with this value of the key "pass".
@@ -205,6 +201,8 @@ void CityView::makeMaterials() {
     building_ = made("building");
     building_->set(QStringLiteral("baseColour"), vectorOf(buildingColour));
     building_->set(QStringLiteral("haze"), vectorOf(background));
+    cut_ = made("cut");
+    cut_->fromBehind();
     edge_ = made("edge");
     edge_->set(QStringLiteral("edgeColour"), vectorOf(edgeColour));
     edge_->blend();
@@ -256,8 +254,9 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     bounds_ = arrays->bounds;
     showGround(*arrays);
     manyEdges_ = arrays->edges.size() > mostEdgesInMotion;
-    city_ = std::make_unique<BuildingBodies>(std::move(arrays), *building_, *edge_, blended_, root_);
+    city_ = std::make_unique<BuildingBodies>(std::move(arrays), *building_, *cut_, *edge_, blended_, root_);
     city_->showFaces(facesShown_);
+    showCut();
     setPose(wholeCity(bounds_, lens()));
 }
 
@@ -265,9 +264,10 @@ void CityView::showChanges(const ArrayDifference& changes) {
     if (!city_) return;
     city_->leaveOut(changes.gone);
     added_ = std::make_unique<BuildingBodies>(
-        std::make_shared<const CityArrays>(makeBuildingArrays(changes.added)), *building_, *edge_, blended_,
-        root_);
+        std::make_shared<const CityArrays>(makeBuildingArrays(changes.added)), *building_, *cut_, *edge_,
+        blended_, root_);
     added_->showFaces(facesShown_);
+    showCut();
     bounds_ = city_->arrays()->bounds;
     for (const auto& building : changes.added.buildings) {
         bounds_.topM = std::max(bounds_.topM, topM(*building));
@@ -283,6 +283,7 @@ void CityView::showFaces(bool shown) {
     showEdges(true);
     for (BuildingBodies* bodies : {city_.get(), added_.get()})
         if (bodies) bodies->showFaces(shown);
+    showCut();
 }
 
 void CityView::showPicture(const GroundPicture& picture, bool soFar) {

@@ -23,13 +23,11 @@
 class QTimer;
 
 namespace Qt3DRender {
-class QCullFace;
 class QFrameGraphNode;
 class QLayer;
 class QLayerFilter;
 class QParameter;
 class QRenderCapture;
-class QRenderState;
 class QRenderStateSet;
 class QTechniqueFilter;
 }  // namespace Qt3DRender
@@ -102,7 +100,7 @@ private:
     Qt3DRender::QFrameGraphNode* passes(const char* pass, Qt3DRender::QFrameGraphNode* parent);
     Qt3DRender::QLayerFilter* drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
     void makeMaterials();
-    void clip(bool on);
+    void showCut();
     void makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::QFrameGraphNode* parent);
     void applyCamera();
     void showEdges(bool shown);
@@ -124,6 +122,7 @@ private:
     Qt3DCore::QEntity* lines_ = nullptr;
     bool facesShown_ = true;
     ShaderMaterial* building_ = nullptr;
+    ShaderMaterial* cut_ = nullptr;  ///< buildings from behind
     ShaderMaterial* edge_ = nullptr;
     ShaderMaterial* ground_ = nullptr;
     ShaderMaterial* ribbon_ = nullptr;
@@ -137,9 +136,6 @@ private:
     std::unique_ptr<PlaceMarks> places_;
     std::optional<SectionBox> section_;
     Qt3DRender::QRenderStateSet* clipping_ = nullptr;
-    Qt3DRender::QCullFace* fromOutside_ = nullptr;       ///< faces drawn without a section box
-    Qt3DRender::QCullFace* fromBothSides_ = nullptr;     ///< and with one
-    std::vector<Qt3DRender::QRenderState*> clipPlanes_;  ///< in clipping_ while there is a section box
     Qt3DRender::QParameter* sectionLow_ = nullptr;
     Qt3DRender::QParameter* sectionHigh_ = nullptr;
     std::unique_ptr<SectionMarks> sectionMarks_;

@@ -11,14 +11,7 @@ uniform float hazeDistance;
 #pragma include pictured.inc
 #pragma include sunlit.inc
 
-// Only a section box shows faces from behind: the inside of a building that it cuts, drawn as the solid that was cut.
-const vec3 cutColour = vec3(0.36, 0.30, 0.42);
-
 void main() {
-    if (!gl_FrontFacing) {
-        colour = vec4(cutColour, 1.0);
-        return;
-    }
     vec3 normal = mat3(inverseViewMatrix) * normalize(cross(dFdx(eyeSpace), dFdy(eyeSpace)));
     float sky = 0.5 + 0.5 * normal.z;
     vec3 lit;
