@@ -10,8 +10,8 @@
 #include "core/city/city.h"
 #include "core/engines/api/engine.h"
 #include "core/measures/place_timeline.h"
-#include "core/review/place_review.h"
-#include "core/review/rule_days.h"
+#include "core/review/places/place_review.h"
+#include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 

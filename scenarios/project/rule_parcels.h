@@ -5,7 +5,7 @@
 
 #include "core/base/warnings.h"
 #include "core/receivers/place.h"
-#include "core/review/rule.h"
+#include "core/review/rule/rule.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {

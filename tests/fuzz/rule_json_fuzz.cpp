@@ -1,6 +1,6 @@
 // The rule of a review board.
-#include "core/review/read_rule.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/read_rule.h"
+#include "core/review/library/rule_text.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

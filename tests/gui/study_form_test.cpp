@@ -13,7 +13,7 @@
 #include "app/window/study_form/rule_period.h"
 #include "app/window/study_form/run_forecast.h"
 #include "app/window/study_form/study_dock.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"
 

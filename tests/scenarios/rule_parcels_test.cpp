@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {

@@ -10,7 +10,7 @@
 #include "core/base/version.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/io/files/write_text.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 
 namespace noonmark::cli {
 

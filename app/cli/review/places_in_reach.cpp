@@ -5,7 +5,7 @@
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/measures/place_screening.h"
-#include "core/review/rule_days.h"
+#include "core/review/rule/rule_days.h"
 
 namespace noonmark::cli {
 

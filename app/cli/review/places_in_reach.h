@@ -6,7 +6,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/review/rule.h"
+#include "core/review/rule/rule.h"
 #include "core/study/review_study.h"
 
 namespace noonmark::cli {

@@ -6,8 +6,8 @@
 
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/rule_options.h"
-#include "core/review/rule_names.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/rule/rule_names.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark::cli {

@@ -13,7 +13,7 @@
 #include "app/cli/table.h"
 #include "app/report/book/review/review_book.h"
 #include "app/report/files/window_files.h"
-#include "core/review/verdict_text.h"
+#include "core/review/places/verdict_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 

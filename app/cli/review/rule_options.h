@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 
 namespace noonmark::cli {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/report/charts/chart_axes.h"
-#include "core/review/place_review.h"
+#include "core/review/places/place_review.h"
 
 namespace noonmark {
 

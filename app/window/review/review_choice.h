@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/review/read_rule.h"
+#include "core/review/library/read_rule.h"
 #include "core/study/elements/place_elements.h"
 #include "scenarios/scenario.h"
 

@@ -28,8 +28,8 @@
 #include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "app/window/widgets/progress_strip.h"
-#include "core/review/rule_text.h"
-#include "core/review/verdict_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/places/verdict_text.h"
 
 namespace noonmark {
 

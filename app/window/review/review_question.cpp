@@ -6,7 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
-#include "core/review/rule_days.h"
+#include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 

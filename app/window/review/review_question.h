@@ -4,7 +4,7 @@
 
 #include "app/window/review/review_choice.h"
 #include "core/measures/place_screening.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 #include <QSignalBlocker>
 
 #include "app/window/review/verdict_words.h"
-#include "core/review/rule_names.h"
+#include "core/review/rule/rule_names.h"
 
 namespace noonmark {
 

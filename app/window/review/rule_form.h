@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "app/window/review/review_choice.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 
 class QComboBox;
 class QFormLayout;

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "app/window/review/verdict_words.h"
-#include "core/review/review_columns.h"
-#include "core/review/verdict_text.h"
+#include "core/review/places/review_columns.h"
+#include "core/review/places/verdict_text.h"
 
 namespace noonmark {
 

@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "core/review/rule_names.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/rule/rule_names.h"
 
 namespace noonmark {
 

@@ -3,8 +3,8 @@
 #include <QColor>
 #include <QString>
 
-#include "core/review/rule.h"
-#include "core/review/verdict.h"
+#include "core/review/criteria/verdict.h"
+#include "core/review/rule/rule.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/review/rule.h"
+#include "core/review/rule/rule.h"
 #include "core/sun/period.h"
 
 namespace noonmark {

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "app/window/study_form/what_form.h"
-#include "core/review/rule.h"
+#include "core/review/rule/rule.h"
 #include "core/study/study.h"
 
 class QLabel;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/review/criterion_days.h"
+#include "core/review/criteria/criterion_days.h"
 
 namespace noonmark {
 

@@ -12,7 +12,7 @@
 #include "core/engines/points/sky_factors.h"
 #include "core/geo/earth_drop.h"
 #include "core/measures/place_run.h"
-#include "core/review/window_points.h"
+#include "core/review/windows/window_points.h"
 #include "core/study/elements/facing_azimuth.h"
 #include "core/study/prepare_review.h"
 

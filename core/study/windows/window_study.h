@@ -12,7 +12,7 @@
 
 #include "core/engines/points/shaded_step_finder.h"
 #include "core/receivers/points/facade_elevations.h"
-#include "core/review/building_review.h"
+#include "core/review/windows/building_review.h"
 #include "core/study/elements/place_elements.h"
 
 namespace noonmark {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/version.h"
-#include "core/review/rule_names.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/rule/rule_names.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"

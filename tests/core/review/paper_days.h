@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/review/place_review.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
+#include "core/review/places/place_review.h"
 
 namespace noonmark {
 

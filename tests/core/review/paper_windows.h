@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/review/building_review.h"
+#include "core/review/windows/building_review.h"
 #include "tests/core/review/paper_days.h"
 
 namespace noonmark {

@@ -1,11 +1,11 @@
-#include "core/review/place_review.h"
+#include "core/review/places/place_review.h"
 
 #include <gmock/gmock.h>
 
 #include <random>
 
-#include "core/review/review_columns.h"
-#include "core/review/verdict_text.h"
+#include "core/review/places/review_columns.h"
+#include "core/review/places/verdict_text.h"
 #include "tests/core/review/paper_days.h"
 
 namespace noonmark {

@@ -1,11 +1,11 @@
-#include "core/review/read_rule.h"
+#include "core/review/library/read_rule.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
-#include "core/review/rule_library.h"
-#include "core/review/rule_times.h"
+#include "core/review/library/rule_library.h"
+#include "core/review/rule/rule_times.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

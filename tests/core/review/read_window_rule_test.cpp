@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "core/review/rule_library.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/rule_library.h"
+#include "core/review/library/rule_text.h"
 
 namespace noonmark {
 

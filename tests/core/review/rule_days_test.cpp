@@ -1,4 +1,4 @@
-#include "core/review/rule_days.h"
+#include "core/review/rule/rule_days.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

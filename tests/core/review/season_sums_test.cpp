@@ -1,4 +1,4 @@
-#include "core/review/season_sums.h"
+#include "core/review/places/season_sums.h"
 
 #include <gtest/gtest.h>
 

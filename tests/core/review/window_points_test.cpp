@@ -1,4 +1,4 @@
-#include "core/review/window_points.h"
+#include "core/review/windows/window_points.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/engines/auto_engine.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 
 namespace noonmark::tests {
 

@@ -5,7 +5,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
 #include "app/report/maps/palette.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 #include "core/study/windows/window_values.h"
 #include "tests/report/book/recorded_page.h"
 #include "tests/report/book/review_scene.h"

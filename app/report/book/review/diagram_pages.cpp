@@ -6,7 +6,7 @@
 #include "app/report/book/sun_view.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/shadow_fan.h"
-#include "core/review/rule_moments.h"
+#include "core/review/rule/rule_moments.h"
 
 namespace noonmark {
 

@@ -6,7 +6,7 @@
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/receivers/parcels/line_belts.h"
-#include "core/review/rule_moments.h"
+#include "core/review/rule/rule_moments.h"
 #include "core/sun/chosen_days.h"
 
 namespace noonmark {

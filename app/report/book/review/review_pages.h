@@ -3,7 +3,7 @@
 // The pages of a review's book. review_book.cpp puts them together.
 
 #include "app/report/book/review/review_book.h"
-#include "core/review/rule_days.h"
+#include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 

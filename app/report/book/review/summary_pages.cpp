@@ -4,9 +4,9 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/review/verdict_colour.h"
 #include "app/report/sheets/study_words.h"
-#include "core/review/rule_names.h"
-#include "core/review/rule_text.h"
-#include "core/review/verdict_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/places/verdict_text.h"
+#include "core/review/rule/rule_names.h"
 #include "core/study/text/height_words.h"
 
 namespace noonmark {

@@ -6,8 +6,8 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
-#include "core/review/rule_names.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/rule/rule_names.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 #include <QColor>
 
-#include "core/review/verdict.h"
+#include "core/review/criteria/verdict.h"
 
 namespace noonmark {
 

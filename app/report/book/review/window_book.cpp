@@ -8,8 +8,8 @@
 #include "app/report/book/review/window_sun_views.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
-#include "core/review/rule_names.h"
-#include "core/review/rule_text.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/rule/rule_names.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark {

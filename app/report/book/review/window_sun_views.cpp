@@ -6,7 +6,7 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
 #include "core/measures/place_run.h"
-#include "core/review/rule_moments.h"
+#include "core/review/rule/rule_moments.h"
 
 namespace noonmark {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/measures/place_run.h"
-#include "core/review/rule_library.h"
+#include "core/review/library/rule_library.h"
 #include "core/samples/sample_city.h"
 #include "core/study/windows/window_text.h"
 #include "tests/core/engines/scenes.h"

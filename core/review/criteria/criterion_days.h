@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+
+#include "core/measures/place_shadow.h"
+#include "core/review/criteria/spot_measure.h"
+#include "core/review/criteria/spot_runs.h"
+
+namespace noonmark {
+
+/// What one criterion found on one place.
+struct CriterionResult {
+    Verdict verdict = Verdict::notChecked;
+    std::optional<Measured> value;   ///< of the deciding day, or of all days together; none: no day counted
+    std::optional<Measured> former;  ///< the same in the baseline, where a limit compares with it
+    std::optional<CivilDate> day;    ///< the day that decides; none for averages and sums
+    int days = 0, failingDays = 0, borderlineDays = 0;
+};
+
+/// The measured value of a criterion on one day. `runs` counts the runs of a quantity once for all criteria.
+class DayShadow {
+public:
+    DayShadow(const PlaceShadow& shadow, double engineErrorMin)
+        : shadow_(shadow), cells_(countShadedCells(shadow)), engineErrorMin_(engineErrorMin) {}
+
+    [[nodiscard]] const PlaceShadow& shadow() const { return shadow_; }
+    [[nodiscard]] const ShadedCells& cells() const { return cells_; }
+    [[nodiscard]] double stepMin() const { return shadow_.stepMinutes; }
+    /// Minutes of one step, and what the engine adds: the error of the length of one run.
+    [[nodiscard]] double runErrorMin() const { return shadow_.stepMinutes + engineErrorMin_; }
+
+private:
+    const PlaceShadow& shadow_;
+    ShadedCells cells_;
+    double engineErrorMin_;
+};
+
+/// The errors: each run is uncertain by a step and the engine's error, an area by a cell, a share by a cell
+/// and by the spots whose minutes are within their error of what they need.
+Measured measureDay(const Criterion& criterion, const DayShadow& day, bool former);
+
+/// Compares a value with the limits of a criterion, any one of which must hold. Not applicable: it has no
+/// limit, or only limits relative to a former value that does not exist. `unchanged`: value and former come
+/// from the same sun, so that their ratio is exactly 1.
+Verdict judgeLimits(const Criterion& criterion, const Measured& value, const std::optional<Measured>& former,
+                    bool unchanged = false);
+
+/// Whether a criterion is about that day.
+bool isInSeason(const Criterion& criterion, CivilDate date);
+
+/// Combines the days of one criterion. Takes days in any order.
+class CriterionDays {
+public:
+    CriterionDays(const Criterion& criterion, DayCombination usual)
+        : criterion_(&criterion), combination_(criterion.combination.value_or(usual)) {}
+
+    /// `weight`: days that this day stands for. Returns the day's value; none if the day is out of season.
+    std::optional<double> add(const DayShadow& day, double weight);
+    /// The same for a day in season whose value is known, and its former value where there is one.
+    void add(CivilDate day, const Measured& value, const std::optional<Measured>& former, double weight,
+             bool unchanged = false);
+    [[nodiscard]] CriterionResult result() const;
+
+private:
+    void takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former, bool unchanged);
+    [[nodiscard]] bool decidesMore(Verdict verdict, double value) const;
+
+    const Criterion* criterion_;
+    DayCombination combination_;
+    CriterionResult found_;
+    Measured sum_, formerSum_;
+    double weights_ = 0;
+    bool hasFormer_ = false, unchanged_ = true;
+};
+
+}  // namespace noonmark

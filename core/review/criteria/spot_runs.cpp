@@ -1,0 +1,114 @@
+#include "core/review/criteria/spot_runs.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace noonmark {
+
+namespace {
+
+constexpr std::uint64_t allCells = ~std::uint64_t{0};
+
+/// Bits of the cells of word `word` that exist.
+std::uint64_t cellsOf(const PlaceShadow& shadow, std::size_t word) {
+    const std::size_t left = shadow.baseline.receivers - word * 64;
+    return left >= 64 ? allCells : (std::uint64_t{1} << left) - 1;
+}
+
+/// Bits of the cells that have the quantity at a step.
+std::uint64_t quantityBits(const PlaceShadow& shadow, Quantity quantity, bool former, std::size_t step,
+                           std::size_t word) {
+    const std::uint64_t before = shadow.baseline.at(step)[word], after = shadow.scenario.at(step)[word];
+    if (quantity == Quantity::incremental) return former ? 0 : after & ~before;
+    const std::uint64_t shaded = former ? before : after;
+    return quantity == Quantity::sun ? ~shaded & cellsOf(shadow, word) : shaded;
+}
+
+bool continuesFrom(const PlaceShadow& shadow, std::size_t step) {
+    return step > 0 && shadow.steps[step].slot == shadow.steps[step - 1].slot + 1;
+}
+
+/// Collects the runs of the cells of one word.
+class RunCounter {
+public:
+    RunCounter(SpotRuns& runs, const RunSettings& settings, double stepMinutes, std::size_t firstCell)
+        : runs_(runs), settings_(settings), stepMinutes_(stepMinutes), firstCell_(firstCell) {}
+
+    void take(std::uint64_t bits, std::size_t step) {
+        for (std::uint64_t ended = current_ & ~bits; ended != 0; ended &= ended - 1)
+            end(std::size_t(std::countr_zero(ended)), step);
+        for (std::uint64_t begun = bits & ~current_; begun != 0; begun &= begun - 1)
+            begin_[std::size_t(std::countr_zero(begun))] = std::uint32_t(step);
+        current_ = bits;
+    }
+
+    void finish() {
+        for (std::size_t lane = 0; lane < 64; ++lane) {
+            const auto& top = top_[lane];
+            for (int i = 0; i < settings_.longest; ++i)
+                if (top[std::size_t(i)] > 0) runs_.longestRuns[firstCell_ + lane] += top[std::size_t(i)];
+        }
+    }
+
+private:
+    void end(std::size_t lane, std::size_t step) {
+        std::uint32_t length = std::uint32_t(step) - begin_[lane];
+        if (double(length) * stepMinutes_ < settings_.dropShorterMin * (1 - 1e-9)) return;
+        const std::size_t cell = firstCell_ + lane;
+        runs_.total[cell] += length;
+        runs_.count[cell] += 1;
+        runs_.longest[cell] = std::max(runs_.longest[cell], length);
+        for (std::uint32_t& place : top_[lane])
+            if (length > place) std::swap(length, place);
+    }
+
+    SpotRuns& runs_;
+    const RunSettings& settings_;
+    double stepMinutes_;
+    std::size_t firstCell_;
+    std::uint64_t current_ = 0;
+    std::array<std::uint32_t, 64> begin_{};
+    std::array<std::array<std::uint32_t, 8>, 64> top_{};
+};
+
+std::uint32_t countBits(std::span<const std::uint64_t> words) {
+    std::uint32_t bits = 0;
+    for (const std::uint64_t word : words) bits += std::uint32_t(std::popcount(word));
+    return bits;
+}
+
+}  // namespace
+
+SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former, const RunSettings& settings) {
+    const std::size_t cells = shadow.baseline.receivers, steps = shadow.steps.size();
+    SpotRuns runs;
+    for (auto* counts : {&runs.total, &runs.longest, &runs.longestRuns, &runs.count})
+        counts->assign(cells, 0);
+    for (std::size_t word = 0; word < shadow.baseline.wordsPerStep(); ++word) {
+        RunCounter counter(runs, settings, shadow.stepMinutes, word * 64);
+        for (std::size_t step = 0; step < steps; ++step) {
+            if (!continuesFrom(shadow, step)) counter.take(0, step);
+            counter.take(quantityBits(shadow, quantity, former, step, word), step);
+        }
+        counter.take(0, steps);
+        counter.finish();
+    }
+    return runs;
+}
+
+ShadedCells countShadedCells(const PlaceShadow& shadow) {
+    ShadedCells cells;
+    for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
+        cells.baseline.push_back(countBits(shadow.baseline.at(step)));
+        cells.scenario.push_back(countBits(shadow.scenario.at(step)));
+        std::uint32_t added = 0;
+        for (std::size_t word = 0; word < shadow.baseline.wordsPerStep(); ++word)
+            added +=
+                std::uint32_t(std::popcount(quantityBits(shadow, Quantity::incremental, false, step, word)));
+        cells.incremental.push_back(added);
+    }
+    return cells;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/warnings.h"
+#include "core/review/library/read_rule.h"
+
+namespace noonmark {
+
+/// The rules that ship with Noonmark (resources/rules) and those of the user's folders.
+class RuleLibrary {
+public:
+    /// Reads `*.json` in each folder, not in folders below; at most 1,000 files each. A file that is no rule,
+    /// or whose key is already taken, is left out with a warning. Error: a folder that cannot be read.
+    static Result<RuleLibrary> load(const std::vector<std::filesystem::path>& folders = {});
+
+    /// Sorted by key, each with the first option of its choices.
+    [[nodiscard]] const std::vector<Rule>& rules() const { return rules_; }
+    [[nodiscard]] const Warnings& warnings() const { return warnings_; }
+
+    /// The rule of that key with the chosen options. Error: no such rule, with similar keys; or parseRule().
+    [[nodiscard]] Result<Rule> find(std::string_view key, const RuleChoices& choices = {}) const;
+
+    /// The file's text of that rule: a start for one's own. Error: no such rule.
+    [[nodiscard]] Result<std::string> textOf(std::string_view key) const;
+
+private:
+    void take(std::string text, const std::string& file);
+
+    std::vector<Rule> rules_;
+    std::vector<std::string> texts_;  // by rule
+    Warnings warnings_;
+};
+
+}  // namespace noonmark

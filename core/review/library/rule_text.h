@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "core/review/rule/rule.h"
+
+namespace noonmark {
+
+/// A rule for people: every figure with its status and source, the readings, and what is not checked. Lines
+/// end with a newline.
+std::string describeRule(const Rule& rule);
+
+/// "V", "R" or "U": the least sure of the figures that a verdict rests on.
+FigureStatus leastSure(const Rule& rule);
+
+}  // namespace noonmark

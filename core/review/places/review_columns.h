@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/display_units.h"
+#include "core/review/places/place_review.h"
+
+namespace noonmark {
+
+/// Whether a rule's table may have a column of that key: one of reviewColumnKeys(), or "criterion.KEY" for
+/// the day's value of one of the rule's criteria.
+bool isReviewColumn(const Rule& rule, std::string_view key);
+
+/// "day", "enters", ...: docs/rules.md lists them with their units.
+std::vector<std::string_view> reviewColumnKeys();
+
+/// Columns as they are shown to people: a column of square metres ("max_area_m2", "baseline_m2h") becomes one
+/// of square feet for imperial, and is followed by one for both, unless the rule has that column, too. Its
+/// title states the unit. All other columns stay as they are.
+std::vector<RuleColumn> columnsIn(UnitSystem units, const std::vector<RuleColumn>& columns);
+
+/// The text of one field of a row in that column; "-" where there is no value. Numbers have a decimal point
+/// and no separators.
+std::string columnText(const PlaceReview& review, const ReviewRow& row, std::string_view key);
+
+}  // namespace noonmark

@@ -1,0 +1,70 @@
+#include "core/review/places/verdict_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/review/rule/rule_names.h"
+
+namespace noonmark {
+
+namespace {
+
+std::string formatMinutes(double value) {
+    if (value < 60) return fmt::format("{:.4g} min", value);
+    const double minutes = std::round(value * 10) / 10;
+    const double hours = std::floor(minutes / 60);
+    return minutes == hours * 60 ? fmt::format("{:.0f} h", hours)
+                                 : fmt::format("{:.0f} h {:.4g} min", hours, minutes - hours * 60);
+}
+
+}  // namespace
+
+std::string formatMeasured(Measure measure, double value, UnitSystem units) {
+    switch (measure) {
+        case Measure::share:
+        case Measure::largestShare:
+            return fmt::format("{:.1f} %", value * 100);
+        case Measure::skyComponent:
+        case Measure::probableSun:
+            return fmt::format("{:.1f} %", value);
+        case Measure::largestArea:
+            return formatSmallArea(value, units);
+        case Measure::areaHours:
+            return formatAreaHours(value, units);
+        default:
+            return formatMinutes(value);
+    }
+}
+
+std::string describeLimit(const Criterion& criterion, const Limit& limit, UnitSystem units) {
+    const std::string value = limit.ofFormer && !limit.isLoss
+                                  ? fmt::format("{:g} x former", limit.value)
+                                  : formatMeasured(criterion.measure, limit.value, units);
+    if (limit.isLoss)
+        return fmt::format("loss {} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
+    return fmt::format("{} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
+}
+
+std::string describeLimits(const Criterion& criterion, UnitSystem units) {
+    std::string text;
+    for (const Limit& limit : criterion.limits)
+        text += fmt::format("{}{}", text.empty() ? "" : " or ", describeLimit(criterion, limit, units));
+    return text;
+}
+
+std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units) {
+    std::string text =
+        fmt::format("{}: {}", criterion.name, formatMeasured(criterion.measure, result.value->value, units));
+    if (result.former)
+        text += fmt::format(" (former {})", formatMeasured(criterion.measure, result.former->value, units));
+    if (result.day) text += fmt::format(" on {}", formatText(*result.day));
+    return text + ", wanted " + describeLimits(criterion, units);
+}
+
+std::string describeReason(const PlaceReview& review, UnitSystem units) {
+    if (!review.deciding) return review.unjudged;
+    return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);
+}
+
+}  // namespace noonmark

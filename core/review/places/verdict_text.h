@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/display_units.h"
+#include "core/review/places/place_review.h"
+
+namespace noonmark {
+
+/// "2 h 15 min", "62.0 %", "1,204 m²": a value of a criterion for people. Areas are not rounded to hectares
+/// or acres: a verdict may hang on them.
+std::string formatMeasured(Measure measure, double value, UnitSystem units = UnitSystem::metric);
+
+/// "<= 1 h"; ">= 0.8 x former" or "loss <= 4.0 %" for a limit relative to the baseline.
+std::string describeLimit(const Criterion& criterion, const Limit& limit,
+                          UnitSystem units = UnitSystem::metric);
+/// All limits, joined by "or"; empty if the criterion has none.
+std::string describeLimits(const Criterion& criterion, UnitSystem units = UnitSystem::metric);
+
+/// What a criterion measured and wants: "At least 2 h of sun: 1 h 30 min (former 3 h) on 2026-01-20, wanted
+/// >= 2 h". The result must have a value.
+std::string describeResult(const Criterion& criterion, const CriterionResult& result,
+                           UnitSystem units = UnitSystem::metric);
+
+/// The verdict on a place in a sentence without a full stop: "At least 2 h of sun: 45.0 % (former 60.0 %) on
+/// 2026-03-21, wanted >= 50.0 % or >= 0.8 x former".
+std::string describeReason(const PlaceReview& review, UnitSystem units = UnitSystem::metric);
+
+}  // namespace noonmark

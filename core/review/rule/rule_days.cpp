@@ -1,0 +1,148 @@
+#include "core/review/rule/rule_days.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/review/rule/rule_times.h"
+
+namespace noonmark {
+
+namespace {
+
+using std::chrono::month_day;
+using std::chrono::sys_days;
+using WeightedDates = std::vector<std::pair<CivilDate, double>>;
+
+CivilDate dateIn(month_day day, int year) { return std::chrono::year(year) / day.month() / day.day(); }
+
+Result<WeightedDates> fixedDates(const RuleDays& days, int year) {
+    WeightedDates dates;
+    for (const RuleDay& day : days.fixed) {
+        const CivilDate date = dateIn(day.day, year);
+        if (!date.ok())
+            return failure(fmt::format("The year {} has no {}", year, formatText(day.day)), "days",
+                           "Choose another year");
+        dates.emplace_back(date, 1);
+    }
+    std::ranges::sort(dates);
+    return dates;
+}
+
+/// 29 February of a year without one is the last of February.
+sys_days dayIn(month_day day, int year) {
+    const CivilDate date = dateIn(day, year);
+    return date.ok() ? sys_days{date} : sys_days{std::chrono::year(year) / day.month() / std::chrono::last};
+}
+
+WeightedDates rangeDates(const RuleDays& days, int year) {
+    const sys_days first = dayIn(days.first, year);
+    const sys_days last = dayIn(days.last, days.last < days.first ? year + 1 : year);
+    WeightedDates dates;
+    for (sys_days day = first; day <= last; day += std::chrono::days{days.everyDays}) {
+        const auto left = (last - day).count() + 1;
+        dates.emplace_back(CivilDate{day}, double(std::min<std::int64_t>(days.everyDays, left)));
+    }
+    return dates;
+}
+
+/// Folds the year at 21 June: a day before it counts for the day as long after it, around the year.
+WeightedDates mirroredDates(const WeightedDates& wholeYear, int year) {
+    const sys_days solstice{std::chrono::year(year) / std::chrono::June / 21};
+    const auto length = std::int64_t(
+        (sys_days{std::chrono::year(year + 1) / 1 / 1} - sys_days{std::chrono::year(year) / 1 / 1}).count());
+    std::map<std::int64_t, double> weights;
+    for (const auto& [date, weight] : wholeYear) {
+        const std::int64_t after = ((sys_days{date} - solstice).count() + length) % length;
+        weights[std::min(after, length - after)] += weight;
+    }
+    WeightedDates dates;
+    for (const auto& [after, weight] : weights)
+        dates.emplace_back(CivilDate{solstice + std::chrono::days{after}}, weight);
+    return dates;
+}
+
+/// The hours of one day of a rule.
+class RuleHours {
+public:
+    RuleHours(const Rule& rule, const DayClock& clock, const Ephemeris& sun)
+        : rule_(rule), clock_(clock), sun_(sun) {}
+
+    [[nodiscard]] DayWindow on(CivilDate date) const {
+        const WindowHours& hours = hoursOn(date);
+        const SunEvents events = computeSunEvents(sun_, clock_.instantAt(date, 0), rule_.window.sunrise);
+        if (events.kind == DayKind::polarNight) return {date, clock_.instantAt(date, 0), 0};
+        Instant from = boundAt(date, events, hours.from.front()),
+                to = boundAt(date, events, hours.to.front());
+        for (const WindowBound& bound : hours.from) from = std::max(from, boundAt(date, events, bound));
+        for (const WindowBound& bound : hours.to) to = std::min(to, boundAt(date, events, bound));
+        return rounded(date, from, to);
+    }
+
+private:
+    [[nodiscard]] const WindowHours& hoursOn(CivilDate date) const {
+        const auto own = rule_.window.byDay.find(month_day{date.month(), date.day()});
+        return own == rule_.window.byDay.end() ? rule_.window.hours : own->second;
+    }
+
+    /// Without a sunrise or sunset, as the sun stays up, the day bounds the hours.
+    [[nodiscard]] Instant boundAt(CivilDate date, const SunEvents& events, const WindowBound& bound) const {
+        if (bound.kind == WindowBound::Kind::clock) return clock_.instantAt(date, bound.minutes);
+        const bool rise = bound.kind == WindowBound::Kind::sunrise;
+        const std::optional<Instant> event = rise ? events.sunrise : events.sunset;
+        if (!event) return clock_.instantAt(date, rise ? 0 : 1440);
+        return *event + std::chrono::milliseconds{std::llround(bound.minutes * 60000)};
+    }
+
+    /// From the first full hour (or what the rule samples) on, and whole steps of it.
+    [[nodiscard]] DayWindow rounded(CivilDate date, Instant from, Instant to) const {
+        const double minutes = double((to - from).count()) / 60000;
+        if (rule_.sampling.roundTo == 0 || minutes <= 0) return {date, from, minutes};
+        constexpr double rounding = 1e-3;
+        const double unit = rule_.sampling.roundTo, step = rule_.sampling.stepMinutes;
+        const double begin = std::ceil(clock_.minutesOf(date, from) / unit - rounding) * unit;
+        const double end = clock_.minutesOf(date, to);
+        const double steps = std::floor((end - begin) / step + rounding);
+        return {date, clock_.instantAt(date, begin), std::max(0.0, steps * step)};
+    }
+
+    const Rule& rule_;
+    const DayClock& clock_;
+    const Ephemeris& sun_;
+};
+
+}  // namespace
+
+Result<WeightedDates> datesOf(const RuleDays& days, int year) {
+    if (!days.fixed.empty()) return fixedDates(days, year);
+    const WeightedDates range = rangeDates(days, year);
+    return days.mirrored ? mirroredDates(range, year) : range;
+}
+
+Result<RuleSun> computeRuleSun(const Rule& rule, const RuleSite& site, const std::stop_token& stop) {
+    const int year = rule.days.year.value_or(site.year);
+    const auto zone = Zone::named(site.zone);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const auto dates = datesOf(rule.days, year);
+    if (!dates) return tl::make_unexpected(dates.error());
+    const auto edge = [](CivilDate date, int days) { return sys_days{date} + std::chrono::days{days}; };
+    auto ephemeris =
+        Ephemeris::over(site.observer, edge(dates->front().first, -3), edge(dates->back().first, 5));
+    if (!ephemeris) return tl::make_unexpected(ephemeris.error());
+    const auto shared = std::make_shared<const Ephemeris>(*std::move(ephemeris));
+    DayClock clock(rule.clock.settings, *zone, shared, site.observer.place.lonDeg);
+    std::vector<DayWindow> windows;
+    std::vector<double> weights;
+    for (const auto& [date, weight] : *dates) {
+        windows.push_back(RuleHours(rule, clock, *shared).on(date));
+        weights.push_back(weight);
+    }
+    const StepRule steps{rule.sampling.stepMinutes, true, {rule.window.lowestSunDeg}};
+    auto sun = computeSunSteps(windows, steps, site.observer, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    return RuleSun{*std::move(sun), std::move(weights), std::move(clock), year};
+}
+
+}  // namespace noonmark

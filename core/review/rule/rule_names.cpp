@@ -1,0 +1,150 @@
+#include "core/review/rule/rule_names.h"
+
+namespace noonmark {
+
+RuleNames<FigureStatus> figureStatusNames() {
+    using enum FigureStatus;
+    static constexpr std::array names{std::pair{verified, std::string_view{"V"}},
+                                      std::pair{reported, std::string_view{"R"}},
+                                      std::pair{unconfirmed, std::string_view{"U"}}};
+    return names;
+}
+
+RuleNames<DayCombination> combinationNames() {
+    using enum DayCombination;
+    static constexpr std::array names{
+        std::pair{every, std::string_view{"every"}}, std::pair{average, std::string_view{"average"}},
+        std::pair{chosen, std::string_view{"chosen"}}, std::pair{sum, std::string_view{"sum"}}};
+    return names;
+}
+
+RuleNames<ClockKind> clockNames() {
+    using enum ClockKind;
+    static constexpr std::array names{
+        std::pair{civil, std::string_view{"civil"}}, std::pair{standard, std::string_view{"standard"}},
+        std::pair{fixed, std::string_view{"fixed"}}, std::pair{trueSolar, std::string_view{"true solar"}}};
+    return names;
+}
+
+RuleNames<SunriseRule> sunriseNames() {
+    using enum SunriseRule;
+    static constexpr std::array names{std::pair{upperLimb, std::string_view{"upper limb"}},
+                                      std::pair{centre, std::string_view{"centre"}}};
+    return names;
+}
+
+RuleNames<RuleSurface> surfaceNames() {
+    using enum RuleSurface;
+    static constexpr std::array names{std::pair{ground, std::string_view{"ground"}},
+                                      std::pair{plane, std::string_view{"plane"}},
+                                      std::pair{windows, std::string_view{"windows"}}};
+    return names;
+}
+
+RuleNames<RuleCasters> casterNames() {
+    using enum RuleCasters;
+    static constexpr std::array names{std::pair{everything, std::string_view{"everything"}},
+                                      std::pair{proposal, std::string_view{"proposal"}}};
+    return names;
+}
+
+RuleNames<BaselineKind> baselineNames() {
+    using enum BaselineKind;
+    static constexpr std::array names{std::pair{existing, std::string_view{"existing"}},
+                                      std::pair{noAction, std::string_view{"no action"}},
+                                      std::pair{referenceBody, std::string_view{"reference body"}}};
+    return names;
+}
+
+RuleNames<Quantity> quantityNames() {
+    using enum Quantity;
+    static constexpr std::array names{std::pair{shadow, std::string_view{"shadow"}},
+                                      std::pair{incremental, std::string_view{"incremental"}},
+                                      std::pair{sun, std::string_view{"sun"}}};
+    return names;
+}
+
+RuleNames<Measure> measureNames() {
+    using enum Measure;
+    static constexpr std::array names{std::pair{spotTotal, std::string_view{"spot total"}},
+                                      std::pair{spotLongestRun, std::string_view{"spot longest run"}},
+                                      std::pair{spotLongestRuns, std::string_view{"spot longest runs"}},
+                                      std::pair{share, std::string_view{"share"}},
+                                      std::pair{anywhere, std::string_view{"anywhere"}},
+                                      std::pair{span, std::string_view{"span"}},
+                                      std::pair{fullCover, std::string_view{"full cover"}},
+                                      std::pair{largestArea, std::string_view{"largest area"}},
+                                      std::pair{largestShare, std::string_view{"largest share"}},
+                                      std::pair{areaHours, std::string_view{"area hours"}},
+                                      std::pair{skyComponent, std::string_view{"vsc"}},
+                                      std::pair{probableSun, std::string_view{"apsh"}}};
+    return names;
+}
+
+RuleNames<Comparison> comparisonNames() {
+    using enum Comparison;
+    static constexpr std::array names{
+        std::pair{atMost, std::string_view{"<="}}, std::pair{below, std::string_view{"<"}},
+        std::pair{atLeast, std::string_view{">="}}, std::pair{above, std::string_view{">"}}};
+    return names;
+}
+
+RuleNames<LineBelt> beltNames() {
+    using enum LineBelt;
+    static constexpr std::array names{std::pair{betweenLines, std::string_view{"between lines"}},
+                                      std::pair{beyondLines, std::string_view{"beyond lines"}}};
+    return names;
+}
+
+RuleNames<PanePlace> panePlaceNames() {
+    using enum PanePlace;
+    static constexpr std::array names{std::pair{middle, std::string_view{"mid pane"}},
+                                      std::pair{sillMiddle, std::string_view{"sill middle"}},
+                                      std::pair{sillEnds, std::string_view{"sill ends"}}};
+    return names;
+}
+
+RuleNames<bool> faceNames() {
+    static constexpr std::array names{std::pair{false, std::string_view{"outside"}},
+                                      std::pair{true, std::string_view{"inside"}}};
+    return names;
+}
+
+RuleNames<WindowUnit> unitNames() {
+    using enum WindowUnit;
+    static constexpr std::array names{std::pair{window, std::string_view{"window"}},
+                                      std::pair{room, std::string_view{"room"}},
+                                      std::pair{dwelling, std::string_view{"dwelling"}}};
+    return names;
+}
+
+std::string_view meaningOf(FigureStatus status) {
+    switch (status) {
+        case FigureStatus::verified:
+            return "read in the rule's text or on an official page";
+        case FigureStatus::reported:
+            return "reported by practice";
+        case FigureStatus::unconfirmed:
+            return "not checked against the rule's text";
+    }
+    return {};
+}
+
+std::string_view unitOf(Measure measure) {
+    switch (measure) {
+        case Measure::share:
+        case Measure::largestShare:
+            return {};
+        case Measure::skyComponent:
+        case Measure::probableSun:
+            return "%";
+        case Measure::largestArea:
+            return "m2";
+        case Measure::areaHours:
+            return "m2 h";
+        default:
+            return "min";
+    }
+}
+
+}  // namespace noonmark

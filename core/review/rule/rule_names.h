@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "core/review/rule/rule.h"
+
+namespace noonmark {
+
+/// The names of an enumeration in rule files and outputs.
+template <class E>
+using RuleNames = std::span<const std::pair<E, std::string_view>>;
+
+RuleNames<FigureStatus> figureStatusNames();   ///< "V", "R", "U"
+RuleNames<DayCombination> combinationNames();  ///< "every", "average", "chosen", "sum"
+RuleNames<ClockKind> clockNames();             ///< "civil", "standard", "fixed", "true solar"
+RuleNames<SunriseRule> sunriseNames();         ///< "upper limb", "centre"
+RuleNames<RuleSurface> surfaceNames();         ///< "ground", "plane", "windows"
+RuleNames<RuleCasters> casterNames();          ///< "everything", "proposal"
+RuleNames<BaselineKind> baselineNames();       ///< "existing", "no action", "reference body"
+RuleNames<Quantity> quantityNames();           ///< "shadow", "incremental", "sun"
+RuleNames<Measure> measureNames();             ///< "spot total", "share", ...
+RuleNames<Comparison> comparisonNames();       ///< "<=", "<", ">=", ">"
+RuleNames<LineBelt> beltNames();               ///< "between lines", "beyond lines"
+RuleNames<PanePlace> panePlaceNames();         ///< "mid pane", "sill middle", "sill ends"
+RuleNames<bool> faceNames();                   ///< "outside", "inside": whether it is the inside face
+RuleNames<WindowUnit> unitNames();             ///< "window", "room", "dwelling"
+
+template <class E>
+std::string_view ruleNameOf(RuleNames<E> names, E value) {
+    for (const auto& [candidate, name] : names)
+        if (candidate == value) return name;
+    return {};
+}
+
+/// "read in the rule's text", "reported by practice", "not checked against the rule's text"
+std::string_view meaningOf(FigureStatus status);
+
+/// "min", "m2", "m2 h", "%" of windows' measures, or nothing for shares.
+std::string_view unitOf(Measure measure);
+
+}  // namespace noonmark
