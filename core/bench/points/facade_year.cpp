@@ -18,18 +18,6 @@ namespace {
 
 constexpr std::size_t mostPoints = 100'000;
 
-// Points at equal distances in the list: neighbours stay neighbours.
-SurfacePoints thinOut(const SurfacePoints& all, std::size_t count) {
-    SurfacePoints some;
-    count = std::min(count, all.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = (2 * i + 1) * all.size() / (2 * count);
-        some.positions.push_back(all.positions[at]);
-        some.normals.push_back(all.normals[at]);
-    }
-    return some;
-}
-
 Result<SunSteps> daylightOfYear(const BenchSite& site) {
     const auto year = site.date.year();
     const Box2 box = bounds(site.city);
@@ -116,6 +104,17 @@ void addRow(Finding& finding, const char* method, std::size_t points, double sec
 }
 
 }  // namespace
+
+SurfacePoints thinOut(const SurfacePoints& all, std::size_t count) {
+    SurfacePoints some;
+    count = std::min(count, all.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = (2 * i + 1) * all.size() / (2 * count);
+        some.positions.push_back(all.positions[at]);
+        some.normals.push_back(all.normals[at]);
+    }
+    return some;
+}
 
 Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, const Work& work) {
     const auto contest = runFacadeContest(site, extent, work);

@@ -4,6 +4,7 @@
 #include "core/bench/extent.h"
 #include "core/bench/finding.h"
 #include "core/bench/work.h"
+#include "core/receivers/surface_points.h"
 
 namespace noonmark::bench {
 
@@ -12,5 +13,8 @@ namespace noonmark::bench {
 /// `extent.sampleReceivers`, from which the time of all is extrapolated. Summary: points_year_s,
 /// points_vs_ray, points_with_runs_vs_ray, points_error_mean_pct, points_error_max_pct.
 Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, const Work& work);
+
+/// `count` of the points, or all, at equal distances in the list: neighbours stay neighbours.
+SurfacePoints thinOut(const SurfacePoints& all, std::size_t count);
 
 }  // namespace noonmark::bench

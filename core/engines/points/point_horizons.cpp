@@ -8,7 +8,7 @@
 #include <atomic>
 
 #include "core/base/stopwatch.h"
-#include "core/engines/points/horizon_of_point.h"
+#include "core/engines/points/horizons/horizon_of_point.h"
 
 namespace noonmark {
 

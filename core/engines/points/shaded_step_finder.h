@@ -5,7 +5,7 @@
 #include <stop_token>
 
 #include "core/base/result.h"
-#include "core/engines/points/horizon_of_point.h"
+#include "core/engines/points/horizons/horizon_of_point.h"
 #include "core/engines/points/point_sunlight.h"
 
 namespace noonmark {

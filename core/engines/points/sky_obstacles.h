@@ -3,6 +3,7 @@
 // The folder core/engines/points measures sunlight and sky at single points on any surface. sky_obstacles.h
 // lists what can hide the sky; skyline.h is the exact skyline of one point, made by skyline_envelope.h;
 // sky_factors.h integrates the visible sky over it, and point_sunlight.h tells when it lets the sun through.
+// For many points, point_horizons.h counts minutes from horizons by bins of azimuth (folder horizons).
 
 #include <array>
 #include <cstdint>

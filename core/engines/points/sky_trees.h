@@ -1,12 +1,15 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "core/engines/points/obstacle_tree.h"
 #include "core/engines/points/sky_obstacles.h"
 
 namespace noonmark {
 
-std::vector<ObstacleBox> findBoxes(const std::vector<TopEdge>& edges);
-std::vector<ObstacleBox> findBoxes(const std::vector<OverhangFace>& faces);
+std::vector<ObstacleBox> findBoxes(std::span<const TopEdge> edges);
+std::vector<ObstacleBox> findBoxes(std::span<const OverhangFace> faces);
 
 /// Obstacles with trees over them, for the skylines of many points: the nearest obstacles hide most others,
 /// which are then left out by the box. O(n log n) to make.

@@ -1,39 +1,18 @@
-#include "core/engines/points/sun_track.h"
+#include "core/engines/points/horizons/sun_track.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/vector_relational.hpp>
-#include <limits>
-#include <random>
 
 #include "core/engines/points/point_horizons.h"
 #include "core/engines/points/point_sunlight.h"
+#include "tests/core/engines/points/random_horizon.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
 
 using namespace tests;
-
-// A horizon of random steps, some hidden altogether, with gaps in some bins.
-BinHorizon randomHorizon(std::uint32_t seed) {
-    std::mt19937 random(seed);
-    const auto upTo = [&](double most) { return most * double(random() % 1000) / 1000; };
-    BinHorizon horizon;
-    float tan = 0;
-    for (std::size_t bin = 0; bin < SunBins::count; ++bin) {
-        horizon.firstGap[bin] = std::uint32_t(horizon.gaps.size());
-        if (random() % 30 == 0)
-            tan = random() % 3 == 0 ? std::numeric_limits<float>::infinity() : float(upTo(2));
-        horizon.tan[bin] = tan;
-        if (random() % 20 == 0) {
-            const double low = double(tan) + upTo(1);
-            horizon.gaps.push_back({low, low + upTo(0.5)});
-        }
-    }
-    horizon.firstGap[SunBins::count] = std::uint32_t(horizon.gaps.size());
-    return horizon;
-}
 
 TEST(SunTrack, CountsAsStepByStep) {
     SunSteps sun = days(47, 40, 3);
@@ -71,12 +50,6 @@ SurfacePoints pointsAround(const std::vector<Box3>& boxes) {
         }
     }
     return points;
-}
-
-// A day for each of them, from 20 January on.
-void numberDays(SunSteps& sun) {
-    for (std::size_t day = 0; day < sun.days.size(); ++day)
-        sun.days[day].date = std::chrono::sys_days(std::chrono::year(2026) / 1 / 20) + std::chrono::days(day);
 }
 
 TEST(TracedPoints, CountWhatTheirStepsSay) {

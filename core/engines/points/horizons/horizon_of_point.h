@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/engines/points/horizons/bin_directions.h"
+#include "core/engines/points/horizons/bin_horizon.h"
+#include "core/engines/points/horizons/count_suns.h"
+#include "core/engines/points/horizons/face_gaps.h"
+#include "core/engines/points/horizons/obstacle_blocks.h"
+#include "core/engines/points/horizons/sun_track.h"
+
+namespace noonmark {
+
+/// What the horizons of all points of a city share. O(n log n) in edges and steps to make.
+struct HorizonScene {
+    EdgeTree edges;
+    FaceTree faces;
+    SunBins suns;
+    BinDirections bins;
+    std::optional<SunTrack> track;  ///< where steps are asked for one by one
+
+    HorizonScene(const City& city, const SunSteps& sun, bool withTrack);
+
+private:
+    HorizonScene(const SkyObstacles& obstacles, const SunSteps& sun, bool withTrack);
+};
+
+/// The horizon of one point after the other, at the middle of each bin. The scene must outlive it; one object
+/// for each thread.
+class HorizonOfPoint {
+public:
+    explicit HorizonOfPoint(const HorizonScene& scene);
+
+    /// Finds the horizon of a point on a surface.
+    void sweep(glm::vec3 position, glm::vec3 normal);
+
+    // Of the point that was swept last; the last two need the scene's track.
+    [[nodiscard]] SunBins::Months countSunlit() const {  ///< sunlit steps by month
+        return noonmark::countSunlit(scene_.suns, horizon_);
+    }
+    [[nodiscard]] PointRuns countRuns() const { return scene_.track->countRuns(horizon_); }
+    /// 1 in shadow, 0 lit; one entry a step.
+    void findShadedSteps(std::vector<std::uint8_t>& shaded) const {
+        scene_.track->findShadedSteps(horizon_, shaded);
+    }
+
+private:
+    void faceTowards(glm::vec3 normal);
+    void joinGaps();
+    void sortGaps();
+    void joinGapsOf(std::size_t bin);
+
+    const HorizonScene& scene_;
+    BinHorizon horizon_;
+    std::vector<BinGap> gaps_;
+    // Sorted by bin: those of bin k are sorted_[firstOf_[k]] to sorted_[firstOf_[k + 1]].
+    std::vector<HiddenAltitudes> sorted_;
+    std::vector<std::uint32_t> firstOf_;
+    std::vector<HiddenAltitudes> joined_;
+};
+
+}  // namespace noonmark

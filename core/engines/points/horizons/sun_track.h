@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/engines/points/horizons/bin_horizon.h"
+#include "core/engines/points/horizons/hidden_suns.h"
+
+namespace noonmark {
+
+/// Longest unbroken times of one point on any day, in steps.
+struct PointRuns {
+    std::uint32_t shadow = 0, sun = 0;
+    bool operator==(const PointRuns&) const = default;
+};
+
+/// The suns of a period in time order, to find the times of many points in shadow and sun. Steps are taken 32
+/// at a time: where all are above or below the horizons of their azimuths, no single step is looked at. For
+/// unbroken times, neither are days that cannot have a longer one than another day.
+class SunTrack {
+public:
+    /// O(steps), 8 bytes a step.
+    explicit SunTrack(const SunSteps& sun);
+
+    [[nodiscard]] PointRuns countRuns(const BinHorizon& horizon) const;
+    /// 1 in shadow, 0 lit; one entry a step.
+    void findShadedSteps(const BinHorizon& horizon, std::vector<std::uint8_t>& shaded) const;
+
+private:
+    /// Consecutive steps of one day.
+    struct Packet {
+        std::uint32_t first = 0;
+        std::uint32_t starts = 0;  // bit k: step k begins a new run
+        int count = 0;
+    };
+    /// Packets of one day.
+    struct Day {
+        std::uint32_t first = 0, end = 0, steps = 0;
+    };
+    /// Packets in a row that may hold a run.
+    struct Stretch {
+        std::uint32_t first = 0, end = 0, mostSteps = 0;
+    };
+    struct Point;  // what the horizon of a point hides
+
+    void addDay(const SunSteps& sun, const SunDay& day);
+    void addPacket(Packet packet);
+    void findStretches(const Day& day, const std::vector<std::uint64_t>& none,
+                       std::vector<Stretch>& stretches) const;
+    [[nodiscard]] std::uint32_t longestRun(Point& point, bool ofShadow) const;
+
+    SunPackets suns_;
+    std::vector<Packet> packets_;
+    std::vector<Day> days_;
+};
+
+}  // namespace noonmark
