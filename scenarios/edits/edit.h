@@ -19,6 +19,11 @@ namespace noonmark {
 /// edit with a newly built equal shape is not.
 using NewShape = std::shared_ptr<const Building>;  ///< never null, at least one part
 
+struct TowerDesign;  // scenarios/massing/tower_design.h
+/// The massing from which a new building was made; null: it was not designed in Noonmark. It says how the
+/// shape came about and changes nothing in the city.
+using DesignOfShape = std::shared_ptr<const TowerDesign>;
+
 struct Demolish {
     std::string building;
     bool operator==(const Demolish&) const = default;
@@ -28,11 +33,13 @@ struct Demolish {
 struct Replace {
     std::string building;
     NewShape with;
+    DesignOfShape design{};
     bool operator==(const Replace&) const = default;
 };
 
 struct AddBuilding {
     NewShape building;
+    DesignOfShape design{};
     bool operator==(const AddBuilding&) const = default;
 };
 
@@ -58,7 +65,8 @@ struct Rotate {
 struct ImportMesh {
     NewShape shape;  ///< as read_shape.h reads it
     Placement placement;
-    std::string file;  ///< source file, for display only
+    std::string file;          ///< source file, for display only
+    double storeyHeightM = 0;  ///< 2 to 10, of its storeys from the ground up; 0: not known
     bool operator==(const ImportMesh&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "scenarios/massing/copy_massing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace noonmark {
 
@@ -33,6 +34,14 @@ CopiedMassing fitPlates(double fromM2, const MassingSettings& settings, double t
     return copy;
 }
 
+// Straightens all volumes; false if none is twisted.
+bool dropTwists(MassingSettings& settings) {
+    bool any = std::exchange(settings.walls.twistDeg, 0) != 0;
+    if (settings.podium) any = std::exchange(settings.podium->walls.twistDeg, 0) != 0 || any;
+    for (Setback& setback : settings.setbacks) any = std::exchange(setback.walls.twistDeg, 0) != 0 || any;
+    return any;
+}
+
 }  // namespace
 
 Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& settings,
@@ -44,6 +53,8 @@ Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& 
         if (copy.settings.clockwiseDeg != 0) {
             copy.settings.clockwiseDeg = 0;
             copy.turnDropped = true;
+        } else if (dropTwists(copy.settings)) {
+            copy.twistDropped = true;
         } else if (!copy.settings.setbacks.empty()) {
             copy.settings.setbacks.pop_back();
             ++copy.setbacksDropped;

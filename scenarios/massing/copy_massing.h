@@ -9,6 +9,7 @@ struct CopiedMassing {
     MassingSettings settings;
     bool plateReduced = false;  ///< the other lot, or the podium on it, is smaller than the plate
     bool turnDropped = false;   ///< turned, the plate would leave the other lot
+    bool twistDropped = false;  ///< twisted, a volume would leave the other lot
     int setbacksDropped = 0;    ///< from the top: they would leave nothing of the plate
     bool operator==(const CopiedMassing&) const = default;
 };

@@ -74,9 +74,14 @@ Result<Plate> makePlate(const Footprint& lot, const PlateSize& size) {
                    "Choose a larger plate");
 }
 
-Plate turnPlate(const Plate& plate, double clockwiseDeg) {
-    return clockwiseDeg == 0 ? plate : movePlate(plate, {.clockwiseDeg = clockwiseDeg});
+glm::dvec2 findMiddle(const Plate& plate) { return findMiddle(asBuilding(plate)); }
+
+Plate placePlate(const Plate& plate, double scale, double clockwiseDeg) {
+    if (scale == 1 && clockwiseDeg == 0) return plate;
+    return movePlate(plate, {.scale = scale, .clockwiseDeg = clockwiseDeg});
 }
+
+Plate turnPlate(const Plate& plate, double clockwiseDeg) { return placePlate(plate, 1, clockwiseDeg); }
 
 Result<Plate> insetPlate(const Plate& plate, double insetM) {
     Plate left;

@@ -14,6 +14,12 @@ double computeArea(const Plate& plate);
 /// nothing is left.
 Result<Plate> makePlate(const Footprint& lot, const PlateSize& size);
 
+/// The centroid of the plate's outlines, local metres: what it is turned and scaled about.
+glm::dvec2 findMiddle(const Plate& plate);
+
+/// The plate scaled and turned about its centroid. `scale` > 0.
+Plate placePlate(const Plate& plate, double scale, double clockwiseDeg);
+
 /// Turns the plate about the centroid of its area.
 Plate turnPlate(const Plate& plate, double clockwiseDeg);
 

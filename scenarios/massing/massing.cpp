@@ -6,9 +6,13 @@
 #include <cmath>
 
 #include "core/city/city.h"
+#include "core/city/meshes/mesh_outline.h"
+#include "core/city/meshes/mesh_parts.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/plausible_heights.h"
 #include "scenarios/massing/floor_plate.h"
+#include "scenarios/massing/floor_uses.h"
+#include "scenarios/massing/leaning_walls.h"
 
 namespace noonmark {
 
@@ -32,6 +36,17 @@ Result<void> checkSetbacks(const MassingSettings& settings, double fromM, double
         below = setback.aboveM;
     }
     return {};
+}
+
+Result<void> checkShapes(const MassingSettings& settings) {
+    if (!(std::abs(settings.clockwiseDeg) <= 360))
+        return outOfRange("The turn in degrees", settings.clockwiseDeg, "Give -360 to 360");
+    std::vector<WallShape> shapes{settings.walls};
+    if (settings.podium) shapes.push_back(settings.podium->walls);
+    for (const Setback& setback : settings.setbacks) shapes.push_back(setback.walls);
+    for (const WallShape& walls : shapes)
+        if (const auto sound = checkWalls(walls); !sound) return sound;
+    return checkUses(settings.uses);
 }
 
 struct Heights {
@@ -89,19 +104,31 @@ Result<std::vector<Tier>> tiersOn(const Footprint& lot, const MassingSettings& s
     if (settings.podium) {
         const auto podium = makePlate(lot, settings.podium->plate);
         if (!podium) return tl::make_unexpected(podium.error());
-        ground = *podium;
-        tiers.push_back({.plate = ground, .bottomM = 0, .topM = heights.podiumM});
+        tiers.push_back(
+            {.plate = *podium, .bottomM = 0, .topM = heights.podiumM, .walls = settings.podium->walls});
+        ground = topPlateOf(tiers.back());
     }
     auto plate = towerPlate(lot, settings, ground);
     if (!plate) return tl::make_unexpected(plate.error());
-    tiers.push_back({.plate = *plate, .bottomM = heights.podiumM, .topM = heights.topM});
+    tiers.push_back(
+        {.plate = *plate, .bottomM = heights.podiumM, .topM = heights.topM, .walls = settings.walls});
     for (const Setback& setback : settings.setbacks) {
-        plate = insetPlate(*plate, setback.insetM);
-        if (!plate) return tl::make_unexpected(plate.error());
         tiers.back().topM = setback.aboveM;
-        tiers.push_back({.plate = *plate, .bottomM = setback.aboveM, .topM = heights.topM});
+        plate = insetPlate(topPlateOf(tiers.back()), setback.insetM);
+        if (!plate) return tl::make_unexpected(plate.error());
+        tiers.push_back(
+            {.plate = *plate, .bottomM = setback.aboveM, .topM = heights.topM, .walls = setback.walls});
     }
     return tiers;
+}
+
+Result<void> checkTwists(const std::vector<Tier>& tiers, const Footprint& lot) {
+    for (const Tier& tier : tiers)
+        if (!staysOn(tier, lot))
+            return failure(fmt::format("Twisted by {:g} degrees, the volume from {:g} m up leaves the lot",
+                                       tier.walls.twistDeg, tier.bottomM),
+                           "massing", "Make its plate smaller, twist it less, or taper it more");
+    return {};
 }
 
 Result<Footprint> usable(const Footprint& lot) {
@@ -111,11 +138,40 @@ Result<Footprint> usable(const Footprint& lot) {
                    fmt::format("Draw a lot of {:g} m2 or more", leastM2));
 }
 
-Result<void> checkSolid(const Part& part, const std::string& id) {
+// A twisted wall of triangles lies a little inside the ideal one.
+Result<void> checkSolid(const Part& part, const Footprint& piece, const WallShape& walls) {
     const TriangleMesh mesh = meshOf(part);
-    const double volume = area(part.footprint) * double(part.topM - part.bottomM);
-    if (findOpenEdges(mesh) == 0 && std::abs(signedVolume(mesh) - volume) <= 1e-3 * volume) return {};
-    return failure("The massing is not a closed solid", id, "Simplify the lot's outline");
+    const double scale = 1 - walls.taper;
+    const double volume = area(piece) * double(part.topM - part.bottomM) * (1 + scale + scale * scale) / 3;
+    const double allowed = walls.twistDeg == 0 ? 1e-3 : 1e-2;
+    if (findOpenEdges(mesh) == 0 && std::abs(signedVolume(mesh) - volume) <= allowed * volume) return {};
+    return failure("The massing is not a closed solid", part.sourceId, "Simplify the lot's outline");
+}
+
+// The part's footprint is its outline seen from above, which a twist makes larger than any of its plates.
+Result<Part> makeLeaningPart(const Tier& tier, const Footprint& piece, Part part, double storeyHeightM) {
+    auto mesh = std::make_shared<TriangleMesh>(makeLeaningMesh(tier, piece, storeyHeightM));
+    if (tier.walls.twistDeg != 0) {
+        std::vector<Footprint> outline = computeOutline(*mesh, true).pieces;
+        if (outline.empty())
+            return failure("The outline of the twisted volume cannot be determined", part.sourceId,
+                           "Twist it less");
+        part.footprint =
+            *std::ranges::max_element(outline, {}, [](const Footprint& one) { return area(one); });
+    }
+    part.isOverhanging = hasOpenAirBelow(*mesh);
+    part.mesh = std::move(mesh);
+    return part;
+}
+
+Result<Part> makePart(const Tier& tier, const Footprint& piece, const std::string& id, double storeyHeightM) {
+    Part part{.sourceId = id,
+              .footprint = piece,
+              .bottomM = float(tier.bottomM),
+              .topM = float(tier.topM),
+              .heightSource = HeightSource::designed};
+    if (tier.walls.upright()) return part;
+    return makeLeaningPart(tier, piece, std::move(part), storeyHeightM);
 }
 
 }  // namespace
@@ -130,9 +186,11 @@ Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double st
         tier.areaM2 = computeArea(tier.plate);
         for (int floor = 0; floor < figures.storeys; ++floor) {
             const double level = floor * storeyHeightM + sameLevelM;
-            if (level >= tier.bottomM && level < tier.topM) ++tier.storeys;
+            if (level < tier.bottomM || level >= tier.topM) continue;
+            ++tier.storeys;
+            massing.storeyM2.push_back(plateAreaAt(tier, level - sameLevelM));
+            figures.grossFloorM2 += massing.storeyM2.back();
         }
-        figures.grossFloorM2 += tier.areaM2 * tier.storeys;
     }
     figures.floorAreaRatio = figures.grossFloorM2 / figures.lotM2;
     figures.coverage = massing.tiers.front().areaM2 / figures.lotM2;
@@ -146,24 +204,24 @@ Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& setting
     if (!heights) return tl::make_unexpected(heights.error());
     if (const auto sound = checkSetbacks(settings, heights->podiumM, heights->topM); !sound)
         return tl::make_unexpected(sound.error());
-    if (!(std::abs(settings.clockwiseDeg) <= 360))
-        return outOfRange("The turn in degrees", settings.clockwiseDeg, "Give -360 to 360");
+    if (const auto sound = checkShapes(settings); !sound) return tl::make_unexpected(sound.error());
     auto tiers = tiersOn(lot, settings, *heights);
     if (!tiers) return tl::make_unexpected(tiers.error());
-    return assembleMassing(lot, *std::move(tiers), settings.storeyHeightM);
+    if (const auto inside = checkTwists(*tiers, lot); !inside) return tl::make_unexpected(inside.error());
+    Massing massing = assembleMassing(lot, *std::move(tiers), settings.storeyHeightM);
+    massing.figures.uses = sumByUse(settings.uses, massing.storeyM2);
+    return massing;
 }
 
 Result<Building> buildingOf(const Massing& massing, const std::string& id) {
     Building building{.sourceId = id, .name = id, .status = "proposed"};
     for (const Tier& tier : massing.tiers)
         for (const Footprint& piece : tier.plate) {
-            building.parts.push_back({.sourceId = id,
-                                      .footprint = piece,
-                                      .bottomM = float(tier.bottomM),
-                                      .topM = float(tier.topM),
-                                      .heightSource = HeightSource::designed});
-            if (const auto solid = checkSolid(building.parts.back(), id); !solid)
+            auto part = makePart(tier, piece, id, massing.storeyHeightM);
+            if (!part) return tl::make_unexpected(part.error());
+            if (const auto solid = checkSolid(*part, piece, tier.walls); !solid)
                 return tl::make_unexpected(solid.error());
+            building.parts.push_back(*std::move(part));
         }
     return building;
 }

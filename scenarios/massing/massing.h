@@ -1,8 +1,10 @@
 #pragma once
 
-// The folder scenarios/massing/ builds towers on lots. massing.h extrudes one from a user's settings;
-// floor_plate.h computes its plates with straight_skeleton.h (backend CGAL); same_floor_area.h reshapes a
-// building at constant gross floor area; lot_edits.h turns massings into edits of a city.
+// The folder scenarios/massing/ builds towers on lots. massing.h makes one from a user's settings;
+// floor_plate.h computes its plates with straight_skeleton.h (backend CGAL), leaning_walls.h the walls of
+// tapered and twisted volumes, floor_uses.h the floor area of each use; same_floor_area.h reshapes a building
+// at constant gross floor area; lot_edits.h turns massings into edits of a city, and tower_design.h finds the
+// massing of a scenario's towers again.
 
 #include <optional>
 #include <string>
@@ -20,17 +22,35 @@ struct PlateSize {
     bool operator==(const PlateSize&) const = default;
 };
 
-/// Above `aboveM` the walls are inset by `insetM`.
+/// How the walls of one volume lean. From its lowest plate to its top, the plate shrinks and turns about the
+/// centroid of the lowest plate, in proportion to the height.
+struct WallShape {
+    double taper = 0;     ///< share of its width and depth that the plate has lost at the top: 0 to 0.95
+    double twistDeg = 0;  ///< clockwise, from the bottom to the top: -360 to 360
+    [[nodiscard]] bool upright() const { return taper == 0 && twistDeg == 0; }
+    bool operator==(const WallShape&) const = default;
+};
+
+/// Above `aboveM` the walls are inset by `insetM`, measured from the top of the volume below.
 struct Setback {
     double aboveM = 0;  ///< above the ground; less than the tower's height
     double insetM = 0;  ///< more than 0, perpendicular to every wall, courtyard walls included
+    WallShape walls{};  ///< of the volume above the setback
     bool operator==(const Setback&) const = default;
 };
 
 struct Podium {
     int storeys = 1;  ///< fewer than the whole building has
     PlateSize plate;
+    WallShape walls{};
     bool operator==(const Podium&) const = default;
+};
+
+/// What some storeys of a tower are used for. Uses are stacked from the ground floor up.
+struct FloorUse {
+    std::string use;  ///< "offices": free text, 1 to 60 bytes
+    int storeys = 0;  ///< 1 to 500; 0: all storeys above, allowed in the last one only
+    bool operator==(const FloorUse&) const = default;
 };
 
 /// User settings for a tower on a lot.
@@ -42,30 +62,43 @@ struct MassingSettings {
     std::optional<Podium> podium;
     std::vector<Setback> setbacks;  ///< from bottom to top
     double clockwiseDeg = 0;  ///< turns the tower about the centroid of its plate; it must stay on the lot
+    WallShape walls{};        ///< of the volume between podium and lowest setback
+    std::vector<FloorUse> uses{};  ///< from bottom to top; empty: not stated
     bool operator==(const MassingSettings&) const = default;
 };
 
-/// One prism of a massing. Its plate has several pieces where insets split it.
+/// One volume of a massing. Its plate has several pieces where insets split it.
 struct Tier {
-    std::vector<Footprint> plate;
-    double bottomM = 0;  ///< above the ground
+    std::vector<Footprint> plate;  ///< at its bottom
+    double bottomM = 0;            ///< above the ground
     double topM = 0;
-    int storeys = 0;  ///< number of floors in it
-    double areaM2 = 0;
+    int storeys = 0;    ///< number of floors in it
+    double areaM2 = 0;  ///< of its plate
+    WallShape walls{};
+};
+
+/// The storeys of a tower that have one use.
+struct UseArea {
+    std::string use;  ///< empty: storeys for which no use is stated
+    int storeys = 0;  ///< 0: the tower ends below them
+    double grossFloorM2 = 0;
+    bool operator==(const UseArea&) const = default;
 };
 
 struct MassingFigures {
     double lotM2 = 0;
-    double grossFloorM2 = 0;    ///< sum of plate x storeys
+    double grossFloorM2 = 0;    ///< sum of the sections at the storeys' floors
     double floorAreaRatio = 0;  ///< gross floor area / lot
     double coverage = 0;        ///< share of the lot that is covered
     double heightM = 0;
     int storeys = 0;
+    std::vector<UseArea> uses{};  ///< from bottom to top; empty: no use is stated
 };
 
 struct Massing {
-    std::vector<Tier> tiers;  ///< from bottom to top, each inside the one below
+    std::vector<Tier> tiers;  ///< from bottom to top; each one's plate lies on the top of the one below
     double storeyHeightM = 0;
+    std::vector<double> storeyM2{};  ///< section at the floor of each storey, from the ground floor up
     MassingFigures figures;
 };
 
@@ -73,14 +106,16 @@ struct Massing {
 /// that area: it keeps the lot's shape and enlarges its courtyards. A floor belongs to the tier that contains
 /// its level; height left over after whole storeys goes to the last storey. Error, with the limit: a setting
 /// out of range, a plate larger than the lot, an inset that leaves nothing, a turned plate that leaves the
-/// lot, or a podium as high as the whole building. About 5 ms per plate.
+/// lot, a twisted volume that leaves the lot, or a podium as high as the whole building. About 5 ms per
+/// plate.
 Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings);
 
 /// Builds a massing from given tiers and computes its figures, for shapes that do not come from settings.
 Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
 
-/// A building of prisms on z = 0 with status "proposed", one part per piece of a tier. Error: a prism is not
-/// a closed, outward-oriented solid of the expected volume.
+/// A building on z = 0 with status "proposed", one part per piece of a tier: a prism, or a mesh where its
+/// walls lean (leaning_walls.h). Error: a part is not a closed, outward-oriented solid of the expected
+/// volume.
 Result<Building> buildingOf(const Massing& massing, const std::string& id);
 
 }  // namespace noonmark

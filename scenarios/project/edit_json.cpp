@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_number.h"
+#include "scenarios/project/massing_json.h"
 #include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
@@ -12,6 +13,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr NumberLimits scaleLimits{1e-6, 1e6};
+constexpr NumberLimits storeyOrNoneM{0, 10};
 constexpr NumberLimits angleLimitsDeg{-1e6, 1e6};
 
 Json toJson(const TriangleMesh& mesh) {
@@ -79,12 +81,27 @@ NewShape shapeOf(const Json& json) {
     return std::make_shared<const Building>(std::move(building));
 }
 
+Json withDesign(Json json, const DesignOfShape& design) {
+    if (design) json["design"] = toJson(*design);
+    return json;
+}
+
+DesignOfShape designOf(const Json& json) {
+    return json.contains("design") ? parseDesign(json.at("design")) : nullptr;
+}
+
+double storeyHeightOf(const Json& json) {
+    return json.contains("storey_height_m") ? numberFrom(json.at("storey_height_m"), storeyOrNoneM) : 0;
+}
+
 struct Writer {
     Json operator()(const Demolish& edit) const { return {{"building", edit.building}}; }
     Json operator()(const Replace& edit) const {
-        return {{"building", edit.building}, {"with", toJson(*edit.with)}};
+        return withDesign({{"building", edit.building}, {"with", toJson(*edit.with)}}, edit.design);
     }
-    Json operator()(const AddBuilding& edit) const { return {{"with", toJson(*edit.building)}}; }
+    Json operator()(const AddBuilding& edit) const {
+        return withDesign({{"with", toJson(*edit.building)}}, edit.design);
+    }
     Json operator()(const ChangeHeight& edit) const {
         return {{"building", edit.building}, {"height_m", edit.heightM}};
     }
@@ -95,13 +112,15 @@ struct Writer {
         return {{"building", edit.building}, {"clockwise_deg", edit.clockwiseDeg}};
     }
     Json operator()(const ImportMesh& edit) const {
-        return {{"with", toJson(*edit.shape)},
-                {"file", edit.file},
-                {"about_m", {edit.placement.about.x, edit.placement.about.y}},
-                {"scale", edit.placement.scale},
-                {"clockwise_deg", edit.placement.clockwiseDeg},
-                {"east_m", edit.placement.byM.x},
-                {"north_m", edit.placement.byM.y}};
+        Json json{{"with", toJson(*edit.shape)},
+                  {"file", edit.file},
+                  {"about_m", {edit.placement.about.x, edit.placement.about.y}},
+                  {"scale", edit.placement.scale},
+                  {"clockwise_deg", edit.placement.clockwiseDeg},
+                  {"east_m", edit.placement.byM.x},
+                  {"north_m", edit.placement.byM.y}};
+        if (edit.storeyHeightM > 0) json["storey_height_m"] = edit.storeyHeightM;
+        return json;
     }
 };
 
@@ -120,13 +139,14 @@ Placement placementOf(const Json& json) {
 Edit read(const std::string& kind, const Json& json) {
     const auto building = [&] { return json.at("building").get<std::string>(); };
     if (kind == "demolish") return Demolish{building()};
-    if (kind == "replace") return Replace{building(), shapeOf(json.at("with"))};
-    if (kind == "add") return AddBuilding{shapeOf(json.at("with"))};
+    if (kind == "replace") return Replace{building(), shapeOf(json.at("with")), designOf(json)};
+    if (kind == "add") return AddBuilding{shapeOf(json.at("with")), designOf(json)};
     if (kind == "height") return ChangeHeight{building(), numberFrom(json.at("height_m"), elevationLimitsM)};
     if (kind == "move") return Move{building(), moveOf(json)};
     if (kind == "rotate") return Rotate{building(), numberFrom(json.at("clockwise_deg"), angleLimitsDeg)};
     if (kind == "import")
-        return ImportMesh{shapeOf(json.at("with")), placementOf(json), json.at("file").get<std::string>()};
+        return ImportMesh{shapeOf(json.at("with")), placementOf(json), json.at("file").get<std::string>(),
+                          storeyHeightOf(json)};
     throw std::invalid_argument("an edit of an unknown kind");
 }
 

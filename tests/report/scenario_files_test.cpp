@@ -47,6 +47,19 @@ TEST(ScenarioTables, StateTheChangeFromTheFirst) {
     EXPECT_THAT(scenariosCsv(two), HasSubstr("\r\n\"Tower \"\"A\"\"\",2,"));
 }
 
+TEST(ScenarioTables, StateTheFloorAreaByUse) {
+    ScenarioStudies two = makeTwoScenarios();
+    two[1].uses = {{{"homes, rented", 9, 1800}, {"", 3, 600}}, 1};
+    EXPECT_EQ(scenarioUsesCsv(two),
+              "scenario,use,storeys,gross_floor_m2\r\n\"Tower \"\"A\"\"\",\"homes, rented\",9,1800.0\r\n"
+              "\"Tower \"\"A\"\"\",,3,600.0\r\n");
+    const auto json = nlohmann::json::parse(scenariosJson(two));
+    EXPECT_TRUE(json["scenarios"][0]["floor_area_by_use"].empty());
+    EXPECT_EQ(json["scenarios"][1]["floor_area_by_use"][0]["storeys"], 9);
+    EXPECT_TRUE(json["scenarios"][1]["floor_area_by_use"][1]["use"].is_null());
+    EXPECT_EQ(json["scenarios"][1]["towers_not_counted_by_use"], 1);
+}
+
 TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {
     const ScenarioStudies one{
         {"Existing", std::make_shared<const Study>(tests::grossOnly(tests::syntheticStudy()))}};

@@ -54,5 +54,15 @@ TEST(CopyMassing, DropsWhatIsNotPossibleThere) {
     EXPECT_FALSE(copyMassing(wide, settings, rectangle(0, 0, 1, 2))) << "no lot to build on";
 }
 
+TEST(CopyMassing, DropsATwistThatWouldLeaveTheLot) {
+    const MassingSettings settings{
+        .storeys = 20, .plate = {.areaM2 = 380}, .walls = {.taper = 0.1, .twistDeg = 45}};
+    const auto copy = copyMassing(wide, settings, rectangle(0, 0, 20, 20));
+    ASSERT_TRUE(copy);
+    EXPECT_TRUE(copy->twistDropped);
+    EXPECT_EQ(copy->settings.walls, (WallShape{.taper = 0.1}));
+    EXPECT_FALSE(copyMassing(wide, settings, rectangle(0, 0, 60, 60))->twistDropped);
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -57,7 +57,9 @@ Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const 
         ProgressShare share(progress, i, names.size());
         auto study = measureScenario(names[i], settings, disk, share, interrupt.token());
         if (!study) return tl::make_unexpected(study.error());
-        studies.push_back({names[i], std::make_shared<const Study>(*std::move(study))});
+        const auto edits = collectEdits(disk.project().scenarios, names[i]);
+        studies.push_back({names[i], std::make_shared<const Study>(*std::move(study)),
+                           edits ? sumUses(*edits) : ScenarioUses()});
     }
     return studies;
 }

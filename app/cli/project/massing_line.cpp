@@ -15,4 +15,12 @@ std::string lineOf(const MassingFigures& figures) {
                        figures.coverage * 100);
 }
 
+std::string linesOf(const std::vector<UseArea>& uses) {
+    std::string lines;
+    for (const UseArea& area : uses)
+        lines += fmt::format("  {}: {} storeys, {} m2\n", area.use.empty() ? "use not stated" : area.use,
+                             area.storeys, withCommas(std::size_t(std::llround(area.grossFloorM2))));
+    return lines;
+}
+
 }  // namespace noonmark::cli

@@ -26,7 +26,7 @@ Result<void> writeGrossBands(const ScenarioStudies& scenarios, const std::filesy
 }  // namespace
 
 std::vector<std::string> scenarioFileNames() {
-    return {"scenarios.csv", "scenarios.json", "scenarios.pdf", "scenarios.tif"};
+    return {"scenarios.csv", "scenario_uses.csv", "scenarios.json", "scenarios.pdf", "scenarios.tif"};
 }
 
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
@@ -46,6 +46,7 @@ Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStud
     if (!pdf) return tl::make_unexpected(pdf.error());
     OutputFolder files(folder, rules);
     files.add("scenarios.csv", textContent(scenariosCsv(scenarios)));
+    files.add("scenario_uses.csv", textContent(scenarioUsesCsv(scenarios)));
     files.add("scenarios.json", textContent(scenariosJson(scenarios)));
     files.add("scenarios.pdf", textContent(pdf->toStdString()));
     files.add("scenarios.tif",

@@ -10,13 +10,13 @@
 
 namespace noonmark {
 
-/// scenarios.csv, scenarios.json, scenarios.pdf, scenarios.tif.
+/// scenarios.csv, scenario_uses.csv, scenarios.json, scenarios.pdf, scenarios.tif.
 std::vector<std::string> scenarioFileNames();
 
 /// Writes the same study of several scenarios into a folder, which is created if missing: the table, the
-/// record, the sheets, and a GeoTIFF with a band of gross shadow for each scenario. Returns the paths
-/// written; all files or none. Error: there is no scenario, their grids differ, or a file cannot be written.
-/// Needs a QGuiApplication (the `offscreen` platform suffices).
+/// floor areas by use, the record, the sheets, and a GeoTIFF with a band of gross shadow for each scenario.
+/// Returns the paths written; all files or none. Error: there is no scenario, their grids differ, or a file
+/// cannot be written. Needs a QGuiApplication (the `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
                                                               const BookSettings& sheets,
                                                               const std::filesystem::path& folder,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/study/study.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
 
@@ -16,6 +17,7 @@ namespace noonmark {
 struct ScenarioStudy {
     std::string name;
     std::shared_ptr<const Study> study;  ///< not null; states its provenance
+    ScenarioUses uses{};                 ///< of its towers
 };
 using ScenarioStudies = std::vector<ScenarioStudy>;
 

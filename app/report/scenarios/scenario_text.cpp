@@ -28,6 +28,15 @@ Json figuresJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenario
             {"max_continuous_min", runs ? Json(figures.maxContinuousMin) : Json()}};
 }
 
+Json usesJson(const ScenarioUses& uses) {
+    Json json = Json::array();
+    for (const UseArea& area : uses.areas)
+        json.push_back({{"use", area.use.empty() ? Json() : Json(area.use)},
+                        {"storeys", area.storeys},
+                        {"gross_floor_m2", area.grossFloorM2}});
+    return json;
+}
+
 std::string runsText(const ShadowStatistics& figures) {
     if (!hasRuns(figures)) return ",";
     return fmt::format("{:.3f},{:.3f}", figures.meanContinuousMin, figures.maxContinuousMin);
@@ -50,6 +59,15 @@ std::string scenariosCsv(const ScenarioStudies& scenarios) {
     return csv;
 }
 
+std::string scenarioUsesCsv(const ScenarioStudies& scenarios) {
+    std::string csv = "scenario,use,storeys,gross_floor_m2\r\n";
+    for (const ScenarioStudy& scenario : scenarios)
+        for (const UseArea& area : scenario.uses.areas)
+            csv += fmt::format("{},{},{},{:.1f}\r\n", csvField(scenario.name), csvField(area.use),
+                               area.storeys, area.grossFloorM2);
+    return csv;
+}
+
 std::string scenariosJson(const ScenarioStudies& scenarios) {
     Json json = settingsJson(scenarios.front().study->settings);
     json["compared_with"] = scenarios.front().name;
@@ -58,7 +76,9 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         Json one{{"name", scenario.name},
                  {"changes", countChanges(scenario)},
                  {"engine", scenario.study->field.engine},
-                 {"figures", figuresJson(scenarios, scenario)}};
+                 {"figures", figuresJson(scenarios, scenario)},
+                 {"floor_area_by_use", usesJson(scenario.uses)},
+                 {"towers_not_counted_by_use", scenario.uses.towersNotCounted}};
         addProvenance(one, scenario.study->provenance);
         one["warnings"] = warningsJson(scenario.study->warnings);
         json["scenarios"].push_back(std::move(one));
@@ -66,6 +86,9 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
     json["definitions"] = {
         {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"},
         {"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},
+        {"floor_area_by_use",
+         "storeys and gross floor area of the scenario's towers by use; use null: none is stated. Imported "
+         "buildings and towers whose height was changed afterwards are counted in towers_not_counted_by_use"},
         {"gross", "minutes in shadow per day, mean over the days"},
         {"continuous", "longest unbroken run in shadow on any day, minutes"}};
     return toJsonText(json);

@@ -11,6 +11,10 @@ namespace noonmark {
 /// RFC 4180; fields of continuous shadow are empty where it was not counted.
 std::string scenariosCsv(const ScenarioStudies& scenarios);
 
+/// Columns: scenario,use,storeys,gross_floor_m2; a row for each use in a scenario's towers, an empty use
+/// where none is stated. RFC 4180.
+std::string scenarioUsesCsv(const ScenarioStudies& scenarios);
+
 /// The settings of the study, and figures and provenance of every scenario. Stable keys with their units.
 /// `scenarios` has at least one.
 std::string scenariosJson(const ScenarioStudies& scenarios);

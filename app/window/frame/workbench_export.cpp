@@ -81,12 +81,15 @@ std::vector<std::string> Workbench::measuredScenarios() {
 Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
     const auto known = studies();
     ScenarioStudies measured;
-    for (const std::string& name : measuredScenarios()) measured.push_back({name, known.at(name)});
+    for (const std::string& name : measuredScenarios()) {
+        const auto edits = collectEdits(session_.project().scenarios, name);
+        measured.push_back({name, known.at(name), edits ? sumUses(*edits) : ScenarioUses()});
+    }
     return [measured, origin = AnswerOrigin(session_), rules = exportRules(),
             book = bookSettings(choice)](const auto& folder) {
         ScenarioStudies stated;
-        for (const auto& [name, study] : measured)
-            stated.push_back({name, std::make_shared<const Study>(origin.stated(*study, name))});
+        for (const auto& [name, study, uses] : measured)
+            stated.push_back({name, std::make_shared<const Study>(origin.stated(*study, name)), uses});
         return writeScenarioFiles(stated, book, folder, rules);
     };
 }

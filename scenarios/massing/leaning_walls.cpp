@@ -1,0 +1,111 @@
+#include "scenarios/massing/leaning_walls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/city/city.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double checkedEveryDeg = 5;
+constexpr double sameHeightM = 1e-6;
+
+double shareOfHeight(const Tier& tier, double heightM) {
+    return std::clamp((heightM - tier.bottomM) / (tier.topM - tier.bottomM), 0.0, 1.0);
+}
+
+double scaleAt(const Tier& tier, double heightM) {
+    return 1 - tier.walls.taper * shareOfHeight(tier, heightM);
+}
+
+glm::vec2 placePoint(glm::vec2 point, glm::dvec2 about, double scale, double clockwiseDeg) {
+    const double angle = clockwiseDeg * std::numbers::pi / 180;
+    const double cos = std::cos(angle), sin = std::sin(angle);
+    const glm::dvec2 from = (glm::dvec2(point) - about) * scale;
+    return glm::vec2(about + glm::dvec2(from.x * cos + from.y * sin, from.y * cos - from.x * sin));
+}
+
+// The prism's triangles, its walls repeated between all levels. The first half of its points are those of the
+// bottom, the second half those of the top, in the same order.
+std::vector<glm::uvec3> stackTriangles(const TriangleMesh& prism, std::size_t levels) {
+    const auto points = std::uint32_t(prism.vertices.size() / 2);
+    const auto last = std::uint32_t(levels - 1) * points;
+    std::vector<glm::uvec3> triangles;
+    for (const glm::uvec3 t : prism.triangles) {
+        const bool low = t.x < points && t.y < points && t.z < points;
+        const bool high = t.x >= points && t.y >= points && t.z >= points;
+        if (low) triangles.push_back(t);
+        if (high) triangles.push_back(t + (last - points));
+        if (low || high) continue;
+        for (std::uint32_t level = 0; level < last; level += points) triangles.push_back(t + level);
+    }
+    return triangles;
+}
+
+}  // namespace
+
+Result<void> checkWalls(const WallShape& walls) {
+    if (!(walls.taper >= 0 && walls.taper <= 0.95))
+        return failure(fmt::format("A volume cannot taper by {:g} %", walls.taper * 100), "massing",
+                       "Give 0 to 95 %");
+    if (!(std::abs(walls.twistDeg) <= 360))
+        return failure(fmt::format("A volume cannot be twisted by {:g} degrees", walls.twistDeg), "massing",
+                       "Give -360 to 360");
+    return {};
+}
+
+Plate plateAt(const Tier& tier, double heightM) {
+    return placePlate(tier.plate, scaleAt(tier, heightM), tier.walls.twistDeg * shareOfHeight(tier, heightM));
+}
+
+double plateAreaAt(const Tier& tier, double heightM) {
+    const double scale = scaleAt(tier, heightM);
+    return tier.areaM2 * scale * scale;
+}
+
+Plate topPlateOf(const Tier& tier) { return plateAt(tier, tier.topM); }
+
+std::vector<double> levelsOf(const Tier& tier, double storeyHeightM) {
+    std::vector<double> levels{tier.bottomM};
+    const auto climbTo = [&](double heightM) {
+        const double fromM = levels.back();
+        const double turnDeg = std::abs(tier.walls.twistDeg) * (heightM - fromM) / (tier.topM - tier.bottomM);
+        const int steps = std::max(1, int(std::ceil(turnDeg / mostTurnBetweenLevelsDeg - 1e-9)));
+        for (int i = 1; i <= steps; ++i) levels.push_back(fromM + (heightM - fromM) * i / steps);
+    };
+    if (tier.walls.twistDeg != 0)
+        for (int floor = 1; floor * storeyHeightM < tier.topM - sameHeightM; ++floor)
+            if (floor * storeyHeightM > tier.bottomM + sameHeightM) climbTo(floor * storeyHeightM);
+    climbTo(tier.topM);
+    return levels;
+}
+
+TriangleMesh makeLeaningMesh(const Tier& tier, const Footprint& piece, double storeyHeightM) {
+    const TriangleMesh prism = meshOf(Part{.footprint = piece, .bottomM = 0, .topM = 1});
+    const std::vector<double> levels = levelsOf(tier, storeyHeightM);
+    const glm::dvec2 about = findMiddle(tier.plate);
+    TriangleMesh mesh{.vertices = {}, .triangles = stackTriangles(prism, levels.size())};
+    for (const double level : levels)
+        for (std::size_t i = 0; i < prism.vertices.size() / 2; ++i) {
+            const glm::vec2 at = placePoint(glm::vec2(prism.vertices[i]), about, scaleAt(tier, level),
+                                            tier.walls.twistDeg * shareOfHeight(tier, level));
+            mesh.vertices.emplace_back(at, float(level));
+        }
+    return mesh;
+}
+
+bool staysOn(const Tier& tier, const Footprint& lot) {
+    const int steps = int(std::ceil(std::abs(tier.walls.twistDeg) / checkedEveryDeg));
+    for (int i = 1; i <= steps; ++i) {
+        const double heightM = tier.bottomM + (tier.topM - tier.bottomM) * i / steps;
+        if (!liesOn(plateAt(tier, heightM), {lot})) return false;
+    }
+    return true;
+}
+
+}  // namespace noonmark

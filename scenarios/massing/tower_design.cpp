@@ -1,0 +1,81 @@
+#include "scenarios/massing/tower_design.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace noonmark {
+
+namespace {
+
+class TowersInWork {
+public:
+    void operator()(const Demolish& edit) { towers_.erase(edit.building); }
+    void operator()(const Replace& edit) {
+        towers_.erase(edit.building);
+        add(*edit.with, edit.design);
+    }
+    void operator()(const AddBuilding& edit) { add(*edit.building, edit.design); }
+    void operator()(const ImportMesh& edit) { towers_[edit.shape->sourceId] = {{}, edit.storeyHeightM}; }
+    void operator()(const ChangeHeight& edit) {
+        if (const auto found = towers_.find(edit.building); found != towers_.end())
+            found->second.changed = found->second.reshaped = true;
+    }
+    template <class Change>
+    void operator()(const Change& edit) {
+        if (const auto found = towers_.find(edit.building); found != towers_.end())
+            found->second.changed = true;
+    }
+
+    std::map<std::string, ProposedTower> take() && { return std::move(towers_); }
+
+private:
+    void add(const Building& building, const DesignOfShape& design) {
+        towers_[building.sourceId] = {design, design ? design->settings.storeyHeightM : 0};
+    }
+
+    std::map<std::string, ProposedTower> towers_;
+};
+
+}  // namespace
+
+std::map<std::string, ProposedTower> findProposedTowers(std::span<const Edit> edits) {
+    TowersInWork work;
+    for (const Edit& edit : edits) std::visit(work, edit);
+    return std::move(work).take();
+}
+
+namespace {
+
+// A tower without uses is one use without a name. Nothing where the floors are not known.
+std::optional<std::vector<UseArea>> usesOf(const ProposedTower& tower) {
+    if (!tower.design || tower.reshaped) return std::nullopt;
+    const auto massing = makeMassing(tower.design->lot, tower.design->settings);
+    if (!massing) return std::nullopt;
+    const MassingFigures& figures = massing->figures;
+    if (!figures.uses.empty()) return figures.uses;
+    return std::vector<UseArea>{{{}, figures.storeys, figures.grossFloorM2}};
+}
+
+void addTo(std::map<std::string, UseArea>& sums, const UseArea& area) {
+    UseArea& sum = sums[area.use];
+    sum.use = area.use;
+    sum.storeys += area.storeys;
+    sum.grossFloorM2 += area.grossFloorM2;
+}
+
+}  // namespace
+
+ScenarioUses sumUses(std::span<const Edit> edits) {
+    ScenarioUses uses;
+    std::map<std::string, UseArea> sums;
+    for (const auto& [id, tower] : findProposedTowers(edits)) {
+        const auto areas = usesOf(tower);
+        uses.towersNotCounted += areas ? 0 : 1;
+        for (const UseArea& area : areas.value_or(std::vector<UseArea>())) addTo(sums, area);
+    }
+    for (const auto& [name, area] : sums) uses.areas.push_back(area);
+    std::ranges::stable_partition(uses.areas, [](const UseArea& area) { return !area.use.empty(); });
+    return uses;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "scenarios/edits/edit.h"
+#include "scenarios/massing/massing.h"
+
+namespace noonmark {
+
+/// How a tower was designed: the lot as it was then, and the massing on it. Saved with the edit that builds
+/// the tower.
+struct TowerDesign {
+    std::string lotName;
+    Footprint lot;
+    MassingSettings settings;
+    bool operator==(const TowerDesign&) const = default;
+};
+
+/// What is known about a building that a scenario added.
+struct ProposedTower {
+    DesignOfShape design;      ///< null: not designed here
+    double storeyHeightM = 0;  ///< 2 to 10; 0: not known
+    bool changed = false;      ///< since it was built: moved, turned, or made higher or lower
+    bool reshaped = false;     ///< its height was changed, so that the design no longer tells its floors
+};
+
+/// The proposed buildings after all edits of a scenario (collectEdits()), by id. A building
+/// that was demolished or replaced later is not among them. O(edits).
+std::map<std::string, ProposedTower> findProposedTowers(std::span<const Edit> edits);
+
+/// The gross floor area of a scenario's towers by use.
+struct ScenarioUses {
+    std::vector<UseArea> areas;  ///< by name of the use, that without a name last; storeys of all towers
+    int towersNotCounted = 0;    ///< proposed buildings without a known massing: meshes, changed heights
+    bool operator==(const ScenarioUses&) const = default;
+};
+
+/// Sums the designs of the scenario's towers; a tower without uses counts as not stated. Some ms per tower.
+ScenarioUses sumUses(std::span<const Edit> edits);
+
+}  // namespace noonmark
