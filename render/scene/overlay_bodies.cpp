@@ -22,6 +22,8 @@ constexpr QColor hoveredColour{0x5b, 0x9b, 0xe0, 90};
 constexpr QColor selectedColour{0x2f, 0x7d, 0xe0, 165};
 constexpr QColor proposedColour{0x4f, 0xc2, 0xa4, 255};
 constexpr QColor edgeColour{0x05, 0x3d, 0x30};
+constexpr QColor floorColour{0x02, 0x2c, 0x40};
+constexpr float floorHazeM = 5000;  // from further away, floors would lie side by side
 constexpr QColor lotColour{0x0a, 0x6f, 0x4f, 235};
 constexpr QColor handleColour{0xc2, 0x18, 0x8b, 255};
 constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
@@ -62,6 +64,10 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* par
     edge_->set(QStringLiteral("edgeColour"), vectorOf(edgeColour).toVector3D());
     edge_->set(QStringLiteral("hazeDistance"), 1e6F);
     edge_->blend();
+    floor_ = new ShaderMaterial(QStringLiteral("edge"), root_);
+    floor_->set(QStringLiteral("edgeColour"), vectorOf(floorColour).toVector3D());
+    floor_->set(QStringLiteral("hazeDistance"), floorHazeM);
+    floor_->blend();
     line_ = new ShaderMaterial(QStringLiteral("ribbon"), root_);
     line_->set(QStringLiteral("lineColour"), vectorOf(lotColour));
     line_->set(QStringLiteral("widthPx"), 2.5F);
@@ -94,6 +100,21 @@ void OverlayBodies::show(Tint tint, const City& some) {
 void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
     drop(lines_);
     if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *line_, root_, blended_);
+}
+
+void OverlayBodies::showFloors(const std::vector<std::vector<glm::vec3>>& rings) {
+    drop(floors_);
+    std::vector<glm::vec3> points;
+    std::vector<std::uint32_t> ends;
+    for (const std::vector<glm::vec3>& ring : rings) {
+        const auto first = std::uint32_t(points.size()), count = std::uint32_t(ring.size());
+        points.insert(points.end(), ring.begin(), ring.end());
+        for (std::uint32_t i = 0; i < count; ++i)
+            ends.insert(ends.end(), {first + i, first + (i + 1) % count});
+    }
+    if (points.empty()) return;
+    floors_ = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, points, ends),
+                              *floor_, root_, blended_);
 }
 
 void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at) {

@@ -38,6 +38,8 @@ public:
     /// Shows the buildings of `some`, or none if it is empty. About 0.1 ms per building.
     void show(Tint tint, const City& some);
     void showLines(const std::vector<GroundLine>& lines);
+    /// Shows closed rings as thin lines, hidden behind nearer faces: the floors of storeys.
+    void showFloors(const std::vector<std::vector<glm::vec3>>& rings);
     /// Shows a vertical double arrow at this point, with a constant size in pixels.
     void showHandle(std::optional<glm::dvec3> foot);
     void lightHandle(bool lit);  ///< under the cursor
@@ -76,6 +78,8 @@ private:
     ShaderMaterial* edge_;
     ShaderMaterial* line_;
     Qt3DCore::QEntity* lines_ = nullptr;
+    ShaderMaterial* floor_;
+    Qt3DCore::QEntity* floors_ = nullptr;
     Mark handle_, pin_;
 };
 

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QFocusEvent>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -16,8 +17,11 @@
 
 #include "app/window/editing/building_facts.h"
 #include "app/window/editing/selection_panel.h"
+#include "app/window/looks/height_reference.h"
 #include "app/window/massing/massing_panel.h"
+#include "app/window/widgets/length_field.h"
 #include "scenarios/edits/apply_edits.h"
+#include "scenarios/project/edit_json.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -33,6 +37,7 @@ struct EditToolsTest : ::testing::Test {
     EditTools tools{view};
     std::shared_ptr<const OpenCity> city = test::smallOpenCity();
     std::vector<std::vector<Edit>> made;
+    std::vector<Edit> all;
     std::vector<NamedLot> lots;
     bool cityComesBack = true;  // false: the project has not answered yet
 
@@ -43,6 +48,8 @@ struct EditToolsTest : ::testing::Test {
                          [this](const std::vector<Edit>& edits, const QString& what) {
                              EXPECT_FALSE(what.isEmpty());
                              made.push_back(edits);
+                             all.insert(all.end(), edits.begin(), edits.end());
+                             tools.setTowers(findProposedTowers(all));
                              if (cityComesBack) show(applied(city->city(), edits).value().city);
                          });
         QObject::connect(&tools, &EditTools::lotDrawn, [this](const NamedLot& lot) {
@@ -70,6 +77,7 @@ struct EditToolsTest : ::testing::Test {
         return *dock->findChild<Widget*>(QLatin1String(name));
     }
     QDoubleSpinBox& number(const char* name) { return field<QDoubleSpinBox>(tools.dock(), name); }
+    QDoubleSpinBox& number(QWidget* dock, const char* name) { return field<QDoubleSpinBox>(dock, name); }
     static void enter(QDoubleSpinBox& field) {
         QKeyEvent press(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
         QCoreApplication::sendEvent(&field, &press);
@@ -232,6 +240,76 @@ TEST_F(EditToolsTest, ATowerIsCopiedToAnotherLotWithItsParameters) {
     EXPECT_THAT(refused, testing::HasSubstr("No tower is selected"));
 }
 
+TEST_F(EditToolsTest, ATowerTapersAndItsDesignIsSavedWithTheEdit) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    auto* walls = tools.massingDock()->findChild<QWidget*>(QStringLiteral("towerWalls"));
+    ASSERT_NE(walls, nullptr);
+    field<QDoubleSpinBox>(walls, "taper").setValue(50);
+    ASSERT_FALSE(tools.context().preview.changes().added.empty());
+    EXPECT_TRUE(tools.context().preview.changes().added.back()->parts[0].mesh) << "leaning walls";
+    tools.tower().build();
+    ASSERT_TRUE(lastEdit<AddBuilding>().design);
+    EXPECT_EQ(lastEdit<AddBuilding>().design->settings.walls, (WallShape{.taper = 0.5}));
+    EXPECT_EQ(lastEdit<AddBuilding>().design->lotName, "Lot 1");
+}
+
+TEST_F(EditToolsTest, UsesAreListedWithTheirAreas) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    for (int i = 0; i < 2; ++i) field<QPushButton>(tools.massingDock(), "addUse").click();
+    const QString figures = field<QLabel>(tools.massingDock(), "figures").text();
+    EXPECT_TRUE(figures.contains(QStringLiteral("Retail, 1 storey"))) << figures.toStdString();
+    EXPECT_TRUE(figures.contains(QStringLiteral("Offices, 9 storeys"))) << figures.toStdString();
+    EXPECT_TRUE(figures.contains(QStringLiteral("22,500"))) << figures.toStdString();
+    field<QPushButton>(tools.massingDock(), "removeUse").click();
+    tools.tower().build();
+    EXPECT_EQ(lastEdit<AddBuilding>().design->settings.uses, (std::vector<FloorUse>{{"Retail", 1}}));
+}
+
+TEST_F(EditToolsTest, ATowerOfAnEarlierSessionIsDesignedFurtherAndCopied) {
+    lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
+    tools.setLots(lots);
+    tools.tower().begin(lots[0], {}, 20);
+    tools.tower().build();
+    std::vector<Edit> reopened;
+    for (const Edit& edit : all)
+        reopened.push_back(parseEdit(std::string(getKind(edit)), toJson(edit)).value());
+    tools.setTowers(findProposedTowers(reopened));
+    tools.replace();
+    ASSERT_TRUE(tools.tower().draft());
+    EXPECT_EQ(tools.tower().draft()->lot.name, "South");
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 20);
+    tools.cancel();
+    reopened.emplace_back(Move{"Tower 1", {1, 0}});
+    tools.setTowers(findProposedTowers(reopened));
+    EXPECT_FALSE(tools.tower().designOf(*city->city().buildings.back())) << "it was moved";
+    tools.copyTower(lots[1]);
+    ASSERT_TRUE(tools.tower().draft());
+    EXPECT_EQ(tools.tower().draft()->lot.name, "East");
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 20);
+}
+
+TEST_F(EditToolsTest, HeightsAreShownAndTakenAboveTheDatum) {
+    City raised = city->city();
+    raised.frame = Frame(raised.frame.origin(), 12.5);
+    show(raised);
+    tools.building().select(0);
+    auto& height = static_cast<LengthField&>(number("buildingHeight"));
+    EXPECT_EQ(height.text(), QStringLiteral("60.0 m"));
+    applyHeightReference(HeightReference::datum);
+    tools.heightReferenceChanged();
+    EXPECT_EQ(height.text(), QStringLiteral("72.5 m"));
+    EXPECT_EQ(height.value(), 60) << "edits stay above the ground";
+    EXPECT_EQ(height.valueFromText(QStringLiteral("80")), 67.5);
+    EXPECT_TRUE(made.empty());
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    EXPECT_EQ(number(tools.massingDock(), "totalHeight").text(), QStringLiteral("47.5 m"));
+    for (const int key : {Qt::Key_1, Qt::Key_0, Qt::Key_0, Qt::Key_Return})
+        Q_EMIT view.navigator().keyPressed(key);
+    tools.tower().build();
+    EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 87.5F);
+    applyHeightReference(HeightReference::ground);
+}
+
 TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {
     tools.drawLot();
     for (const glm::dvec2 corner : {glm::dvec2{-25, -65}, {25, -65}, {25, -15}})
@@ -275,6 +353,7 @@ TEST_F(EditToolsTest, ADesignIsNotThatOfAnotherTowerOfThisName) {
     Building tower = *without.buildings[1];
     tower.sourceId = "Tower 1";
     other.buildings[1] = std::make_shared<const Building>(tower);
+    tools.setTowers({});
     show(other);
     tools.building().select(1);
     tools.replace();

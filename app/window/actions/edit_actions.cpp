@@ -38,9 +38,16 @@ void EditActions::connectTools() {
             });
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
-    connect(&workbench_.session(), &ProjectSession::changed, this,
-            [this] { tools_.setLots(workbench_.session().project().lots); });
+    connect(&workbench_.session(), &ProjectSession::changed, this, &EditActions::showProject);
     connect(&tools_, &EditTools::failed, &panel_.messages(), &MessageBar::showError);
+}
+
+// The lots, and the towers of the scenario that is shown.
+void EditActions::showProject() {
+    const ProjectSession& session = workbench_.session();
+    tools_.setLots(session.project().lots);
+    const auto edits = collectEdits(session.project().scenarios, session.scenario());
+    tools_.setTowers(edits ? findProposedTowers(*edits) : std::map<std::string, ProposedTower>());
 }
 
 void EditActions::listenTo(ProjectDock& tree, WarningsDock& warnings) {

@@ -29,6 +29,7 @@ public:
 
 private:
     void connectTools();
+    void showProject();
     void askLive();
     void showBuilding(const QString& where);
 

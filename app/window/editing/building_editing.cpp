@@ -7,6 +7,7 @@
 #include "app/window/editing/selection_panel.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/widgets/error_words.h"
+#include "app/window/widgets/height_words.h"
 #include "app/window/widgets/number_words.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
@@ -104,7 +105,10 @@ void BuildingEditing::showHandle() {
     const City& city = context_.city->city();
     const double ground = double(findGroundUnder(building(), city));
     const glm::dvec2 middle = findMiddle(building());
-    context_.handle.stand({{middle.x, middle.y, ground}, double(heightM(building(), city)), usualStoreyM});
+    context_.handle.stand({{middle.x, middle.y, ground},
+                           double(heightM(building(), city)),
+                           usualStoreyM,
+                           computeElevation(city, {middle, ground})});
 }
 
 void BuildingEditing::hover(std::optional<std::uint32_t> building) {
@@ -123,9 +127,12 @@ void BuildingEditing::preview(const Edit& edit) {
     const auto& added = context_.preview.changes().added;
     if (added.empty() || context_.handle.dragging()) return;
     const glm::dvec2 middle = findMiddle(*added.front());
-    const double ground = double(findGroundUnder(*added.front(), context_.city->city()));
-    context_.handle.stand(
-        {{middle.x, middle.y, ground}, double(topM(*added.front())) - ground, usualStoreyM});
+    const City& city = context_.city->city();
+    const double ground = double(findGroundUnder(*added.front(), city));
+    context_.handle.stand({{middle.x, middle.y, ground},
+                           double(topM(*added.front())) - ground,
+                           usualStoreyM,
+                           computeElevation(city, {middle, ground})});
 }
 
 // The project answers with a changed city; until then the preview stays.
@@ -166,10 +173,11 @@ void BuildingEditing::previewHeight(double heightM) {
     const BuildingFacts facts = collectFacts(*added.front(), city);
     const double ground = double(findGroundUnder(building(), city));
     const glm::dvec2 middle = findMiddle(building());
-    context_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
+    context_.handle.stand(
+        {{middle.x, middle.y, ground}, facts.heightM, usualStoreyM, facts.groundElevationM});
     context_.handle.tell(tr("%1, %2\n%3 floor area")
-                             .arg(describeLength(facts.heightM), describeStoreys(facts.storeys),
-                                  describeSmallArea(facts.grossFloorM2)));
+                             .arg(describeHeight(facts.heightM, facts.groundElevationM),
+                                  describeStoreys(facts.storeys), describeSmallArea(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {

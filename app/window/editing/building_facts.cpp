@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/widgets/height_words.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
@@ -40,6 +41,8 @@ BuildingFacts collectFacts(const Building& building, const City& city) {
     facts.id = QString::fromStdString(building.sourceId);
     facts.title = building.name.empty() ? facts.id : QString::fromStdString(building.name);
     facts.heightM = double(heightM(building, city));
+    facts.groundElevationM =
+        computeElevation(city, {findMiddle(building), double(findGroundUnder(building, city))});
     facts.parts = building.parts.size();
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
     if (highest != building.parts.end()) facts.heightSource = describeSource(highest->heightSource);

@@ -12,7 +12,8 @@ namespace noonmark {
 struct BuildingFacts {
     QString title;  ///< name, or id if it has none
     QString id;
-    double heightM = 0;  ///< above the ground at the building
+    double heightM = 0;           ///< above the ground at the building
+    double groundElevationM = 0;  ///< of that ground, above the datum
     QString heightSource;
     int storeys = 0;  ///< at usualStoreyM each; 0: less than one
     std::size_t parts = 0;

@@ -10,7 +10,9 @@
 #include "app/window/looks/icons.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_panel.h"
+#include "app/window/massing/storey_lines.h"
 #include "app/window/view/ground_lines.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/copy_massing.h"
 
 namespace noonmark {
@@ -110,6 +112,7 @@ void EditTools::connectTools() {
     });
     connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
     connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
+    connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
     connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
@@ -132,13 +135,60 @@ void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
     context_.preview.setCity(std::move(city));
     building_.cityChanged();
     if (another) {
-        tower_.forget();
+        tower_.cancel();
         mesh_.cancel();
     } else {
         tower_.show();
         mesh_.show();
     }
     showLots();
+    showStoreys();
+}
+
+void EditTools::setTowers(std::map<std::string, ProposedTower> towers) {
+    tower_.setTowers(std::move(towers));
+    showStoreys();
+}
+
+void EditTools::setStoreyLines(bool on) {
+    storeyLines_ = on;
+    showStoreys();
+}
+
+void EditTools::heightReferenceChanged() {
+    tower_.show();
+    building_.show();
+}
+
+// Those of the towers in the city, and those of what the preview adds.
+void EditTools::showStoreys() {
+    if (!context_.city) return;
+    std::vector<std::vector<glm::vec3>> lines;
+    const City& city = context_.city->city();
+    const auto add = [&](const Building& building, double storeyHeightM) {
+        for (auto& ring : makeStoreyLines(building, double(findGroundUnder(building, city)), storeyHeightM))
+            lines.push_back(std::move(ring));
+    };
+    const CityChanges& preview = context_.preview.changes();
+    for (const auto& building : city.buildings) {
+        if (!storeyLines_ || tower_.towers().empty()) break;
+        const auto tower = tower_.towers().find(building->sourceId);
+        const bool goes = std::ranges::find(preview.removed, building) != preview.removed.end();
+        if (tower != tower_.towers().end() && tower->second.storeyHeightM > 0 && !goes)
+            add(*building, tower->second.storeyHeightM);
+    }
+    for (const auto& building : preview.added)
+        if (const auto height = previewedStoreyHeight(*building); storeyLines_ && height)
+            add(*building, *height);
+    context_.panel.view().overlay().showFloors(lines);
+}
+
+std::optional<double> EditTools::previewedStoreyHeight(const Building& building) const {
+    if (tower_.draft()) return tower_.draft()->settings.storeyHeightM;
+    if (mesh_.active()) return mesh_.storeyHeightM();
+    const auto tower = tower_.towers().find(building.sourceId);
+    if (tower == tower_.towers().end() || tower->second.storeyHeightM == 0) return std::nullopt;
+    return tower->second.storeyHeightM;
 }
 
 void EditTools::setLots(const std::vector<NamedLot>& lots) {
@@ -247,11 +297,13 @@ void EditTools::copyTower(const NamedLot& lot) {
     if (!context_.city) return;
     auto design = tower_.draft();
     if (!design && building_.selected())
-        design = tower_.designOf(*context_.city->city().buildings[*building_.selected()]);
+        design = tower_.designToCopy(*context_.city->city().buildings[*building_.selected()]);
     if (!design)
-        return Q_EMIT failed({"No tower is selected whose massing is known",
-                              {},
-                              "Select a tower that was designed since the project was opened, then copy it"});
+        return Q_EMIT failed(
+            {"No tower is selected whose massing is known",
+             {},
+             "Select a tower that was designed on a lot; imported meshes and towers of older "
+             "project files have no massing to copy"});
     if (design->lot.outline == lot.outline)
         return Q_EMIT failed({"The tower stands on this lot already", lot.name, "Choose another lot"});
     const auto copy = copyMassing(design->lot.outline, design->settings, lot.outline);

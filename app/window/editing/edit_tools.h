@@ -35,7 +35,11 @@ public:
     /// the displayed city; call it after the view shows it
     void setCity(std::shared_ptr<const OpenCity> city);
     void setLots(const std::vector<NamedLot>& lots);
+    /// The towers of the shown scenario, with their designs and storeys.
+    void setTowers(std::map<std::string, ProposedTower> towers);
     void setQuestion(const LiveQuestion& question);  ///< settings of the live shadow
+    void setStoreyLines(bool on);                    ///< lines at the floors of proposed towers; on at first
+    void heightReferenceChanged();                   ///< shows heights again (looks/height_reference.h)
 
     [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership
     [[nodiscard]] QWidget* massingDock() const;  ///< panel of lots and towers; likewise
@@ -83,6 +87,8 @@ private:
     void tellOfDesign();
     void importMesh();
     void showLots();
+    void showStoreys();
+    [[nodiscard]] std::optional<double> previewedStoreyHeight(const Building& building) const;
     void enableActions();
 
     SelectionPanel* selection_;
@@ -95,6 +101,7 @@ private:
     MeshPlacing mesh_;
     std::vector<QAction*> actions_;
     std::vector<QAction*> ofBuilding_;
+    bool storeyLines_ = true;
 };
 
 }  // namespace noonmark

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "app/window/editing/extrusion.h"
+#include "app/window/looks/height_reference.h"
 #include "app/window/looks/units.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/height_words.h"
 #include "core/base/length_text.h"
 
 namespace noonmark {
@@ -119,7 +121,8 @@ bool ExtrudeHandle::key(int key) {
         typed_.clear();
     else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
         const auto height = parseLength(std::exchange(typed_, {}).toStdString(), unitsInUse());
-        if (height) Q_EMIT dragged(freeHeight(*height, tower_->storeyM));
+        if (height)
+            Q_EMIT dragged(freeHeight(*height - heightZeroM(tower_->groundElevationM), tower_->storeyM));
         Q_EMIT dropped(tower_->heightM);
     } else
         return false;
@@ -138,8 +141,10 @@ QString ExtrudeHandle::typedWithUnit() const {
 void ExtrudeHandle::showTyped() {
     const auto at = panel_.view().overlay().handlePixel(panel_.view().pose(), panel_.view().lens());
     if (!at) return;
-    panel_.cursorLabel().show({at->x, at->y},
-                              typed_.isEmpty() ? QString() : tr("Height: %1  (Enter)").arg(typedWithUnit()));
+    const QString words = heightReferenceInUse() == HeightReference::datum
+                              ? tr("Top above datum: %1  (Enter)")
+                              : tr("Height: %1  (Enter)");
+    panel_.cursorLabel().show({at->x, at->y}, typed_.isEmpty() ? QString() : words.arg(typedWithUnit()));
 }
 
 }  // namespace noonmark

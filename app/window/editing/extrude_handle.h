@@ -11,8 +11,8 @@ namespace noonmark {
 class ViewPanel;
 
 /// The arrow on top of a tower. Dragging it up or down sets the height, snapped to whole storeys, or free
-/// with Shift. A height typed over the view, "40", "131' 3\"" or
-/// "40 m", followed by Enter, sets it too.
+/// with Shift. A height typed over the view, from the reference in use (looks/height_reference.h), "40",
+/// "131' 3\"" or "40 m", followed by Enter, sets it too.
 class ExtrudeHandle final : public QObject, public DragTarget {
     Q_OBJECT
 public:
@@ -23,6 +23,7 @@ public:
         glm::dvec3 foot{0};  ///< on the ground, under the handle
         double heightM = 0;
         double storeyM = 3.5;
+        double groundElevationM = 0;  ///< of the foot, above the datum: heights may be typed from there
     };
     void stand(const Tower& tower);
     void hide();

@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "app/window/editing/placing_panel.h"
+#include "app/window/widgets/height_words.h"
+#include "core/city/terrain/building_ground.h"
+#include "core/io/meshes/stated_axes.h"
 #include "scenarios/edits/read_shape.h"
 #include "scenarios/free_name.h"
 
@@ -33,6 +36,8 @@ void MeshPlacing::begin(const QString& file, std::optional<glm::dvec2> place) {
     mesh_.reset();
     place_ = place;
     file_ = file;
+    const auto stated = findStatedAxes(file.toStdString());
+    panel_.setStated(stated.has_value(), stated && stated->metresPerUnit);
     read();
 }
 
@@ -73,8 +78,16 @@ void MeshPlacing::show() {
                         .scale = panel_.scale(),
                         .clockwiseDeg = panel_.clockwiseDeg(),
                         .byM = *place_ - middle};
+    mesh_->storeyHeightM = panel_.storeyHeightM();
     if (const auto shown = context_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
-    panel_.showPlaced(double(topM(*mesh_->shape)) * panel_.scale());
+    const City& city = context_.city->city();
+    const double groundM = double(findGroundUnder(*context_.preview.changes().added.back(), city));
+    panel_.showPlaced(double(topM(*mesh_->shape)) * panel_.scale(),
+                      computeElevation(city, {*place_, groundM}));
+}
+
+std::optional<double> MeshPlacing::storeyHeightM() const {
+    return panel_.storeyHeightM() > 0 ? std::optional(panel_.storeyHeightM()) : std::nullopt;
 }
 
 void MeshPlacing::build() {

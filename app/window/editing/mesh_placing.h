@@ -22,7 +22,8 @@ public:
     void cancel();
     [[nodiscard]] bool active() const { return mesh_.has_value(); }
     void placeAt(glm::dvec2 ground);
-    void build();  ///< does nothing before the mesh is placed
+    void build();                                               ///< does nothing before the mesh is placed
+    [[nodiscard]] std::optional<double> storeyHeightM() const;  ///< as entered; nothing: not known
 
 Q_SIGNALS:
     void began();

@@ -7,9 +7,10 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/window/widgets/height_words.h"
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/mesh_fields.h"
 #include "app/window/widgets/number_fields.h"
-#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -27,6 +28,7 @@ PlacingPanel::PlacingPanel(QWidget* parent)
       unit_(meshUnitField()),
       scale_(numberField(0.001, 1000, 3, 0.1, {})),
       turn_(numberField(-360, 360, 1, 5, QStringLiteral("°"))),
+      storeyHeight_(lengthField(0, 10, 2, 0.1)),
       apply_(new QPushButton(tr("Build"))) {
     for (QLabel* words : {what_, warnings_}) {
         words->setWordWrap(true);
@@ -36,6 +38,9 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     what_->setFixedHeight(wordLines * what_->fontMetrics().lineSpacing());
     scale_->setToolTip(tr("Scale of all three axes"));
     turn_->setToolTip(tr("Clockwise, seen from above"));
+    storeyHeight_->setObjectName(QStringLiteral("meshStoreyHeight"));
+    storeyHeight_->setToolTip(tr("Floor to floor, 2 to 10 m, for lines at its floors; 0: not known"));
+    storeyHeight_->setSpecialValueText(tr("not known"));
     apply_->setObjectName(QStringLiteral("applyMesh"));
     apply_->setToolTip(tr("Adds it to the scenario (Enter over the view)"));
     auto* cancel = new QPushButton(tr("Cancel"));
@@ -49,11 +54,12 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     form->addRow(tr("Unit"), unit_);
     form->addRow(tr("Scale"), scale_);
     form->addRow(tr("Rotation"), turn_);
+    form->addRow(tr("Storey height"), storeyHeight_);
     form->addRow(buttons);
     form->addRow(warnings_);  // below the fields, since their number varies
     for (QComboBox* field : {upAxis_, unit_})
         connect(field, &QComboBox::activated, this, &PlacingPanel::readingEdited);
-    for (QDoubleSpinBox* field : {scale_, turn_})
+    for (QDoubleSpinBox* field : {scale_, turn_, storeyHeight_})
         connect(field, &QDoubleSpinBox::valueChanged, this, &PlacingPanel::edited);
     connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applied);
     connect(cancel, &QPushButton::clicked, this, &PlacingPanel::cancelled);
@@ -63,13 +69,20 @@ void PlacingPanel::begin(const QString& file) {
     file_ = file;
     scale_->setValue(1);
     turn_->setValue(0);
+    storeyHeight_->setValue(0);
     apply_->setEnabled(false);
     what_->setText(tr("%1: click the place on the ground for its middle.").arg(file));
 }
 
-void PlacingPanel::showPlaced(double heightM) {
+void PlacingPanel::setStated(bool axes, bool unit) {
+    upAxis_->setEnabled(!axes);
+    unit_->setEnabled(!unit);
+}
+
+void PlacingPanel::showPlaced(double heightM, double groundElevationM) {
     apply_->setEnabled(true);
-    what_->setText(tr("%1, %2 high. Another click moves it.").arg(file_, describeLength(heightM)));
+    what_->setText(
+        tr("%1, top %2. Another click moves it.").arg(file_, describeHeight(heightM, groundElevationM)));
 }
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {
@@ -91,5 +104,11 @@ ReadSettings PlacingPanel::reading() const {
 double PlacingPanel::scale() const { return scale_->value(); }
 
 double PlacingPanel::clockwiseDeg() const { return turn_->value(); }
+
+// Less than 2 m is no storey.
+double PlacingPanel::storeyHeightM() const {
+    constexpr double leastM = 2;
+    return storeyHeight_->value() < leastM ? 0 : storeyHeight_->value();
+}
 
 }  // namespace noonmark

@@ -18,11 +18,15 @@ public:
     explicit PlacingPanel(QWidget* parent = nullptr);
 
     void begin(const QString& file);
-    void showPlaced(double heightM);              ///< the mesh has a place, so it can be built
+    /// Axes and unit that the file states cannot be chosen.
+    void setStated(bool axes, bool unit);
+    /// The mesh has a place, so it can be built. `groundElevationM`: of the ground under it, above the datum.
+    void showPlaced(double heightM, double groundElevationM);
     void showWarnings(const Warnings& warnings);  ///< of reading the file
     [[nodiscard]] ReadSettings reading() const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double clockwiseDeg() const;
+    [[nodiscard]] double storeyHeightM() const;  ///< 0: not known
 
 Q_SIGNALS:
     void edited();
@@ -37,6 +41,7 @@ private:
     QComboBox* unit_;
     QDoubleSpinBox* scale_;
     QDoubleSpinBox* turn_;
+    QDoubleSpinBox* storeyHeight_;
     QPushButton* apply_;
     QString file_;
 };

@@ -12,9 +12,11 @@
 #include <cmath>
 #include <utility>
 
+#include "app/window/looks/height_reference.h"
 #include "app/window/looks/theme.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/study/region_words.h"
+#include "app/window/widgets/height_words.h"
 #include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 #include "app/window/widgets/number_words.h"
@@ -40,7 +42,8 @@ QString makeRows(const BuildingFacts& facts) {
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
-               QStringLiteral("%1 (%2)").arg(describeLength(facts.heightM), facts.heightSource)) +
+               QStringLiteral("%1 (%2)").arg(describeHeight(facts.heightM, facts.groundElevationM),
+                                             facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), describeArea(facts.planM2)) +
            row(QObject::tr("Floor area"), describeSmallArea(facts.grossFloorM2) + storeys +
@@ -56,6 +59,7 @@ SelectionPanel::SelectionPanel(QWidget* parent)
       facts_(new QLabel),
       tools_(new QWidget),
       height_(lengthField(0.1, 2000, 1, 3.5)),
+      heightLabel_(new QLabel),
       east_(lengthField(-10000, 10000, 1, 1)),
       north_(lengthField(-10000, 10000, 1, 1)),
       turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
@@ -69,9 +73,9 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     inside->addWidget(makeButtons());
     inside->addWidget(makeFields());
     inside->addWidget(makeVariants());
-    auto* import =
-        pushButton(tr("Import mesh..."), "importMesh",
-                   tr("Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
+    auto* import = pushButton(
+        tr("Import mesh..."), "importMesh",
+        tr("Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(facts_);
     column->addWidget(tools_);
@@ -112,14 +116,15 @@ QWidget* SelectionPanel::makeFields() {
     east_->setObjectName(QStringLiteral("moveEast"));
     north_->setObjectName(QStringLiteral("moveNorth"));
     height_->setToolTip(
-        tr("Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply"));
+        tr("0.1 to 2000 m above the ground; View > Heights above datum shows it as an elevation. Or drag the "
+           "arrow on the building. Press Enter to apply"));
     turn_->setToolTip(tr("Clockwise about its middle. Press Enter to apply"));
     for (QDoubleSpinBox* field : {east_, north_})
         field->setToolTip(tr("Negative: west, south. Press Enter to apply"));
     auto* fields = new QWidget;
     auto* form = new QFormLayout(fields);
     form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("Height"), height_);
+    form->addRow(heightLabel_, height_);
     form->addRow(tr("Move east"), east_);
     form->addRow(tr("Move north"), north_);
     form->addRow(tr("Rotate"), turn_);
@@ -191,6 +196,9 @@ void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
     facts_->setText(facts ? makeRows(*facts) : tr("Click a building in the view to select it."));
     tools_->setVisible(facts.has_value());
     heightM_ = facts ? facts->heightM : 0;
+    const bool datum = heightReferenceInUse() == HeightReference::datum;
+    heightLabel_->setText(datum ? tr("Top above datum") : tr("Height above ground"));
+    height_->setZero(heightZeroM(facts ? facts->groundElevationM : 0));
     height_->setValue(heightM_);
     for (QDoubleSpinBox* field : {east_, north_, turn_}) field->setValue(0);
     showing_ = false;

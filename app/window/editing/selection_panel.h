@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace noonmark {
 
+class LengthField;
+
 /// The dock of the selected building: its facts and edits. A number being changed is previewed at once; Enter
 /// makes the edit.
 class SelectionPanel final : public QWidget {
@@ -56,7 +58,8 @@ private:
 
     QLabel* facts_;
     QWidget* tools_;
-    QDoubleSpinBox* height_;
+    LengthField* height_;
+    QLabel* heightLabel_;
     QDoubleSpinBox* east_;
     QDoubleSpinBox* north_;
     QDoubleSpinBox* turn_;

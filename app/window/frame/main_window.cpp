@@ -89,6 +89,7 @@ MainWindow::MainWindow(QSettings& settings)
                settings, *this),
       scenarios_(workbench_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
+      towers_(settings_, tools_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
       search_(workbench_, tools_, *panel_),
       help_(opening_, settings_, *this),
@@ -122,28 +123,12 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    const WindowActions actions{opening_,
-                                saving_,
-                                results_,
-                                movies_,
-                                copying_,
-                                edits_,
-                                scenarios_,
-                                study_,
-                                region_,
-                                places_,
-                                reviews_,
-                                camera_,
-                                presets_,
-                                savedViews_,
-                                search_,
-                                preferences_,
-                                help_,
-                                tours_,
-                                new ThemeMenu(settings_, this),
-                                mode_.actions(),
-                                docks,
-                                time_.actions()};
+    const WindowActions actions{opening_,        saving_,     results_,       movies_,
+                                copying_,        edits_,      scenarios_,     study_,
+                                region_,         places_,     reviews_,       camera_,
+                                presets_,        savedViews_, search_,        preferences_,
+                                help_,           tours_,      towers_,        new ThemeMenu(settings_, this),
+                                mode_.actions(), docks,       time_.actions()};
     QAction* quit = noonmark::fillMenus(*menuBar(), actions);
     makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());

@@ -21,6 +21,7 @@
 #include "app/window/actions/scenario_actions.h"
 #include "app/window/actions/search_actions.h"
 #include "app/window/actions/study_actions.h"
+#include "app/window/actions/tower_display.h"
 #include "app/window/actions/view_actions.h"
 #include "app/window/editing/edit_tools.h"
 #include "app/window/elements/element_links.h"
@@ -140,6 +141,7 @@ private:
     ReviewActions reviews_;
     ScenarioActions scenarios_;
     EditActions edits_;
+    TowerDisplay towers_;
     ViewActions camera_;
     SearchActions search_;
     HelpActions help_;

@@ -13,6 +13,7 @@
 #include "app/window/actions/scenario_actions.h"
 #include "app/window/actions/search_actions.h"
 #include "app/window/actions/study_actions.h"
+#include "app/window/actions/tower_display.h"
 #include "app/window/actions/view_actions.h"
 #include "app/window/export/copy_actions.h"
 #include "app/window/export/movie_actions.h"
@@ -73,6 +74,8 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());
+    menu.addAction(actions.towers.storeyLines());
+    menu.addAction(actions.towers.aboveDatum());
     menu.addAction(actions.places.showAction());
     menu.addMenu(QObject::tr("S&un"))->addActions(actions.sun);
     menu.addMenu(QObject::tr("Mo&de"))->addActions(actions.modes);

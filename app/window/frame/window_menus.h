@@ -24,6 +24,7 @@ class ScenarioActions;
 class SearchActions;
 class StudyActions;
 class TourActions;
+class TowerDisplay;
 class ViewActions;
 class ViewPresets;
 
@@ -47,6 +48,7 @@ struct WindowActions {
     const PreferencesActions& preferences;
     const HelpActions& help;
     const TourActions& tours;
+    const TowerDisplay& towers;
     QMenu* themes;
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock

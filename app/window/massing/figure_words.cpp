@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/window/widgets/height_words.h"
 #include "app/window/widgets/number_words.h"
 
 namespace noonmark {
@@ -13,9 +14,9 @@ QString describeStoreys(int storeys) {
     return storeys == 1 ? QObject::tr("1 storey") : QObject::tr("%1 storeys").arg(storeys);
 }
 
-QString describeFigures(const MassingFigures& figures) {
+QString describeFigures(const MassingFigures& figures, double groundElevationM) {
     return QObject::tr("%1, %2\n%3 floor area, FAR %4")
-        .arg(describeLength(figures.heightM), describeStoreys(figures.storeys),
+        .arg(describeHeight(figures.heightM, groundElevationM), describeStoreys(figures.storeys),
              describeSmallArea(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
 }
 
@@ -23,6 +24,7 @@ QString describeCopy(const CopiedMassing& copy) {
     QStringList changes;
     if (copy.plateReduced) changes << QObject::tr("the floor plate is smaller");
     if (copy.turnDropped) changes << QObject::tr("the tower is not turned");
+    if (copy.twistDropped) changes << QObject::tr("the tower is not twisted");
     if (copy.setbacksDropped > 0) changes << QObject::tr("upper setbacks are left out");
     if (changes.isEmpty()) return {};
     return QObject::tr("To fit this lot: %1.").arg(changes.join(QStringLiteral(", ")));

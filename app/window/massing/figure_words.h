@@ -9,9 +9,9 @@ namespace noonmark {
 /// "10 storeys"
 QString describeStoreys(int storeys);
 
-/// Two lines, "35.0 m, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor while a tower is
-/// extruded.
-QString describeFigures(const MassingFigures& figures);
+/// Two lines, "35.0 m above ground, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor
+/// while a tower is extruded.
+QString describeFigures(const MassingFigures& figures, double groundElevationM);
 
 /// What a copy of a tower had to change to fit its lot; empty: nothing.
 QString describeCopy(const CopiedMassing& copy);

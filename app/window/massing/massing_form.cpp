@@ -3,12 +3,17 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QLabel>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "app/window/looks/height_reference.h"
 #include "app/window/massing/plate_field.h"
 #include "app/window/massing/setback_table.h"
 #include "app/window/massing/tower_draft.h"
+#include "app/window/massing/use_table.h"
+#include "app/window/massing/wall_field.h"
+#include "app/window/widgets/height_words.h"
 #include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 #include "core/city/plausible_heights.h"
@@ -20,12 +25,16 @@ MassingForm::MassingForm(QWidget* parent)
       storeys_(wholeField(1, 500, {})),
       storeyHeight_(lengthField(2, 10, 2, 0.1)),
       height_(lengthField(2, tallestBuildingM, 1, 3.5)),
+      heightLabel_(new QLabel),
       plate_(new PlateField),
       turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      walls_(new WallField),
       podium_(new QGroupBox(tr("Podium"))),
       podiumStoreys_(wholeField(1, 499, {})),
       podiumPlate_(new PlateField),
-      setbacks_(new SetbackTable) {
+      podiumWalls_(new WallField),
+      setbacks_(new SetbackTable),
+      uses_(new UseTable) {
     settings_.storeys = 10;
     makeFields();
     connectFields();
@@ -35,6 +44,8 @@ MassingForm::MassingForm(QWidget* parent)
 void MassingForm::makeFields() {
     storeys_->setObjectName(QStringLiteral("storeys"));
     height_->setObjectName(QStringLiteral("totalHeight"));
+    walls_->setObjectName(QStringLiteral("towerWalls"));
+    podiumWalls_->setObjectName(QStringLiteral("podiumWalls"));
     storeys_->setToolTip(tr("All storeys, including the podium: 1 to 500"));
     storeyHeight_->setToolTip(tr("Floor to floor: 2 to 10 m"));
     height_->setToolTip(
@@ -46,17 +57,28 @@ void MassingForm::makeFields() {
     auto* podium = new QFormLayout(podium_);
     podium->addRow(tr("Storeys"), podiumStoreys_);
     podium->addRow(tr("Plate"), podiumPlate_);
+    podium->addRow(tr("Taper, twist"), podiumWalls_);
     auto* form = new QFormLayout;
     form->addRow(tr("Storeys"), storeys_);
     form->addRow(tr("Storey height"), storeyHeight_);
-    form->addRow(tr("Total height"), height_);
+    form->addRow(heightLabel_, height_);
     form->addRow(tr("Floor plate"), plate_);
     form->addRow(tr("Rotation"), turn_);
+    form->addRow(tr("Taper, twist"), walls_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);
     column->addWidget(podium_);
     column->addWidget(setbacks_);
+    column->addWidget(uses_);
+    setGround(0);
+}
+
+void MassingForm::setGround(double groundElevationM) {
+    const bool datum = heightReferenceInUse() == HeightReference::datum;
+    heightLabel_->setText(datum ? tr("Top above datum") : tr("Height above ground"));
+    height_->setZero(heightZeroM(groundElevationM));
+    setbacks_->setZero(heightZeroM(groundElevationM));
 }
 
 void MassingForm::connectFields() {
@@ -75,6 +97,9 @@ void MassingForm::connectFields() {
     });
     connect(turn_, &QDoubleSpinBox::valueChanged, this, &MassingForm::takeRest);
     connect(plate_, &PlateField::edited, this, &MassingForm::takeRest);
+    for (WallField* field : {walls_, podiumWalls_})
+        connect(field, &WallField::edited, this, &MassingForm::takeRest);
+    connect(uses_, &UseTable::edited, this, &MassingForm::takeRest);
     connect(podium_, &QGroupBox::toggled, this, &MassingForm::takeRest);
     connect(podiumStoreys_, &QSpinBox::valueChanged, this, &MassingForm::takeRest);
     connect(podiumPlate_, &PlateField::edited, this, &MassingForm::takeRest);
@@ -95,8 +120,10 @@ void MassingForm::takeRest() {
     settings_.plate = plate_->plate();
     settings_.podium.reset();
     if (podium_->isChecked())
-        settings_.podium = Podium{.storeys = podiumStoreys_->value(), .plate = podiumPlate_->plate()};
+        settings_.podium = Podium{podiumStoreys_->value(), podiumPlate_->plate(), podiumWalls_->walls()};
+    settings_.walls = walls_->walls();
     settings_.setbacks = setbacks_->setbacks();
+    settings_.uses = uses_->uses();
     Q_EMIT edited();
 }
 
@@ -119,12 +146,15 @@ void MassingForm::show(const MassingSettings& settings) {
     height_->setValue(height);
     plate_->show(settings.plate);
     turn_->setValue(settings.clockwiseDeg);
+    walls_->show(settings.walls);
     podium_->setChecked(settings.podium.has_value());
     if (settings.podium) {
         podiumStoreys_->setValue(settings.podium->storeys);
         podiumPlate_->show(settings.podium->plate);
+        podiumWalls_->show(settings.podium->walls);
     }
     setbacks_->show(settings.setbacks);
+    uses_->show(settings.uses);
     showing_ = false;
 }
 

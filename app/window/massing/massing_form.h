@@ -6,12 +6,16 @@
 
 class QDoubleSpinBox;
 class QGroupBox;
+class QLabel;
 class QSpinBox;
 
 namespace noonmark {
 
+class LengthField;
 class PlateField;
 class SetbackTable;
+class UseTable;
+class WallField;
 
 /// Fields for the MassingSettings of one tower. Number of storeys and total height are two fields for one
 /// quantity: changing one updates the other.
@@ -22,6 +26,8 @@ public:
 
     [[nodiscard]] const MassingSettings& settings() const { return settings_; }
     void show(const MassingSettings& settings);  ///< without a signal
+    /// The ground under the tower, metres above the datum: heights are shown from there or from the datum.
+    void setGround(double groundElevationM);
 
 Q_SIGNALS:
     void edited();
@@ -36,13 +42,17 @@ private:
     MassingSettings settings_;
     QSpinBox* storeys_;
     QDoubleSpinBox* storeyHeight_;
-    QDoubleSpinBox* height_;
+    LengthField* height_;
+    QLabel* heightLabel_;
     PlateField* plate_;
     QDoubleSpinBox* turn_;
+    WallField* walls_;
     QGroupBox* podium_;
     QSpinBox* podiumStoreys_;
     PlateField* podiumPlate_;
+    WallField* podiumWalls_;
     SetbackTable* setbacks_;
+    UseTable* uses_;
     bool showing_ = false;
 };
 

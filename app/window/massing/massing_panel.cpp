@@ -10,9 +10,11 @@
 #include <algorithm>
 
 #include "app/window/looks/theme.h"
+#include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_form.h"
 #include "app/window/study/region_words.h"
 #include "app/window/widgets/error_words.h"
+#include "app/window/widgets/height_words.h"
 #include "app/window/widgets/number_words.h"
 #include "app/window/widgets/push_button.h"
 
@@ -20,16 +22,29 @@ namespace noonmark {
 
 namespace {
 
-QString makeRows(const MassingFigures& figures, std::size_t demolished) {
+QString makeUseRows(const std::vector<UseArea>& uses) {
+    QString rows;
+    for (const UseArea& area : uses) {
+        const QString use =
+            area.use.empty() ? QObject::tr("Use not stated") : QString::fromStdString(area.use);
+        rows += QStringLiteral("<tr><td>%1, %2&nbsp;&nbsp;</td><td align='right'>%3</td></tr>")
+                    .arg(use.toHtmlEscaped(), describeStoreys(area.storeys),
+                         describeSmallArea(area.grossFloorM2));
+    }
+    return rows;
+}
+
+QString makeRows(const MassingFigures& figures, std::size_t demolished, double groundElevationM) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
             .arg(name, value);
     };
     return QStringLiteral("<table>") +
            row(QObject::tr("Gross floor area"), describeSmallArea(figures.grossFloorM2)) +
+           makeUseRows(figures.uses) +
            row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
            row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
-           row(QObject::tr("Height"), describeLength(figures.heightM)) +
+           row(QObject::tr("Height"), describeHeight(figures.heightM, groundElevationM)) +
            row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
            row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
            row(QObject::tr("Buildings demolished"), QString::number(demolished)) + QStringLiteral("</table>");
@@ -160,8 +175,10 @@ TowerDraft MassingPanel::draft() const {
     return draft;
 }
 
-void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished) {
-    figures_->setText(makeRows(figures, demolished));
+void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished,
+                               double groundElevationM) {
+    form_->setGround(groundElevationM);
+    figures_->setText(makeRows(figures, demolished, groundElevationM));
     error_->clear();
     error_->hide();
     apply_->setEnabled(true);

@@ -26,7 +26,8 @@ public:
     void showNone();                          ///< no tower is being designed
     [[nodiscard]] TowerDraft draft() const;
 
-    void showFigures(const MassingFigures& figures, std::size_t demolished);
+    /// `groundElevationM`: of the ground under the tower, above the datum.
+    void showFigures(const MassingFigures& figures, std::size_t demolished, double groundElevationM);
     void showError(const Error& error);
     [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
 

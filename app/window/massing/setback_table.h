@@ -10,7 +10,8 @@ class QTableWidget;
 
 namespace noonmark {
 
-/// The setbacks of a tower, one per row: the height from which it applies, and the inset.
+/// The setbacks of a tower, one per row: the height from which it applies, the inset, and how the walls of
+/// the volume above it lean.
 class SetbackTable final : public QWidget {
     Q_OBJECT
 public:
@@ -18,6 +19,8 @@ public:
 
     [[nodiscard]] std::vector<Setback> setbacks() const;
     void show(const std::vector<Setback>& setbacks);  ///< without a signal
+    /// Heights are shown from this zero (app/window/widgets/height_words.h).
+    void setZero(double zeroM);
 
 Q_SIGNALS:
     void edited();
@@ -30,6 +33,7 @@ private:
 
     QTableWidget* table_;
     QPushButton* remove_;
+    double zeroM_ = 0;
 };
 
 }  // namespace noonmark

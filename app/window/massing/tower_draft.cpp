@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scenarios/massing/lot_edits.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
 
@@ -34,11 +35,13 @@ Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft) {
     auto building = buildingOf(*massing, draft.tower);
     if (!building) return tl::make_unexpected(building.error());
     auto shape = std::make_shared<const Building>(*std::move(building));
+    const auto design =
+        std::make_shared<const TowerDesign>(TowerDesign{draft.lot.name, draft.lot.outline, draft.settings});
     std::vector<Edit> edits = clearLot(city, draft);
     if (draft.replaces.empty())
-        edits.emplace_back(AddBuilding{std::move(shape)});
+        edits.emplace_back(AddBuilding{std::move(shape), design});
     else
-        edits.emplace_back(Replace{draft.replaces, std::move(shape)});
+        edits.emplace_back(Replace{draft.replaces, std::move(shape), design});
     return DraftedTower{*std::move(massing), std::move(edits)};
 }
 

@@ -5,6 +5,8 @@
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_panel.h"
+#include "app/window/widgets/height_words.h"
+#include "core/city/terrain/building_ground.h"
 
 namespace noonmark {
 
@@ -35,8 +37,19 @@ void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, int s
 }
 
 std::optional<TowerDraft> TowerEditing::designOf(const Building& building) const {
-    const auto found = std::ranges::find_if(built_, [&](const Built& one) { return *one.tower == building; });
-    return found == built_.end() ? std::nullopt : std::optional(found->design);
+    const auto found = towers_.find(building.sourceId);
+    if (found == towers_.end() || found->second.changed) return std::nullopt;
+    return designToCopy(building);
+}
+
+std::optional<TowerDraft> TowerEditing::designToCopy(const Building& building) const {
+    const auto found = towers_.find(building.sourceId);
+    if (found == towers_.end() || !found->second.design) return std::nullopt;
+    const TowerDesign& design = *found->second.design;
+    return TowerDraft{.lot = {design.lotName, design.lot},
+                      .settings = design.settings,
+                      .tower = building.sourceId,
+                      .replaces = building.sourceId};
 }
 
 void TowerEditing::resume(TowerDraft draft) {
@@ -61,12 +74,17 @@ void TowerEditing::show() {
     if (const auto shown = context_.preview.show(tower->edits); !shown)
         return panel_.showError(shown.error());
     edits_ = tower->edits;
-    panel_.showFigures(tower->massing.figures, context_.preview.changes().removed.size());
+    const City& city = context_.city->city();
+    const auto& built = context_.preview.changes().added.back();
     const glm::dvec2 foot = findMiddle(tower->massing.tiers.back());
-    const double ground = double(groundAt(context_.city->city(), foot));
-    context_.handle.stand(
-        {{foot.x, foot.y, ground}, tower->massing.figures.heightM, draft_->settings.storeyHeightM});
-    context_.handle.tell(describeFigures(tower->massing.figures));
+    const double ground = double(findGroundUnder(*built, city));
+    const double elevation = computeElevation(city, {foot.x, foot.y, ground});
+    panel_.showFigures(tower->massing.figures, context_.preview.changes().removed.size(), elevation);
+    context_.handle.stand({{foot.x, foot.y, ground},
+                           tower->massing.figures.heightM,
+                           draft_->settings.storeyHeightM,
+                           elevation});
+    context_.handle.tell(describeFigures(tower->massing.figures, elevation));
 }
 
 void TowerEditing::setHeight(double heightM) {
@@ -81,8 +99,6 @@ void TowerEditing::build() {
     if (!draft_ || edits_.empty()) return;
     const TowerDraft done = *draft_;
     draft_.reset();
-    built_.push_back(
-        {context_.preview.changes().added.back(), {done.lot, done.settings, done.tower, done.tower}});
     context_.handle.hide();
     panel_.showNone();
     Q_EMIT ended();
@@ -98,11 +114,6 @@ void TowerEditing::cancel() {
     context_.preview.clear();
     panel_.showNone();
     Q_EMIT ended();
-}
-
-void TowerEditing::forget() {
-    cancel();
-    built_.clear();
 }
 
 }  // namespace noonmark

@@ -4,19 +4,21 @@
 // it in the view; MassingPanel, its form, fields and table only show and change values.
 
 #include <QObject>
-#include <memory>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/window/editing/edit_context.h"
 #include "app/window/massing/tower_draft.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
 
 class MassingPanel;
 
 /// A tower being designed; form, handle and preview show the same draft. Building it emits one list of edits.
-/// A built tower can be redesigned from the draft it was built from.
+/// A built tower can be redesigned, and copied, from the design that the project saved with its edit.
 class TowerEditing final : public QObject {
     Q_OBJECT
 public:
@@ -25,9 +27,14 @@ public:
 
     /// `replaces`: id of the building that the tower replaces; empty: none.
     void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
-    /// The draft of a tower that was built here and has not been changed since. Nothing for any other
-    /// building, even if it has the same id in another scenario.
+    /// The towers of the shown scenario.
+    void setTowers(std::map<std::string, ProposedTower> towers) { towers_ = std::move(towers); }
+    [[nodiscard]] const std::map<std::string, ProposedTower>& towers() const { return towers_; }
+    /// The draft that a designed tower was built from; nothing for any other building, nor where it was
+    /// changed since.
     [[nodiscard]] std::optional<TowerDraft> designOf(const Building& building) const;
+    /// The same also where the tower was moved, turned or changed in height since: for a copy.
+    [[nodiscard]] std::optional<TowerDraft> designToCopy(const Building& building) const;
     void resume(TowerDraft draft);
     [[nodiscard]] const std::optional<TowerDraft>& draft() const { return draft_; }
     [[nodiscard]] bool active() const { return draft_.has_value(); }
@@ -36,7 +43,6 @@ public:
     void build();                    ///< does nothing while the draft is invalid
     void show();                     ///< again, in the current city
     void cancel();
-    void forget();  ///< ends the design and forgets all drafts: another city was opened
 
 Q_SIGNALS:
     void began();
@@ -44,18 +50,13 @@ Q_SIGNALS:
     void ended();
 
 private:
-    struct Built {
-        std::shared_ptr<const Building> tower;
-        TowerDraft design;
-    };
-
     void take();
 
     EditContext& context_;
     MassingPanel& panel_;
     std::optional<TowerDraft> draft_;
     std::vector<Edit> edits_;  ///< of the draft; empty while it is invalid
-    std::vector<Built> built_;
+    std::map<std::string, ProposedTower> towers_;
 };
 
 }  // namespace noonmark

@@ -5,6 +5,8 @@
 
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_words.h"
+#include "app/window/looks/height_reference.h"
+#include "app/window/widgets/height_words.h"
 #include "app/window/widgets/number_words.h"
 #include "core/city/terrain/building_ground.h"
 
@@ -23,7 +25,15 @@ QString placeText(const Pick& pick, const City& city) {
 
 QString buildingText(const Building& building, const City& city) {
     const QString name = QString::fromStdString(building.name.empty() ? building.sourceId : building.name);
-    QString text = QObject::tr("%1, %2 high").arg(name).arg(describeLength(double(heightM(building, city))));
+    const double groundM = double(findGroundUnder(building, city));
+    const Box2 box = bounds(building);
+    const glm::dvec2 middle = glm::dvec2(box.low + box.high) / 2.0;
+    QString text =
+        heightReferenceInUse() == HeightReference::datum
+            ? QObject::tr("%1, top %2")
+                  .arg(name, describeHeight(double(heightM(building, city)),
+                                            computeElevation(city, {middle, groundM})))
+            : QObject::tr("%1, %2 high").arg(name, describeLength(double(heightM(building, city))));
     if (!building.status.empty())
         text += QStringLiteral(" (%1)").arg(QString::fromStdString(building.status));
     return text;

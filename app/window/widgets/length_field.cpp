@@ -1,6 +1,8 @@
 #include "app/window/widgets/length_field.h"
 
+#include <QLineEdit>
 #include <QRegularExpression>
+#include <QSignalBlocker>
 #include <algorithm>
 
 #include "app/window/looks/units.h"
@@ -26,7 +28,8 @@ std::optional<double> parsed(QString text, const QLocale& locale) {
 
 }  // namespace
 
-QString LengthField::textFromValue(double metres) const {
+QString LengthField::textFromValue(double value) const {
+    const double metres = value + zeroM_;
     if (showsFeet()) return QString::fromStdString(formatFeetAndInches(metres));
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -36,20 +39,30 @@ QString LengthField::textFromValue(double metres) const {
 // A text that was not changed means the value itself, which the text may round.
 double LengthField::valueFromText(const QString& text) const {
     if (text == textFromValue(value())) return value();
-    return parsed(text, locale()).value_or(value());
+    const auto length = parsed(text, locale());
+    return length ? *length - zeroM_ : value();
 }
 
 QValidator::State LengthField::validate(QString& text, int& /*position*/) const {
     if (text == textFromValue(value())) return QValidator::Acceptable;
     const auto length = parsed(text, locale());
-    const bool allowed = length && *length >= minimum() - 1e-9 && *length <= maximum() + 1e-9;
+    const bool allowed =
+        length && *length - zeroM_ >= minimum() - 1e-9 && *length - zeroM_ <= maximum() + 1e-9;
     return allowed ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 // What is out of range becomes the nearest possible length, what is no length the one before.
 void LengthField::fixup(QString& text) const {
     const auto length = parsed(text, locale());
-    text = textFromValue(length ? std::clamp(*length, minimum(), maximum()) : value());
+    text = textFromValue(length ? std::clamp(*length - zeroM_, minimum(), maximum()) : value());
+}
+
+void LengthField::setZero(double zeroM) {
+    if (zeroM == zeroM_) return;
+    const double before = value();  // of the text as it is now
+    zeroM_ = zeroM;
+    const QSignalBlocker block(lineEdit());
+    lineEdit()->setText(textFromValue(before));
 }
 
 LengthField* lengthField(double lowM, double highM, int decimals, double stepM) {

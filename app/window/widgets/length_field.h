@@ -16,6 +16,13 @@ public:
     [[nodiscard]] double valueFromText(const QString& text) const override;
     QValidator::State validate(QString& text, int& position) const override;
     void fixup(QString& text) const override;
+
+    /// Shows and takes lengths counted from another zero: what is shown is the value plus `zeroM`, metres.
+    /// The value and its range stay.
+    void setZero(double zeroM);
+
+private:
+    double zeroM_ = 0;
 };
 
 /// Emits a change only after the whole length was typed. `low`, `high`: metres; `decimals`: of metres; a step
