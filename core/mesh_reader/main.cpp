@@ -9,6 +9,7 @@
 #include "core/io/meshes/mesh_reader_process.h"
 #include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/own_limits.h"
+#include "core/mesh_reader/read_dxf.h"
 #include "core/mesh_reader/read_scene.h"
 
 namespace noonmark {
@@ -30,10 +31,11 @@ Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
     if (!bytesBehind) return tl::make_unexpected(bytesBehind.error());
     constexpr std::uintmax_t most = std::uintmax_t(1) << 40;  // keeps the product in range
     limitMemory(memoryAnyway + memoryPerByte * std::min(*bytesBehind, most));
-    return readScene(file, [&, bytes = std::string()](const MeshObject& object) mutable {
+    const auto take = [&, bytes = std::string()](const MeshObject& object) mutable {
         appendObject(bytes, object);
         writeOut(out, bytes);
-    });
+    };
+    return isDxf(file) ? readDxf(file, take) : readScene(file, take);
 }
 
 // Exits without freeing memory: the kernel is faster.

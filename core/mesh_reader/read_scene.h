@@ -14,8 +14,8 @@ namespace noonmark {
 
 /// Reads a mesh file and passes on its objects one by one, with the transformations in the file's tree
 /// applied. Points and lines are left out; polygons stay polygons. The polygons of mirrored objects are
-/// reversed, so that they still face outward. Backend: read_scene_assimp.cpp, which supports OBJ, PLY and
-/// glTF 2 only.
+/// reversed, so that they still face outward. Backend: read_scene_assimp.cpp, which supports OBJ, PLY, glTF 2
+/// and IFC only. DXF: read_dxf.h.
 Result<void> readScene(const std::filesystem::path& file, const std::function<void(const MeshObject&)>& take);
 
 }  // namespace noonmark

@@ -18,8 +18,9 @@ namespace noonmark {
 namespace {
 
 // Names as in the library. It supports some fifty more formats, which a file could select by its content.
-constexpr std::array<std::string_view, 3> allowedImporters{
-    "Wavefront Object Importer", "Stanford Polygon Library (PLY) Importer", "glTF2 Importer"};
+constexpr std::array<std::string_view, 4> allowedImporters{
+    "Wavefront Object Importer", "Stanford Polygon Library (PLY) Importer", "glTF2 Importer",
+    "Industry Foundation Classes (IFC) Importer"};
 
 void keepAllowedImporters(Assimp::Importer& importer) {
     std::vector<Assimp::BaseImporter*> others;

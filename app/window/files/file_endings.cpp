@@ -19,12 +19,12 @@ const QStringList& vectorEndings() {
 }
 
 const QStringList& modelEndings() {
-    static const QStringList endings = listOf("json jsonl obj ply gltf glb");
+    static const QStringList endings = listOf("json jsonl obj ply gltf glb ifc dxf");
     return endings;
 }
 
 const QStringList& massEndings() {
-    static const QStringList endings = listOf("obj ply gltf glb");
+    static const QStringList endings = listOf("obj ply gltf glb ifc dxf");
     return endings;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/io/files/json_kind.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/meshes/stated_axes.h"
 
 namespace noonmark {
 
@@ -85,6 +86,7 @@ bool beginsJson(std::string_view head) {
 Head kindFromHead(std::string_view head) {
     if (const Head magic = kindFromMagic(head)) return magic;
     if (const Head map = kindOfOpenStreetMap(head)) return map;
+    if (beginsIfc(head) || beginsDxf(head)) return FileKind::mesh;
     return kindOfObj(head);
 }
 

@@ -16,7 +16,7 @@ namespace noonmark {
 enum class FileKind {
     footprints,  ///< readFootprints: vector maps, OpenStreetMap
     cityJson,    ///< readCityJson: CityJSON and CityJSONSeq
-    mesh,        ///< readMesh: OBJ, PLY, glTF, glb
+    mesh,        ///< readMesh: OBJ, PLY, glTF, glb, IFC, DXF
     terrain,     ///< readTerrain: rasters
 };
 

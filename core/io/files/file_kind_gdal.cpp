@@ -10,7 +10,7 @@ namespace {
 constexpr const char* readFormats =
     "Noonmark reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, GML, OpenStreetMap (.osm, .osm.pbf), "
     "CityJSON, "
-    "OBJ, PLY, glTF and terrain rasters (GeoTIFF and others)";
+    "OBJ, PLY, glTF, IFC, DXF and terrain rasters (GeoTIFF and others)";
 }  // namespace
 
 Result<FileKind> detectFileKindWithGdal(const std::filesystem::path& file) {

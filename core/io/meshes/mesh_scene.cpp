@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::string_view sceneHead = "noonmark mesh 1\n";
+constexpr std::string_view sceneHead = "noonmark mesh 2\n";
 constexpr char objectTag = 'o';
 constexpr char endTag = 'z';
 constexpr char errorTag = 'e';
@@ -87,6 +87,7 @@ MeshObject takeObject(SceneBytes& bytes) {
     const std::size_t pieces = bytes.takeCount(fewestPieceBytes);
     for (std::size_t i = 0; i < pieces && bytes.good(); ++i) object.pieces.push_back(takePiece(bytes));
     bytes.takeList(object.parent);
+    bytes.takeList(object.note);
     return object;
 }
 
@@ -113,6 +114,7 @@ void appendObject(std::string& bytes, const MeshObject& object) {
         appendList(bytes, piece.corners);
     }
     appendList(bytes, object.parent);
+    appendList(bytes, object.note);
 }
 
 void appendSceneEnd(std::string& bytes) { bytes += endTag; }

@@ -24,6 +24,8 @@ struct MeshObject {
     std::string name;
     std::vector<MeshPiece> pieces;
     std::string parent = {};  ///< name of the object that contains it; empty for the file itself
+    /// What the reader left out, such as "3DSOLID (2)"; such an object has nothing else. Empty: none.
+    std::string note = {};
     bool operator==(const MeshObject&) const = default;
 };
 

@@ -12,6 +12,7 @@
 #include "core/io/heights/height_text.h"
 #include "core/io/meshes/mesh_buildings.h"
 #include "core/io/meshes/mesh_reader_process.h"
+#include "core/io/meshes/stated_axes.h"
 #include "core/io/read_part.h"
 
 namespace noonmark {
@@ -21,8 +22,10 @@ namespace {
 // Transforms the mesh's axes and unit to metres east, north and up of its origin.
 class Placement {
 public:
-    Placement(const ReadSettings& settings, glm::dvec2 origin)
+    Placement(const ReadSettings& settings, const std::optional<StatedAxes>& stated, glm::dvec2 origin)
         : metres_(metresPer(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
+        if (stated) yUp_ = stated->yUp;
+        if (stated) metres_ = stated->metresPerUnit.value_or(metres_);
         const double north = settings.meshNorthDeg * std::numbers::pi / 180;
         sin_ = std::sin(north);
         cos_ = std::cos(north);
@@ -75,6 +78,9 @@ struct SceneReader {
     Warnings warnings;
 
     void add(const MeshObject& read) {
+        if (!read.note.empty())
+            warnings.push_back({WarningKind::leftOut, "drawing entities that are no masses",
+                                fmt::format("{}: {}", file, read.note)});
         NamedMesh object{read.name, {}, read.parent};
         for (const MeshPiece& piece : read.pieces) addPiece(piece, object);
         if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
@@ -138,12 +144,21 @@ void dropFarTriangles(SceneReader& reader) {
     }
 }
 
+Warning describeUnit(const StatedAxes& stated, const std::string& file) {
+    if (!stated.metresPerUnit)
+        return {WarningKind::assumed, "the DXF states no unit; that of the reading settings is used", file};
+    return {WarningKind::assumed, fmt::format("the coordinates are in {}, as the file states", stated.unit),
+            file};
+}
+
 std::string formatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     if (extension == ".obj") return "Wavefront OBJ";
     if (extension == ".ply") return "PLY";
+    if (extension == ".ifc") return "IFC";
+    if (extension == ".dxf") return "DXF";
     return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
 }
 
@@ -156,8 +171,10 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     if (!frame) return tl::make_unexpected(frame.error());
     const glm::dvec2 origin =
         settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
-    const Placement placement(settings, origin);
+    const auto stated = findStatedAxes(file);
+    const Placement placement(settings, stated, origin);
     SceneReader reader{placement, file.filename().string(), {}, {}};
+    if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
     for (const MeshObject& object : scene) {
         if (stop.stop_requested()) return cancelled();
         reader.add(object);

@@ -1,0 +1,165 @@
+#include "core/mesh_reader/dxf_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace noonmark {
+
+namespace {
+
+constexpr double arcStep = 10 * std::numbers::pi / 180;
+constexpr std::size_t mostMeshSide = 32767;  // points along one side of a polygon mesh, as in the format
+
+// A corner of an outline and the bulge of the edge after it: the tangent of a quarter of its arc's angle.
+struct OutlinePoint {
+    double x = 0, y = 0, bulge = 0;
+};
+
+// The points on the arc from `a` to `b`, without its ends.
+void addArc(const OutlinePoint& a, const OutlinePoint& b, std::vector<OutlinePoint>& points) {
+    const double angle = 4 * std::atan(a.bulge);
+    const int steps = int(std::ceil(std::abs(angle) / arcStep));
+    if (steps < 2) return;
+    const double half = (1 / a.bulge - a.bulge) / 4;  // from the chord's middle to the centre, in chords
+    const double x = (a.x + b.x) / 2 - (b.y - a.y) * half, y = (a.y + b.y) / 2 + (b.x - a.x) * half;
+    for (int i = 1; i < steps; ++i) {
+        const double turn = angle * i / steps, cos = std::cos(turn), sin = std::sin(turn);
+        points.push_back({x + (a.x - x) * cos - (a.y - y) * sin, y + (a.x - x) * sin + (a.y - y) * cos, 0});
+    }
+}
+
+std::vector<OutlinePoint> withArcs(const std::vector<OutlinePoint>& corners) {
+    std::vector<OutlinePoint> points;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        points.push_back(corners[i]);
+        if (corners[i].bulge != 0) addArc(corners[i], corners[(i + 1) % corners.size()], points);
+    }
+    return points;
+}
+
+bool isClosed(const DxfEntity& entity, std::vector<OutlinePoint>& corners) {
+    if (corners.size() > 3 && corners.front().x == corners.back().x &&
+        corners.front().y == corners.back().y) {
+        corners.pop_back();
+        return true;
+    }
+    return (entity.whole(70) & 1) != 0;
+}
+
+// An entity may be seen from below: its extrusion direction (210 to 230) is then -z and mirrors x.
+DxfShape extrude(const DxfEntity& entity, const std::vector<OutlinePoint>& corners, double elevation) {
+    const double thickness = entity.number(39), upwards = entity.number(230, 1);
+    if (thickness == 0) return {{}, "outlines without a thickness"};
+    if (std::abs(std::abs(upwards) - 1) > 1e-6) return {{}, "outlines that are not level"};
+    const double mirror = upwards < 0 ? -1 : 1;
+    DxfPolygon low, high;
+    for (const OutlinePoint& point : withArcs(corners)) {
+        low.emplace_back(point.x * mirror, point.y, elevation * mirror);
+        high.emplace_back(point.x * mirror, point.y, (elevation + thickness) * mirror);
+    }
+    if (low.size() < 3) return {{}, "outlines of fewer than three corners"};
+    DxfShape shape;
+    for (std::size_t i = 0; i < low.size(); ++i) {
+        const std::size_t next = (i + 1) % low.size();
+        shape.polygons.push_back({low[i], low[next], high[next], high[i]});
+    }
+    shape.polygons.push_back(high);
+    std::ranges::reverse(low);
+    shape.polygons.push_back(std::move(low));
+    return shape;
+}
+
+DxfShape makePolyface(const std::vector<DxfEntity>& vertices) {
+    constexpr int facePart = 128, meshPoint = 64;
+    std::vector<glm::dvec3> points;
+    DxfShape shape;
+    for (const DxfEntity& vertex : vertices) {
+        const int flags = vertex.whole(70);
+        if ((flags & facePart) == 0 || (flags & meshPoint) != 0) {
+            points.push_back(vertex.point(10));
+            continue;
+        }
+        DxfPolygon face;
+        for (const int code : {71, 72, 73, 74}) {
+            const auto corner = std::size_t(std::abs(double(vertex.whole(code))));  // negative: a hidden edge
+            if (corner > 0 && corner <= points.size()) face.push_back(points[corner - 1]);
+        }
+        if (face.size() >= 3) shape.polygons.push_back(std::move(face));
+    }
+    if (shape.polygons.empty()) shape.leftOut = "polyface meshes without faces";
+    return shape;
+}
+
+DxfShape makeGridMesh(const DxfEntity& polyline, const std::vector<DxfEntity>& vertices) {
+    const auto rows = std::size_t(std::max(0, polyline.whole(71)));
+    const auto columns = std::size_t(std::max(0, polyline.whole(72)));
+    if (rows > mostMeshSide || columns > mostMeshSide || rows < 2 || columns < 2 ||
+        rows * columns != vertices.size())
+        return {{}, "polygon meshes that are smoothed or incomplete"};
+    const std::size_t lastRow = (polyline.whole(70) & 1) != 0 ? rows : rows - 1;
+    const std::size_t lastColumn = (polyline.whole(70) & 32) != 0 ? columns : columns - 1;
+    const auto at = [&](std::size_t row, std::size_t column) {
+        return vertices[(row % rows) * columns + column % columns].point(10);
+    };
+    DxfShape shape;
+    for (std::size_t row = 0; row < lastRow; ++row)
+        for (std::size_t column = 0; column < lastColumn; ++column)
+            shape.polygons.push_back(
+                {at(row, column), at(row, column + 1), at(row + 1, column + 1), at(row + 1, column)});
+    return shape;
+}
+
+}  // namespace
+
+// The fourth corner of a triangle repeats the third.
+DxfShape makeFace(const DxfEntity& face) {
+    DxfPolygon polygon;
+    for (const int code : {10, 11, 12, 13}) {
+        const glm::dvec3 corner = face.has(code) ? face.point(code) : face.point(12);
+        if (polygon.empty() || corner != polygon.back()) polygon.push_back(corner);
+    }
+    if (polygon.size() > 3 && polygon.back() == polygon.front()) polygon.pop_back();
+    if (polygon.size() < 3) return {{}, "faces of fewer than three corners"};
+    return {{std::move(polygon)}, {}};
+}
+
+// Corners are stored crosswise: the third and the fourth are exchanged.
+DxfShape makeSolid(const DxfEntity& solid) {
+    std::vector<OutlinePoint> corners;
+    for (const int code : {10, 11, 13, 12}) {
+        if (!solid.has(code)) continue;
+        const glm::dvec3 point = solid.point(code);
+        if (corners.empty() || point.x != corners.back().x || point.y != corners.back().y)
+            corners.push_back({point.x, point.y, 0});
+    }
+    return extrude(solid, corners, solid.number(30));
+}
+
+DxfShape makeLightOutline(const DxfEntity& outline) {
+    std::vector<OutlinePoint> corners;
+    for (const auto& [code, value] : outline.groups) {
+        const double number = parseDxfNumber(value).value_or(0);
+        if (code == 10) corners.push_back({number, 0, 0});
+        if (code == 20 && !corners.empty()) corners.back().y = number;
+        if (code == 42 && !corners.empty()) corners.back().bulge = number;
+    }
+    if (!isClosed(outline, corners)) return {{}, "open lines"};
+    return extrude(outline, corners, outline.number(38));
+}
+
+DxfShape makePolyline(const DxfEntity& polyline, const std::vector<DxfEntity>& vertices) {
+    constexpr int line3d = 8, gridMesh = 16, polyface = 64;
+    const int flags = polyline.whole(70);
+    if ((flags & polyface) != 0) return makePolyface(vertices);
+    if ((flags & gridMesh) != 0) return makeGridMesh(polyline, vertices);
+    if ((flags & line3d) != 0) return {{}, "3D lines"};
+    std::vector<OutlinePoint> corners;
+    for (const DxfEntity& vertex : vertices)
+        corners.push_back({vertex.number(10), vertex.number(20), vertex.number(42)});
+    if (!isClosed(polyline, corners)) return {{}, "open lines"};
+    return extrude(polyline, corners, polyline.number(30));
+}
+
+}  // namespace noonmark

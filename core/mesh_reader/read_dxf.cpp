@@ -1,0 +1,211 @@
+#include "core/mesh_reader/read_dxf.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+#include <map>
+
+#include "core/mesh_reader/dxf_shapes.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int deepestInsert = 16;                // blocks in blocks
+constexpr std::size_t mostPolygons = 5'000'000;  // blocks can repeat each other without end
+constexpr std::size_t mostInserts = 1'000'000;
+
+struct LayeredShape {
+    std::string layer;
+    std::vector<DxfPolygon> polygons;
+};
+
+struct Insert {
+    std::string block;
+    std::string layer;
+    glm::dmat4 place{1};
+};
+
+/// The drawing itself, or a block of it.
+struct DxfBlock {
+    glm::dvec3 base{0};
+    std::vector<LayeredShape> shapes;
+    std::vector<Insert> inserts;
+};
+
+Insert parseInsert(const DxfEntity& entity) {
+    Insert insert{entity.text(2), entity.text(8)};
+    const double angle = glm::radians(entity.number(50));
+    insert.place = glm::translate(insert.place, entity.point(10));
+    insert.place = glm::rotate(insert.place, angle, glm::dvec3(0, 0, 1));
+    insert.place = glm::scale(insert.place,
+                              glm::dvec3(entity.number(41, 1), entity.number(42, 1), entity.number(43, 1)));
+    return insert;
+}
+
+/// Reads sections; remembers what was left out, by reason.
+class DxfDocument {
+public:
+    explicit DxfDocument(std::istream& stream) : reader_(stream) {}
+
+    void read() {
+        std::string section;
+        for (auto entity = reader_.next(); entity; entity = takeEntity(*entity, section)) {
+        }
+    }
+
+    [[nodiscard]] const DxfBlock& drawing() const { return drawing_; }
+    [[nodiscard]] const DxfBlock* block(const std::string& name) const {
+        const auto found = blocks_.find(name);
+        return found == blocks_.end() ? nullptr : &found->second;
+    }
+    [[nodiscard]] const std::map<std::string, std::size_t>& leftOut() const { return leftOut_; }
+
+private:
+    // Returns the entity after this one.
+    std::optional<DxfEntity> takeEntity(const DxfEntity& entity, std::string& section) {
+        if (entity.type == "SECTION") section = entity.text(2);
+        if (entity.type == "ENDSEC") section.clear();
+        if (section == "BLOCKS" && entity.type == "BLOCK") {
+            into_ = &blocks_[entity.text(2)];
+            into_->base = entity.point(10);
+        } else if (entity.type == "ENDBLK" || entity.type == "SECTION") {
+            into_ = &drawing_;
+        } else if (section == "ENTITIES" || section == "BLOCKS") {
+            return takeShape(entity);
+        }
+        return reader_.next();
+    }
+
+    std::optional<DxfEntity> takeShape(const DxfEntity& entity) {
+        if (entity.type == "POLYLINE") return takePolyline(entity);
+        if (entity.type == "INSERT") {
+            into_->inserts.push_back(parseInsert(entity));
+            if (entity.whole(70, 1) > 1 || entity.whole(71, 1) > 1)
+                ++leftOut_["repeated rows of inserted blocks"];
+        } else if (entity.type == "3DFACE")
+            add(entity, makeFace(entity));
+        else if (entity.type == "SOLID" || entity.type == "TRACE")
+            add(entity, makeSolid(entity));
+        else if (entity.type == "LWPOLYLINE")
+            add(entity, makeLightOutline(entity));
+        else if (entity.type != "ENDSEC" && entity.type != "ATTRIB" && entity.type != "SEQEND")
+            ++leftOut_[entity.type];
+        return reader_.next();
+    }
+
+    std::optional<DxfEntity> takePolyline(const DxfEntity& polyline) {
+        std::vector<DxfEntity> vertices;
+        auto entity = reader_.next();
+        for (; entity && entity->type == "VERTEX"; entity = reader_.next()) vertices.push_back(*entity);
+        add(polyline, makePolyline(polyline, vertices));
+        return entity;
+    }
+
+    void add(const DxfEntity& entity, DxfShape shape) {
+        if (shape.polygons.empty())
+            ++leftOut_[shape.leftOut];
+        else
+            into_->shapes.push_back({entity.text(8), std::move(shape.polygons)});
+    }
+
+    DxfReader reader_;
+    DxfBlock drawing_;
+    std::map<std::string, DxfBlock> blocks_;
+    DxfBlock* into_ = &drawing_;
+    std::map<std::string, std::size_t> leftOut_;
+};
+
+/// Collects the polygons of each layer, those of inserted blocks at their place.
+class LayerMeshes {
+public:
+    explicit LayerMeshes(const DxfDocument& document) : document_(document) {}
+
+    // False: there are too many.
+    bool add(const DxfBlock& block, const glm::dmat4& place, const std::string& layer, int depth) {
+        for (const LayeredShape& shape : block.shapes) addShape(shape, place, layer);
+        if (depth >= deepestInsert || count_ > mostPolygons) return false;
+        for (const Insert& insert : block.inserts) {
+            const DxfBlock* inserted = document_.block(insert.block);
+            if (!inserted) continue;
+            if (++inserts_ > mostInserts) return false;
+            const glm::dmat4 there = glm::translate(place * insert.place, -inserted->base);
+            // In a block, layer 0 means the layer of what inserts it.
+            if (!add(*inserted, there, insert.layer == "0" ? layer : insert.layer, depth + 1)) return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] const std::map<std::string, MeshPiece>& layers() const { return layers_; }
+
+private:
+    void addShape(const LayeredShape& shape, const glm::dmat4& place, const std::string& layer) {
+        MeshPiece& piece = layers_[shape.layer == "0" && !layer.empty() ? layer : shape.layer];
+        for (const DxfPolygon& polygon : shape.polygons) {
+            piece.cornerCounts.push_back(std::uint32_t(polygon.size()));
+            for (const glm::dvec3 corner : polygon) {
+                piece.corners.push_back(std::uint32_t(piece.points.size()));
+                piece.points.emplace_back(glm::vec3(place * glm::dvec4(corner, 1)));
+            }
+            ++count_;
+        }
+    }
+
+    const DxfDocument& document_;
+    std::map<std::string, MeshPiece> layers_;
+    std::size_t count_ = 0, inserts_ = 0;
+};
+
+std::string describeLeftOut(const std::map<std::string, std::size_t>& leftOut) {
+    std::string text;
+    for (const auto& [what, count] : leftOut)
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", what, count);
+    return text;
+}
+
+std::string headOf(const std::filesystem::path& file, std::size_t bytes) {
+    std::string head(bytes, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), std::streamsize(bytes));
+    head.resize(std::size_t(stream.gcount()));
+    return head;
+}
+
+constexpr std::string_view binaryHead = "AutoCAD Binary DXF";
+
+}  // namespace
+
+bool isDxf(const std::filesystem::path& file) {
+    constexpr std::size_t headBytes = 4096;
+    if (headOf(file, headBytes).starts_with(binaryHead)) return true;
+    std::ifstream stream(file, std::ios::binary);
+    const auto first = DxfReader(stream).next();
+    return first && first->type == "SECTION";
+}
+
+Result<void> readDxf(const std::filesystem::path& file, const std::function<void(const MeshObject&)>& take) {
+    if (headOf(file, binaryHead.size()) == binaryHead)
+        return failure("The DXF is in binary form", file.string(), "Save it as an ASCII DXF");
+    std::ifstream stream(file, std::ios::binary);
+    DxfDocument document(stream);
+    document.read();
+    LayerMeshes meshes(document);
+    if (!meshes.add(document.drawing(), glm::dmat4(1), {}, 0))
+        return failure("Blocks of the DXF insert each other too often", file.string(),
+                       "Explode the blocks of the masses, and export these alone");
+    const std::string leftOut = describeLeftOut(document.leftOut());
+    if (meshes.layers().empty())
+        return failure(
+            "The DXF holds no mass" + (leftOut.empty() ? leftOut : ", only " + leftOut), file.string(),
+            "Draw masses as 3D faces, polyface meshes or closed outlines with a thickness; convert "
+            "3D solids to meshes");
+    for (const auto& [layer, piece] : meshes.layers()) take({layer, {piece}});
+    for (const auto& [what, count] : document.leftOut())
+        take({{}, {}, {}, fmt::format("{} ({})", what, count)});
+    return {};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,295 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/io/files/file_kind.h"
+#include "core/io/meshes/stated_axes.h"
+#include "core/io/read_part.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+using tests::TemporaryFolder;
+
+Result<FilePiece> readMass(const std::filesystem::path& file) {
+    ReadSettings settings;
+    settings.meshAnchor = LonLat{-73.98, 40.75};
+    settings.frame = Frame(*settings.meshAnchor);
+    NoProgress progress;
+    return readMesh(file, settings, progress, {});
+}
+
+struct Extent {
+    Box2 box;
+    float topM = -1e30F;
+};
+
+Extent extentOf(const FilePiece& piece) {
+    Extent extent;
+    for (const auto& building : piece.buildings) {
+        extent.box.add(bounds(*building));
+        extent.topM = std::max(extent.topM, topM(*building));
+    }
+    return extent;
+}
+
+std::string groups(std::initializer_list<std::pair<int, std::string>> pairs) {
+    std::string text;
+    for (const auto& [code, value] : pairs) text += std::to_string(code) + "\n" + value + "\n";
+    return text;
+}
+
+std::string header(int units) {
+    return groups(
+        {{0, "SECTION"}, {2, "HEADER"}, {9, "$INSUNITS"}, {70, std::to_string(units)}, {0, "ENDSEC"}});
+}
+
+std::string drawing(const std::string& entities, const std::string& before = {}) {
+    return before + groups({{0, "SECTION"}, {2, "ENTITIES"}}) + entities +
+           groups({{0, "ENDSEC"}, {0, "EOF"}});
+}
+
+// A closed rectangle of 20 x 10, 30 high, on layer "tower".
+std::string outline(const char* thickness = "30") {
+    return groups({{0, "LWPOLYLINE"},
+                   {8, "tower"},
+                   {90, "4"},
+                   {70, "1"},
+                   {39, thickness},
+                   {10, "0"},
+                   {20, "0"},
+                   {10, "20"},
+                   {20, "0"},
+                   {10, "20"},
+                   {20, "10"},
+                   {10, "0"},
+                   {20, "10"}});
+}
+
+std::string face(std::initializer_list<std::array<int, 3>> corners) {
+    std::string text = groups({{0, "3DFACE"}, {8, "faces"}});
+    int code = 10;
+    for (const auto& corner : corners) {
+        for (int axis = 0; axis < 3; ++axis)
+            text += groups({{code + 10 * axis, std::to_string(corner[std::size_t(axis)])}});
+        ++code;
+    }
+    return text;
+}
+
+// The faces of a box of 6 x 4 x 9.
+std::string boxFaces() {
+    return face({{0, 0, 0}, {0, 4, 0}, {6, 4, 0}, {6, 0, 0}}) +
+           face({{0, 0, 9}, {6, 0, 9}, {6, 4, 9}, {0, 4, 9}}) +
+           face({{0, 0, 0}, {6, 0, 0}, {6, 0, 9}, {0, 0, 9}}) +
+           face({{6, 0, 0}, {6, 4, 0}, {6, 4, 9}, {6, 0, 9}}) +
+           face({{6, 4, 0}, {0, 4, 0}, {0, 4, 9}, {6, 4, 9}}) +
+           face({{0, 4, 0}, {0, 0, 0}, {0, 0, 9}, {0, 4, 9}});
+}
+
+std::string allWarnings(const FilePiece& piece) {
+    std::string text;
+    for (const Warning& warning : piece.warnings) text += warning.what + " | " + warning.where + "\n";
+    return text;
+}
+
+TEST(DxfMasses, AnOutlineWithAThicknessIsExtrudedInItsOwnUnit) {
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("mass.dxf", drawing(outline("30"), header(2)))).value();
+    const Extent extent = extentOf(piece);
+    EXPECT_NEAR(extent.topM, 30 * 0.3048, 1e-3);
+    EXPECT_NEAR(extent.box.high.x - extent.box.low.x, 20 * 0.3048, 1e-3);
+    EXPECT_NEAR(extent.box.high.y - extent.box.low.y, 10 * 0.3048, 1e-3);
+    EXPECT_EQ(piece.format, "DXF");
+    EXPECT_THAT(allWarnings(piece), HasSubstr("feet ($INSUNITS 2)"));
+}
+
+TEST(DxfMasses, WithoutAUnitThatOfTheSettingsIsStatedAsAssumed) {
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("mass.dxf", drawing(outline()))).value();
+    EXPECT_NEAR(extentOf(piece).topM, 30, 1e-3);
+    EXPECT_THAT(allWarnings(piece), HasSubstr("states no unit"));
+}
+
+TEST(DxfMasses, FacesMakeASolidWithZUp) {
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("box.dxf", drawing(boxFaces(), header(6)))).value();
+    ASSERT_EQ(piece.buildings.size(), 1U);
+    const Extent extent = extentOf(piece);
+    EXPECT_NEAR(extent.topM, 9, 1e-3);
+    EXPECT_NEAR(extent.box.high.y - extent.box.low.y, 4, 1e-3);
+    EXPECT_THAT(allWarnings(piece), testing::Not(HasSubstr("not closed")));
+}
+
+TEST(DxfMasses, APolyfaceMeshIsRead) {
+    const auto point = [](int x, int y, int z) {
+        return groups({{0, "VERTEX"},
+                       {70, "192"},
+                       {10, std::to_string(x)},
+                       {20, std::to_string(y)},
+                       {30, std::to_string(z)}});
+    };
+    const auto triangle = [](int a, int b, int c) {
+        return groups({{0, "VERTEX"},
+                       {70, "128"},
+                       {71, std::to_string(a)},
+                       {72, std::to_string(-b)},
+                       {73, std::to_string(c)}});
+    };
+    const std::string mesh = groups({{0, "POLYLINE"}, {8, "mesh"}, {70, "64"}}) + point(0, 0, 0) +
+                             point(10, 0, 0) + point(0, 10, 0) + point(0, 0, 12) + triangle(1, 3, 2) +
+                             triangle(1, 2, 4) + triangle(2, 3, 4) + triangle(3, 1, 4) +
+                             groups({{0, "SEQEND"}});
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("mesh.dxf", drawing(mesh, header(6)))).value();
+    EXPECT_NEAR(extentOf(piece).topM, 12, 1e-3);
+}
+
+TEST(DxfMasses, BlocksAreInsertedScaledAndTurned) {
+    const std::string blocks = groups({{0, "SECTION"}, {2, "BLOCKS"}, {0, "BLOCK"}, {2, "t"}, {10, "0"}}) +
+                               outline() + groups({{0, "ENDBLK"}, {0, "ENDSEC"}});
+    const std::string insert = groups({{0, "INSERT"},
+                                       {8, "0"},
+                                       {2, "t"},
+                                       {10, "100"},
+                                       {20, "50"},
+                                       {41, "2"},
+                                       {42, "2"},
+                                       {43, "2"},
+                                       {50, "90"}});
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("block.dxf", drawing(insert, header(6) + blocks))).value();
+    const Extent extent = extentOf(piece);
+    EXPECT_NEAR(extent.topM, 60, 1e-3);
+    EXPECT_NEAR(extent.box.low.x, 80, 1e-2) << "turned to the left";
+    EXPECT_NEAR(extent.box.high.x, 100, 1e-2);
+    EXPECT_NEAR(extent.box.high.y, 90, 1e-2);
+}
+
+TEST(DxfMasses, ArcsAreRounded) {
+    // A circle of radius 10 as two half circles: bulge 1.
+    const std::string circle = groups({{0, "LWPOLYLINE"},
+                                       {70, "1"},
+                                       {39, "20"},
+                                       {10, "-10"},
+                                       {20, "0"},
+                                       {42, "1"},
+                                       {10, "10"},
+                                       {20, "0"},
+                                       {42, "1"}});
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("round.dxf", drawing(circle, header(6)))).value();
+    const Footprint& plan = piece.buildings.front()->parts.front().footprint;
+    EXPECT_NEAR(area(plan), 314.16, 2);
+}
+
+TEST(DxfMasses, WhatIsLeftOutIsStated) {
+    const TemporaryFolder folder;
+    const std::string others = groups({{0, "3DSOLID"}, {8, "0"}, {0, "LINE"}, {10, "1"}});
+    const auto piece = readMass(folder.file("mixed.dxf", drawing(outline() + others, header(6)))).value();
+    EXPECT_THAT(allWarnings(piece), HasSubstr("3DSOLID (1)"));
+    const auto none = readMass(folder.file("solids.dxf", drawing(others + outline("0"))));
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().text(), testing::AllOf(HasSubstr("no mass"), HasSubstr("3DSOLID (1)"),
+                                                    HasSubstr("without a thickness (1)")));
+}
+
+TEST(DxfMasses, HostileDrawingsEndWithAWord) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](const std::string& text) {
+        const auto piece = readMass(folder.file("hostile.dxf", text));
+        return piece ? std::string() : piece.error().text();
+    };
+    EXPECT_THAT(refusal("AutoCAD Binary DXF\r\n\x1a"), HasSubstr("ASCII DXF"));
+    std::string doubling = groups({{0, "SECTION"}, {2, "BLOCKS"}, {0, "BLOCK"}, {2, "b0"}}) + outline();
+    for (int i = 1; i < 40; ++i) {
+        const std::string insert = groups({{0, "INSERT"}, {2, "b" + std::to_string(i - 1)}});
+        doubling += groups({{0, "BLOCK"}, {2, "b" + std::to_string(i)}}) + insert + insert;
+    }
+    doubling += groups({{0, "ENDBLK"}, {0, "ENDSEC"}});
+    EXPECT_THAT(refusal(drawing(groups({{0, "INSERT"}, {2, "b39"}}), doubling)), HasSubstr("too often"));
+    const std::string whole = drawing(outline() + boxFaces(), header(6));
+    for (std::size_t cut = 0; cut < whole.size(); cut += 97) {
+        const auto piece = readMass(folder.file("cut.dxf", whole.substr(0, cut)));
+        if (!piece) EXPECT_FALSE(piece.error().what.empty());
+    }
+}
+
+const std::string ifc = R"IFC(ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION((''),'2;1');
+FILE_NAME('box.ifc','2026-01-01T00:00:00',(''),(''),'','','');
+FILE_SCHEMA(('IFC2X3'));
+ENDSEC;
+DATA;
+#1=IFCPERSON($,'a',$,$,$,$,$,$);
+#2=IFCORGANIZATION($,'a',$,$,$);
+#3=IFCPERSONANDORGANIZATION(#1,#2,$);
+#4=IFCAPPLICATION(#2,'1','a','a');
+#5=IFCOWNERHISTORY(#3,#4,$,.ADDED.,$,$,$,0);
+#6=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
+#7=IFCUNITASSIGNMENT((#6));
+#8=IFCCARTESIANPOINT((0.,0.,0.));
+#9=IFCAXIS2PLACEMENT3D(#8,$,$);
+#10=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-05,#9,$);
+#11=IFCPROJECT('0000000000000000000001',#5,'p',$,$,$,$,(#10),#7);
+#12=IFCLOCALPLACEMENT($,#9);
+#13=IFCSITE('0000000000000000000002',#5,'site',$,$,#12,$,$,.ELEMENT.,$,$,$,$,$);
+#14=IFCLOCALPLACEMENT(#12,#9);
+#15=IFCBUILDING('0000000000000000000003',#5,'building',$,$,#14,$,$,.ELEMENT.,$,$,$);
+#16=IFCLOCALPLACEMENT(#14,#9);
+#17=IFCBUILDINGSTOREY('0000000000000000000004',#5,'storey',$,$,#16,$,$,.ELEMENT.,0.);
+#18=IFCRELAGGREGATES('0000000000000000000005',#5,$,$,#11,(#13));
+#19=IFCRELAGGREGATES('0000000000000000000006',#5,$,$,#13,(#15));
+#20=IFCRELAGGREGATES('0000000000000000000007',#5,$,$,#15,(#17));
+#21=IFCCARTESIANPOINT((0.,0.));
+#22=IFCAXIS2PLACEMENT2D(#21,$);
+#23=IFCRECTANGLEPROFILEDEF(.AREA.,$,#22,20000.,10000.);
+#24=IFCDIRECTION((0.,0.,1.));
+#25=IFCEXTRUDEDAREASOLID(#23,#9,#24,60000.);
+#26=IFCSHAPEREPRESENTATION(#10,'Body','SweptSolid',(#25));
+#27=IFCPRODUCTDEFINITIONSHAPE($,$,(#26));
+#28=IFCLOCALPLACEMENT(#16,#9);
+#29=IFCBUILDINGELEMENTPROXY('0000000000000000000008',#5,'tower',$,$,#28,#27,$,$);
+#30=IFCRELCONTAINEDINSPATIALSTRUCTURE('0000000000000000000009',#5,$,$,(#29),#17);
+ENDSEC;
+END-ISO-10303-21;
+)IFC";
+
+TEST(IfcMasses, AreReadInTheirOwnUnitWithTheirUpAxis) {
+    const TemporaryFolder folder;
+    const auto file = folder.file("mass.ifc", ifc);
+    EXPECT_EQ(detectFileKind(file).value(), FileKind::mesh);
+    const auto piece = readMass(file).value();
+    const Extent extent = extentOf(piece);
+    EXPECT_NEAR(extent.topM, 60, 1e-3) << "60,000 mm";
+    EXPECT_NEAR(extent.box.high.x - extent.box.low.x, 20, 1e-3);
+    EXPECT_NEAR(extent.box.high.y - extent.box.low.y, 10, 1e-3);
+    EXPECT_EQ(piece.format, "IFC");
+}
+
+TEST(IfcMasses, CutOffFilesEndWithAWord) {
+    const TemporaryFolder folder;
+    for (std::size_t cut = 200; cut < ifc.size(); cut += 331) {
+        const auto piece = readMass(folder.file("cut.ifc", ifc.substr(0, cut)));
+        if (!piece) EXPECT_FALSE(piece.error().what.empty());
+    }
+}
+
+TEST(StatedAxes, AreThoseOfTheFile) {
+    const TemporaryFolder folder;
+    const auto dxf = findStatedAxes(folder.file("a.dxf", drawing(outline(), header(4))));
+    ASSERT_TRUE(dxf);
+    EXPECT_FALSE(dxf->yUp);
+    EXPECT_EQ(dxf->metresPerUnit, 0.001);
+    EXPECT_FALSE(findStatedAxes(folder.file("b.dxf", drawing(outline(), header(0))))->metresPerUnit);
+    EXPECT_FALSE(findStatedAxes(folder.file("c.obj", "v 0 0 0\n")));
+    EXPECT_EQ(detectFileKind(folder.file("d.txt", drawing(outline()))).value(), FileKind::mesh);
+    EXPECT_FALSE(beginsIfc("ISO-10303-21;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));"));
+}
+
+}  // namespace
+}  // namespace noonmark
