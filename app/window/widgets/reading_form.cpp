@@ -90,7 +90,7 @@ QGroupBox* ReadingForm::makeData() {
 }
 
 QGroupBox* ReadingForm::makeMeshes() {
-    auto* group = new QGroupBox(tr("Meshes (OBJ, PLY, glTF)"));
+    auto* group = new QGroupBox(tr("Meshes (OBJ, PLY, glTF, IFC, DXF)"));
     auto* form = new QFormLayout(group);
     form->addRow(tr("Up axis"), upAxis_);
     form->addRow(tr("Unit of coordinates"), meshUnit_);
