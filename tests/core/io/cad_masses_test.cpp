@@ -214,7 +214,9 @@ TEST(DxfMasses, HostileDrawingsEndWithAWord) {
     const std::string whole = drawing(outline() + boxFaces(), header(6));
     for (std::size_t cut = 0; cut < whole.size(); cut += 97) {
         const auto piece = readMass(folder.file("cut.dxf", whole.substr(0, cut)));
-        if (!piece) EXPECT_FALSE(piece.error().what.empty());
+        if (!piece) {
+            EXPECT_FALSE(piece.error().what.empty());
+        }
     }
 }
 
@@ -275,7 +277,9 @@ TEST(IfcMasses, CutOffFilesEndWithAWord) {
     const TemporaryFolder folder;
     for (std::size_t cut = 200; cut < ifc.size(); cut += 331) {
         const auto piece = readMass(folder.file("cut.ifc", ifc.substr(0, cut)));
-        if (!piece) EXPECT_FALSE(piece.error().what.empty());
+        if (!piece) {
+            EXPECT_FALSE(piece.error().what.empty());
+        }
     }
 }
 
