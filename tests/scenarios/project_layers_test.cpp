@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/gdal_calls.h"
+#include "core/io/places/read_places.h"
+#include "core/receivers/place_names.h"
 #include "scenarios/project/project_file.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
@@ -51,6 +53,16 @@ TEST_F(ProjectLayersTest, TheLocalPlaneLiesOnTheEarth) {
     const LonLat truth = threeHouses().frame.lonLatFromLocal({200, 30});
     EXPECT_NEAR(x, truth.lonDeg, 1e-9);
     EXPECT_NEAR(y, truth.latDeg, 1e-9);
+}
+
+TEST_F(ProjectLayersTest, PlacesReadFromTheFileHaveTheSourcesOfTheProject) {
+    const Project project = ProjectFile::open(file_).value().project();
+    ASSERT_FALSE(project.places.empty());
+    NoProgress quiet;
+    const auto read = readPlaces(file_, {}, project.city->frame, quiet, {}).value();
+    ASSERT_EQ(read.places.size(), project.places.size());
+    for (const Place& place : project.places)
+        EXPECT_EQ(findPlace(read.places, place.name).value().source, place.source);
 }
 
 TEST_F(ProjectLayersTest, EveryPolygonLayerHasAStyle) {

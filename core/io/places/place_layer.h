@@ -19,6 +19,8 @@ namespace noonmark {
 /// place_layer_gdal.cpp.
 class PlaceLayer {
 public:
+    /// Whether Noonmark wrote the layer: the places of a project. Their sources stay as they are stated.
+    static bool isOfProject(OGRLayer& layer);
     /// Error: no coordinate system, or an unknown one; the name field that the user named does not exist.
     static Result<PlaceLayer> of(OGRLayer& layer, const PlaceSettings& settings, const std::string& file,
                                  bool fromOsm);
@@ -37,6 +39,7 @@ public:
 private:
     struct Area {
         std::string id, name;
+        std::string source;  // that the layer states; empty: file and id
         PlaceKind kind = PlaceKind::other;
         std::vector<std::vector<std::vector<glm::dvec2>>> polygons;  // CrsPolygon
     };
@@ -51,6 +54,7 @@ private:
     [[nodiscard]] PlaceTags tagsOf(const OGRFeature& feature) const;
     [[nodiscard]] std::string nameIn(const OGRFeature& feature) const;
     [[nodiscard]] std::string idOf(const OGRFeature& feature) const;
+    [[nodiscard]] std::string sourceIn(const OGRFeature& feature) const;
     [[nodiscard]] std::optional<PlaceKind> kindOf(const OGRFeature& feature) const;
     [[nodiscard]] bool isWanted(PlaceKind kind, const std::string& name) const;
     void readArea(const OGRFeature& feature);
@@ -61,7 +65,7 @@ private:
     std::string source_;  // "OSM ", or "parks.gpkg, "
     bool fromOsm_ = false;
     bool tagged_ = false;
-    int nameField_ = -1, kindField_ = -1, osmId_ = -1, osmWayId_ = -1;
+    int nameField_ = -1, kindField_ = -1, sourceField_ = -1, osmId_ = -1, osmWayId_ = -1;
     std::vector<std::pair<int, std::string>> tagFields_;
     std::vector<Area> areas_;
     std::vector<Street> streets_;

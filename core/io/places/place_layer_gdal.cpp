@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/geo/distance.h"
 #include "core/io/footprints/ogr_polygons.h"
@@ -47,8 +48,15 @@ Result<PlaceLayer> PlaceLayer::of(OGRLayer& layer, const PlaceSettings& settings
     return made;
 }
 
+bool PlaceLayer::isOfProject(OGRLayer& layer) {
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    return std::string_view(layer.GetName()) == "places" && fields.GetFieldIndex("kind") >= 0 &&
+           fields.GetFieldIndex("source") >= 0;
+}
+
 void PlaceLayer::findFields(OGRLayer& layer) {
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+    if (!fromOsm_ && isOfProject(layer)) sourceField_ = definition.GetFieldIndex("source");
     kindField_ = fromOsm_ ? -1 : layer.FindFieldIndex("kind", 0);
     osmId_ = definition.GetFieldIndex("osm_id");
     osmWayId_ = definition.GetFieldIndex("osm_way_id");
@@ -80,6 +88,13 @@ std::string PlaceLayer::idOf(const OGRFeature& feature) const {
     return fmt::format("feature {}", feature.GetFID());
 }
 
+// As a project names the source of a place that states none.
+std::string PlaceLayer::sourceIn(const OGRFeature& feature) const {
+    if (sourceField_ < 0) return {};
+    std::string source = feature.GetFieldAsString(sourceField_);
+    return source.empty() ? fmt::format("place {}", feature.GetFID()) : source;
+}
+
 std::optional<PlaceKind> PlaceLayer::kindOf(const OGRFeature& feature) const {
     if (kindField_ >= 0 && feature.IsFieldSetAndNotNull(kindField_) != FALSE)
         if (const auto kind = parsePlaceKind(trimmed(feature.GetFieldAsString(kindField_)))) return kind;
@@ -108,7 +123,7 @@ void PlaceLayer::readArea(const OGRFeature& feature) {
     const auto kind = kindOf(feature);
     std::string name = nameIn(feature);
     if (kind && isWanted(*kind, name))
-        areas_.push_back({idOf(feature), std::move(name), *kind, std::move(polygons)});
+        areas_.push_back({idOf(feature), std::move(name), sourceIn(feature), *kind, std::move(polygons)});
 }
 
 void PlaceLayer::readStreet(const OGRFeature& feature) {
@@ -153,11 +168,17 @@ std::vector<Place> PlaceLayer::placeAreas(const Frame& frame, PlacesRead& into,
             into.warnings.push_back(
                 {WarningKind::dropped, "has coordinates that are nowhere on the earth", area.id});
     }
+    std::map<std::string, std::string> stated;
+    for (const Area& area : areas_)
+        if (!area.source.empty()) stated.emplace(area.id, area.source);
     std::vector<Place> made;
     for (PlacedFeature& feature :
-         placeFeatures(std::move(features), frame, settings_.farAwayM, into.warnings, stop))
+         placeFeatures(std::move(features), frame, settings_.farAwayM, into.warnings, stop)) {
+        const auto source = stated.find(feature.facts.id);
         made.push_back({feature.facts.name, parsePlaceKind(feature.facts.status).value_or(PlaceKind::other),
-                        std::move(feature.pieces), source_ + feature.facts.id});
+                        std::move(feature.pieces),
+                        source != stated.end() ? source->second : source_ + feature.facts.id});
+    }
     return made;
 }
 

@@ -48,7 +48,8 @@ struct PlacesRead {
 /// tags (place_tags.h), or every polygon of a file in any vector format that GDAL reads. There, a feature's
 /// kind is that of its field `kind` (nameOf(PlaceKind)), else of columns that bear OpenStreetMap's keys, else
 /// `settings.kind`; a file with such columns gives only the features that are places by them. A layer
-/// `places` that Noonmark wrote is read alone. A feature that cannot be used gives a warning.
+/// `places` that Noonmark wrote is read alone, and its places keep the sources that it states. A feature that
+/// cannot be used gives a warning.
 ///
 /// Error: the file cannot be read, is damaged, states no CRS, lacks the layer or field, or has more than
 /// mostPlaces places; cancelled(). An OpenStreetMap file without places gives none; another file without

@@ -23,13 +23,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// The layer of places in a project file, or in a GeoPackage that was made from one.
-bool isOurPlaces(OGRLayer& layer) {
-    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
-    return std::string_view(layer.GetName()) == "places" && fields.GetFieldIndex("kind") >= 0 &&
-           fields.GetFieldIndex("source") >= 0;
-}
-
 bool mayHoldPolygons(OGRLayer& layer) {
     const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
     return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
@@ -47,7 +40,7 @@ Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSet
     std::vector<OGRLayer*> layers;
     std::vector<std::string> names;
     for (OGRLayer* layer : dataset.GetLayers()) {
-        if (settings.layer.empty() && isOurPlaces(*layer)) return std::vector{layer};
+        if (settings.layer.empty() && PlaceLayer::isOfProject(*layer)) return std::vector{layer};
         names.emplace_back(layer->GetName());
         if (isWantedLayer(*layer, isFromOsm(dataset), settings)) layers.push_back(layer);
     }
