@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder scenarios/weights/ weighs wanted shade against unwanted shadow. time_weights.h defines tables of
-// weights by date and hour, weights_text.h (with csv_rows.h) reads and writes them, and edit_weights.h edits
+// weights by date and hour, weights_text.h reads and writes them, and edit_weights.h edits
 // their intervals. score.h computes a shadow score: time_pieces.h splits the steps by month and interval,
 // score_sum.h adds the pieces up, score_text.h writes JSON and CSV.
 

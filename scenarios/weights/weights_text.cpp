@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/base/csv_field.h"
+#include "core/base/csv_rows.h"
 #include "core/io/files/fold_text.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
-#include "scenarios/weights/csv_rows.h"
 
 namespace noonmark {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scenarios/weights/csv_rows.h"
+#include "core/base/csv_rows.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::tests {

@@ -1,4 +1,4 @@
-#include "scenarios/weights/csv_rows.h"
+#include "core/base/csv_rows.h"
 
 #include <utility>
 
@@ -52,9 +52,7 @@ std::vector<CsvRow> parseCsvRows(std::string_view text) {
     Rows rows;
     bool inQuotes = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        // In "\r
-        // " only the "
-        // " ends the line.
+        // Of a carriage return and a line feed only the line feed ends the line.
         if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n")) rows.lineEnds();
         if (text[i] == '"' && inQuotes && i + 1 < text.size() && text[i + 1] == '"')
             rows.letter(text[i++]);
