@@ -135,5 +135,23 @@ TEST_F(PointOfProject, StatesWhatTheProposalTakes) {
     EXPECT_EQ(same.json()["sentence"], "The proposal takes no sun from this point on any day of the year.");
 }
 
+TEST_F(PointOfProject, ComparesAnyTwoScenariosAndListsAll) {
+    const std::string at = "-73.9785,40.7675";
+    const auto one =
+        noonmarkCli(pointOf(file_, at, {"--against", "Before", "--scenario", "Existing"})).json();
+    const auto other =
+        noonmarkCli(pointOf(file_, at, {"--against", "Existing", "--scenario", "Before"})).json();
+    EXPECT_EQ(one["scenario"]["minutes_by_month"], other["minutes_by_month"]);
+    const Spoken all = noonmarkCli(pointOf(file_, at, {"--all-scenarios"}));
+    ASSERT_EQ(all.code, exitOk) << all.err;
+    const auto scenarios = all.json()["scenarios"];
+    ASSERT_EQ(scenarios.size(), 2U);
+    EXPECT_EQ(scenarios[0]["name"], "Existing");
+    EXPECT_EQ(scenarios[1]["name"], "Before");
+    EXPECT_NEAR(scenarios[0]["year_min"].get<double>(), sumOf(all.json()["minutes_by_month"]), 1);
+    EXPECT_LT(scenarios[0]["year_min"], scenarios[1]["year_min"]) << "the tower takes sun";
+    EXPECT_EQ(noonmarkCli({"point", "sample:grid", "--at", at, "--all-scenarios"}).code, exitUsage);
+}
+
 }  // namespace
 }  // namespace noonmark::cli::tests

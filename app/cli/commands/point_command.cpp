@@ -18,6 +18,7 @@
 #include "app/input/output_rules.h"
 #include "app/report/skyline/skyline_svg.h"
 #include "core/io/files/write_text.h"
+#include "core/study/point_cases.h"
 #include "core/study/text/point_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
@@ -33,8 +34,9 @@ struct PointOptions {
     std::string zone;
     std::string scenario;
     std::string baseline;
-    std::string svg;  ///< file of the drawing; empty: none
-    std::string csv;  ///< file of the minutes by month and hour; empty: none
+    bool allScenarios = false;  ///< also list the point's figures in all scenarios
+    std::string svg;            ///< file of the drawing; empty: none
+    std::string csv;            ///< file of the minutes by month and hour; empty: none
     bool overwrite = false;
     bool json = false;
 };
@@ -44,6 +46,7 @@ struct PointCities {
     City baseline;
     std::optional<City> scenario;
     std::string zone;
+    std::vector<PointCase> cases{};  ///< the existing city and all scenarios, if asked for
 };
 
 void parsePlace(const std::string& text, PointQuestion& question) {
@@ -61,6 +64,16 @@ void parsePlace(const std::string& text, PointQuestion& question) {
             "--at", "give LON,LAT in degrees, or LON,LAT,H with metres above the ground: -73.98,40.75,4.5");
 }
 
+Result<std::vector<PointCase>> casesOf(const Project& project) {
+    std::vector<PointCase> cases{{existingCity, project.city}};
+    for (const Scenario& scenario : project.scenarios) {
+        auto city = cityOf(project, scenario.name);
+        if (!city) return tl::make_unexpected(city.error());
+        cases.push_back({scenario.name, std::make_shared<const City>(std::move(city->city))});
+    }
+    return cases;
+}
+
 Result<PointCities> citiesOfProject(const PointOptions& options) {
     const std::string& file = options.read.files.front();
     if (const auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
@@ -74,14 +87,19 @@ Result<PointCities> citiesOfProject(const PointOptions& options) {
         if (!after) return tl::make_unexpected(after.error());
         cities.scenario = after->city;
     }
+    if (options.allScenarios) {
+        auto cases = casesOf(disk->project());
+        if (!cases) return tl::make_unexpected(cases.error());
+        cities.cases = *std::move(cases);
+    }
     return cities;
 }
 
 Result<PointCities> citiesOf(const PointOptions& options, const Console& console) {
     if (namesProject(options.read)) return citiesOfProject(options);
-    if (!options.scenario.empty() || !options.baseline.empty())
+    if (!options.scenario.empty() || !options.baseline.empty() || options.allScenarios)
         return failure("Only a project has scenarios", options.read.files.front(),
-                       "Omit --scenario and --baseline, or give a project file");
+                       "Omit --scenario, --against and --all-scenarios, or give a project file");
     return loadCity(options.read, console).map([](const LoadedCity& loaded) {
         return PointCities{loaded.read.city, std::nullopt, "UTC"};
     });
@@ -100,6 +118,25 @@ void print(const PointStudy& study, const City& city, const Zone& zone, std::ost
     if (study.scenario) addView("scenario: ", *study.scenario);
     table.print(out);
     out << describe(study, city) << '\n';
+}
+
+std::string caseText(const PointCaseFigures& figures, const PointCaseFigures& first, bool wall) {
+    if (!figures.why.empty()) return figures.why;
+    std::string text = fmt::format("{:.0f} min on the day, {:.1f} h in the year, sky view {:.3f}",
+                                   figures.dayMin, figures.yearMin / 60, figures.skyView);
+    if (wall) text += fmt::format(", VSC {:.1f} %", figures.skyComponentPct);
+    if (&figures != &first)
+        text += fmt::format("; {:+.1f} h against {}", (figures.yearMin - first.yearMin) / 60, first.name);
+    return text;
+}
+
+void printCases(const std::vector<PointCaseFigures>& cases, bool wall, std::ostream& out) {
+    if (cases.empty()) return;
+    Table table;
+    for (const PointCaseFigures& figures : cases)
+        table.add(figures.name, caseText(figures, cases.front(), wall));
+    out << "\nScenarios\n";
+    table.print(out);
 }
 
 bool isSameFile(const std::string& a, const std::string& b) {
@@ -140,10 +177,17 @@ int runPoint(const PointOptions& options, const Console& console) {
     if (!study) return fail(console, study.error(), exitUsage);
     if (const auto written = writeFiles(options, *study, cities->baseline, *zone); !written)
         return fail(console, written.error(), exitFailed);
-    if (options.json)
-        console.out << toJsonText(pointJson(*study, cities->baseline, *zone)) << '\n';
-    else
-        print(*study, cities->baseline, *zone, console.out);
+    const auto cases = measurePointCases(cities->cases, question, interrupt.token());
+    if (!cases) return fail(console, cases.error(), exitUsage);
+    const bool wall = question.facingDeg.has_value();
+    if (options.json) {
+        auto json = pointJson(*study, cities->baseline, *zone);
+        if (!cases->empty()) json["scenarios"] = pointCasesJson(*cases, wall);
+        console.out << toJsonText(json) << '\n';
+        return exitOk;
+    }
+    print(*study, cities->baseline, *zone, console.out);
+    printCases(*cases, wall, console.out);
     return exitOk;
 }
 
@@ -180,8 +224,12 @@ void addPointCommand(CLI::App& app, Run& run) {
         ->add_option("--scenario", options->scenario,
                      "A scenario of the project: what it takes from the point")
         ->type_name("NAME");
-    command->add_option("--baseline", options->baseline, "The scenario to compare with (default: Existing)")
+    command
+        ->add_option("--baseline,--against", options->baseline,
+                     "The scenario to compare with (default: Existing)")
         ->type_name("NAME");
+    command->add_flag("--all-scenarios", options->allScenarios,
+                      "Also list the point's minutes and sky in the existing city and in all scenarios");
     command
         ->add_option("--svg", options->svg,
                      "Also draw the skyline and the sun's paths of the months, cylindrical and stereographic")

@@ -163,6 +163,23 @@ PointJson pointJson(const PointStudy& study, const City& city, const Zone& zone)
     return json;
 }
 
+PointJson pointCasesJson(const std::vector<PointCaseFigures>& cases, bool wall) {
+    PointJson list = PointJson::array();
+    for (const PointCaseFigures& figures : cases) {
+        PointJson one{{"name", figures.name}};
+        if (!figures.why.empty()) {
+            one["not_measured"] = figures.why;
+        } else {
+            one["day_min"] = rounded(figures.dayMin, 0.01);
+            one["year_min"] = rounded(figures.yearMin, 0.1);
+            one["svf"] = rounded(figures.skyView, 0.00001);
+            if (wall) one["vsc_pct"] = rounded(figures.skyComponentPct, 0.001);
+        }
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
 std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
                                                  const std::optional<double>& facingDeg) {
     std::map<std::uint32_t, double> widths;

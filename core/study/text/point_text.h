@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/city/city.h"
-#include "core/study/point_study.h"
+#include "core/study/point_cases.h"
 
 namespace noonmark {
 
@@ -17,6 +17,9 @@ std::string describe(const PointStudy& study, const City& city);
 /// The answer of `noonmark-cli point` (docs/user/command-line.md). `city`: the baseline, which names
 /// buildings.
 nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, const Zone& zone);
+
+/// `scenarios` of `noonmark-cli point --all-scenarios`. `wall`: the vertical sky component is known.
+nlohmann::ordered_json pointCasesJson(const std::vector<PointCaseFigures>& cases, bool wall);
 
 /// The sunlit times of the day on the clock: "09:46-10:41, 12:06-14:15", or "not at all".
 std::string sunlitText(const PointView& view, const Zone& zone);
