@@ -40,7 +40,7 @@ tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options,
     }
     auto request = parseStudyRequest(options, elementFileNames(), progress, interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
-    auto study = runElementStudy(request->loaded.read.city, request->settings, options.elements, progress,
+    auto study = runElementStudy(request->loaded.read.city, request->settings, request->elements, progress,
                                  interrupt.token());
     if (!study)
         return tl::make_unexpected(

@@ -5,10 +5,12 @@
 #include "app/cli/load_city.h"
 #include "app/cli/project/project_question.h"
 #include "app/input/all_engines.h"
+#include "app/input/find_element_parts.h"
 #include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/report/files/output_folder.h"
 #include "core/base/stopwatch.h"
+#include "core/io/elements/read_point_file.h"
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/region_text.h"
@@ -39,6 +41,30 @@ Result<Region> regionFrom(const StudyOptions& options, const City& city, Progres
     return regionOfPlace(text, options.read.files, city, drawn.error(), progress, stop);
 }
 
+Result<ElementSettings> readPointsOf(const StudyOptions& options) {
+    ElementSettings elements = options.elements;
+    if (options.points != ElementPlaces::points || elements.pointsFile.empty()) return elements;
+    auto points = readPointFile(elements.pointsFile);
+    if (!points) return tl::make_unexpected(points.error());
+    elements.points = *std::move(points);
+    return elements;
+}
+
+// Places of an OpenStreetMap file are read only where faces look at one.
+Result<ElementSettings> elementsOfFiles(const StudyOptions& options, const City& city, Progress& progress,
+                                        const std::stop_token& stop) {
+    auto elements = readPointsOf(options);
+    if (!elements) return elements;
+    PlacesRead read;
+    if (!elements->faces.place.empty()) {
+        auto places = loadCityPlaces(options.read.files, {.streets = true, .unnamed = false}, city.frame,
+                                     progress, stop);
+        if (!places) return tl::make_unexpected(places.error());
+        read = *std::move(places);
+    }
+    return findElementParts(*std::move(elements), read.places, city);
+}
+
 Result<Period> periodOfFiles(const StudyOptions& options) {
     if (options.period.start.empty() && options.periodName.empty())
         return failure("The start date is missing", "period", "Give --start DATE");
@@ -61,7 +87,9 @@ Result<StudyRequest> requestOfFiles(const StudyOptions& options, Progress& progr
     auto region = regionFrom(options, loaded->read.city, progress, stop);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
-    return StudyRequest{*std::move(loaded), std::move(settings), std::nullopt};
+    auto elements = elementsOfFiles(options, loaded->read.city, progress, stop);
+    if (!elements) return tl::make_unexpected(elements.error());
+    return StudyRequest{*std::move(loaded), std::move(settings), *std::move(elements), std::nullopt};
 }
 
 Result<StudyRequest> requestOfProject(const StudyOptions& options) {
@@ -81,11 +109,14 @@ Result<StudyRequest> requestOfProject(const StudyOptions& options) {
     auto region = regionIn(project, city->city, options.region);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
+    auto elements = readPointsOf(options).and_then(
+        [&](ElementSettings read) { return findElementParts(std::move(read), project, city->city); });
+    if (!elements) return tl::make_unexpected(elements.error());
     LoadedCity loaded = loadProjectCity(project, file);
     loaded.read.city = std::move(city->city);
     loaded.seconds = watch.seconds();
     Provenance provenance = provenanceOf(project, &*disk, {scenario, {}, settings.region, {}});
-    return StudyRequest{std::move(loaded), std::move(settings), std::move(provenance)};
+    return StudyRequest{std::move(loaded), std::move(settings), *std::move(elements), std::move(provenance)};
 }
 
 Result<void> checkBeforeReading(const StudyOptions& options, const std::vector<std::string>& files) {
@@ -105,7 +136,9 @@ bool needsRegionFile(const StudyRequest& request) {
 OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs) {
     OutputRules rules = outputRules(options.read.files, inputs, options.overwrite);
     addPlace(rules, options.region);
-    if (!options.elements.windows.empty()) addPlace(rules, options.elements.windows.string());
+    const ElementSettings& elements = options.elements;
+    for (const std::string& file : {elements.windows.string(), elements.pointsFile.string(), elements.parcel})
+        if (!file.empty()) addPlace(rules, file);
     return rules;
 }
 

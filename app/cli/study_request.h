@@ -28,6 +28,7 @@ tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
 struct StudyRequest {
     LoadedCity loaded;
     StudySettings settings;
+    ElementSettings elements;              ///< with their parts
     std::optional<Provenance> provenance;  ///< for a scenario of a project
 };
 

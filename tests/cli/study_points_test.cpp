@@ -128,6 +128,73 @@ TEST_F(StudyPoints, NamedBuildingsNeedNoRegion) {
     EXPECT_EQ(withoutRegion({}).code, exitUsage);
 }
 
+TEST_F(StudyPoints, FacesOfADirectionAreChosen) {
+    const Spoken all = study({"--receivers", "facades", "--json"});
+    const Spoken south = study({"--receivers", "facades", "--facing", "135-225", "--json"});
+    ASSERT_EQ(south.code, exitOk) << south.err;
+    // The house is 25 m wide and 22 m deep: 8 and 7 bays.
+    EXPECT_EQ(south.json()["receivers"].get<int>() * 30, all.json()["receivers"].get<int>() * 8);
+    EXPECT_EQ(south.json()["elements"]["facing_deg"][0], 135);
+    EXPECT_THAT(south.json()["repeat"].get<std::string>(), HasSubstr("--facing 135-225"));
+    const std::string csv = writtenText(out_ / "elements.csv");
+    const std::size_t id = csv.find('\n') + 1;
+    const std::string face = csv.substr(id, csv.find(" floor", id) - id);
+    const Spoken one = study({"--receivers", "facades", "--face", face, "--json"});
+    ASSERT_EQ(one.code, exitOk) << one.err;
+    EXPECT_EQ(one.json()["receivers"], south.json()["receivers"]);
+    EXPECT_EQ(study({"--receivers", "facades", "--facing", "south"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "plane", "--facing", "135-225"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "facades", "--facing-place", "Park"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "facades", "--within", "50"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "facades", "--facades-of", "proposed"}).code, exitUsage);
+}
+
+TEST_F(StudyPoints, LinesAroundAParcelAtTheirDistances) {
+    const std::string parcel =
+        folder_
+            .file("parcel.geojson",
+                  R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
+                  R"("geometry":{"type":"Polygon","coordinates":[[[-73.9841,40.7529],)"
+                  R"([-73.9836,40.7529],[-73.9836,40.7533],[-73.9841,40.7533],[-73.9841,40.7529]]]}}]})")
+            .string();
+    const Spoken spoken = study({"--receivers", "lines", "--parcel", parcel, "--offsets", "5,10",
+                                 "--plane-height", "4", "--spacing", "2", "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    // 42.2 x 44.4 m, and a circle of 5 and of 10 m, in parts of 2 m.
+    EXPECT_NEAR(json["receivers"].get<double>(), (2 * 173.2 + 31.4 + 62.8) / 2, 4);
+    EXPECT_EQ(json["elements"]["offsets_m"].dump(), "[5.0,10.0]");
+    EXPECT_EQ(json["elements"]["plane_above_ground_m"], 4);
+    EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--offsets 5,10"));
+    EXPECT_THAT(writtenText(out_ / "elements.csv"), HasSubstr("\n\"5 m, 1\",point,,,,,-73.98"));
+    EXPECT_EQ(study({"--receivers", "lines"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "facades", "--parcel", parcel}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "lines", "--parcel", "missing.geojson"}).code, exitUsage);
+}
+
+TEST_F(StudyPoints, SinglePointsOfAFileOrTheCommandLine) {
+    const std::string file =
+        folder_
+            .file("points.csv",
+                  "id,lon,lat,height,facing\nyard,-73.9842,40.7531,,\nwall,-73.98385,40.75299,4,180\n")
+            .string();
+    const Spoken read = study({"--receivers", "points", "--points", file, "--json"});
+    ASSERT_EQ(read.code, exitOk) << read.err;
+    EXPECT_EQ(read.json()["receivers"], 2);
+    EXPECT_EQ(read.json()["elements"]["points"][1]["facing_deg"], 180);
+    const std::string csv = writtenText(out_ / "elements.csv");
+    EXPECT_THAT(csv, HasSubstr("\nyard,point,"));
+    EXPECT_THAT(csv, HasSubstr("\nwall,point,,,,180."));
+    const Spoken given = study({"--receivers", "points", "--point", "-73.9842,40.7531", "--point",
+                                "-73.98385,40.75299,4,180", "--json"});
+    ASSERT_EQ(given.code, exitOk) << given.err;
+    EXPECT_NEAR(given.json()["mean_sunlit_min"].get<double>(), read.json()["mean_sunlit_min"].get<double>(),
+                1e-3);
+    EXPECT_EQ(study({"--receivers", "points"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "points", "--point", "1"}).code, exitUsage);
+    EXPECT_EQ(study({"--receivers", "points", "--points", "missing.csv"}).code, exitUsage);
+}
+
 TEST_F(StudyPoints, APlaneAboveTheGround) {
     const Spoken spoken = study({"--receivers", "plane", "--plane-height", "4", "--cell", "5", "--json"});
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;

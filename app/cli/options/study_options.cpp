@@ -28,7 +28,7 @@ void addPlacesOption(CLI::App& command, StudyOptions& options, ReceiverChoice ch
         "Where shadow is measured: cells on the ground, roofs or both (roofs: engines horizon, ray, auto)";
     if (choice == ReceiverChoice::cellsAndPoints) {
         for (const ElementPlaces places : allElementPlaces) names.emplace_back(nameOf(places));
-        help += ", or points: facades, windows of a file, a plane";
+        help += ", or points: facades, windows of a file, a plane, lines around a parcel, single points";
     }
     command
         .add_option_function<std::string>(
@@ -84,7 +84,8 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
         .add_option(
             "--region", options.region,
             "Where to measure: west,south,east,north in degrees, a polygon file, city: the box around "
-            "all buildings, or a region of the project; may be left out with --facades-of NAME: city")
+            "all buildings, or a region of the project; may be left out with --facades-of NAME, --parcel, "
+            "--points and --point: city")
         ->required()
         ->type_name("W,S,E,N|FILE|city|NAME");
     addReceiverOptions(command, settings);

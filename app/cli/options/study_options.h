@@ -39,8 +39,12 @@ enum class ReceiverChoice { cells, cellsAndPoints };
 /// Adds the options of every study.
 void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice choice = ReceiverChoice::cells);
 
-/// Adds the options of points: --facades-of, --windows, --plane-height and what belongs to them.
+/// Adds the options of points: --facades-of, --facing, --windows, --plane-height, --parcel, --points
+/// and what belongs to them.
 void addElementOptions(CLI::App& command, StudyOptions& options);
+
+/// Adds --face, --facing, --facing-place and --within.
+void addFaceOptions(CLI::App& command, FaceChoice& faces);
 
 /// Adds --windows and how the file is read.
 void addWindowFileOptions(CLI::App& command, ElementSettings& elements);

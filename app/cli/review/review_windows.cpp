@@ -11,6 +11,7 @@
 #include "app/cli/project/project_question.h"
 #include "app/cli/review/review_run_options.h"
 #include "app/cli/table.h"
+#include "app/input/find_element_parts.h"
 #include "app/report/book/review/review_book.h"
 #include "app/report/files/window_files.h"
 #include "core/review/places/verdict_text.h"
@@ -79,11 +80,12 @@ Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule&
         return tl::make_unexpected(may.error());
     const auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
+    const auto elements = findElementParts(options.windows.elements, project, after->city);
+    if (!elements) return tl::make_unexpected(elements.error());
     using By = ShadedStepFinder::By;
     std::optional<By> by;
     if (options.windows.engine != "auto") by = options.windows.engine == "ray" ? By::rays : By::horizons;
-    const WindowReviewSettings settings{options.windows.elements, *region, *zone, yearOf(options, project),
-                                        by};
+    const WindowReviewSettings settings{*elements, *region, *zone, yearOf(options, project), by};
     const Interrupt interrupt;
     ProgressLine progress(console);
     // Described before it is read, so that its hash is that of what was read.
@@ -156,12 +158,15 @@ void addFacades(CLI::App& command, ReviewedWindows& windows) {
             [&windows](const std::vector<std::string>& names) {
                 windows.onFacades = true;
                 windows.elements.places = ElementPlaces::facades;
-                if (names != std::vector<std::string>{"all"}) windows.elements.buildings = names;
+                windows.elements.proposed = names == std::vector<std::string>{"proposed"};
+                if (names != std::vector<std::string>{"all"} && !windows.elements.proposed)
+                    windows.elements.buildings = names;
             },
-            "Rules about windows: a window in each bay and storey of these buildings, by name or id, or of "
-            "all of the region; may be repeated")
+            "Rules about windows: a window in each bay and storey of these buildings, by name or id, of all "
+            "of "
+            "the region, or of those that the scenario builds or changes; may be repeated")
         ->allow_extra_args(false)
-        ->type_name("NAME,...|all");
+        ->type_name("NAME,...|all|proposed");
     const auto addMetres = [&](const char* name, double& value, const char* help) {
         command.add_option(name, value, help)
             ->capture_default_str()
@@ -183,6 +188,8 @@ void addReviewedWindows(CLI::App& command, ReviewedWindows& windows) {
     });
     addFacades(command, windows);
     command.get_option("--facades-of")->excludes("--windows");
+    addFaceOptions(command, windows.elements.faces);
+    command.get_option("--face")->excludes("--windows");
     command
         .add_option("--region", windows.region,
                     "Windows: only those in this region (a name of the project, a box, a polygon or a file)")

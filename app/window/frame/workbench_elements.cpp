@@ -1,13 +1,17 @@
 #include "app/window/frame/workbench.h"
 
+#include "app/input/find_element_parts.h"
+
 // Studies at points of Workbench: on facades, at windows, on a plane.
 namespace noonmark {
 
 // The number of points is known only once they are placed, so each run is estimated first.
 void Workbench::startElements() {
+    const auto elements = findElementParts(*document_.elements(), session_.project(), *session_.city());
+    if (!elements) return tell(elements.error());
     running_.start<RunEstimate>(
         tr("Estimating"),
-        [city = session_.city(), settings = document_.settings(), elements = *document_.elements()](
+        [city = session_.city(), settings = document_.settings(), elements = *elements](
             Progress& progress, const std::stop_token& stop) {
             return estimateRun(*city, settings, elements, progress, stop);
         },
@@ -15,10 +19,12 @@ void Workbench::startElements() {
 }
 
 void Workbench::measureElements() {
+    const auto elements = findElementParts(*document_.elements(), session_.project(), *session_.city());
+    if (!elements) return tell(elements.error());
     running_.start<ElementAnswer>(
         tr("Study"),
-        [shown = city_, city = session_.city(), settings = document_.settings(),
-         elements = *document_.elements()](Progress& progress, const std::stop_token& stop) {
+        [shown = city_, city = session_.city(), settings = document_.settings(), elements = *elements](
+            Progress& progress, const std::stop_token& stop) {
             return elementsOf(withCity(shown->loaded, *city), settings, elements, progress, stop);
         },
         [this](Result<ElementAnswer> answer) { takeElements(std::move(answer)); });

@@ -57,6 +57,10 @@ QString placesText(ElementPlaces places) {
             return QObject::tr("at windows of a file");
         case ElementPlaces::plane:
             return QObject::tr("on a level plane");
+        case ElementPlaces::lines:
+            return QObject::tr("on lines around a parcel");
+        case ElementPlaces::points:
+            return QObject::tr("at single points");
     }
     return {};
 }
@@ -108,8 +112,8 @@ void WhatForm::choosePlaces(int chosen) {
     if (place < allReceiverPlaces.size()) return Q_EMIT placesChosen(allReceiverPlaces[place]);
     ElementSettings elements = elements_->settings();
     elements.places = allElementPlaces[place - allReceiverPlaces.size()];
-    if (elements.places == ElementPlaces::plane && elements.planeHeightM == 0)
-        elements.planeHeightM = usualPlaneM;
+    const bool level = elements.places == ElementPlaces::plane || elements.places == ElementPlaces::lines;
+    if (level && elements.planeHeightM == 0) elements.planeHeightM = usualPlaneM;
     Q_EMIT elementsChosen(elements, tr("receivers"));
 }
 

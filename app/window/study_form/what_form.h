@@ -30,6 +30,7 @@ public:
     void show(StudyKind kind, ReceiverPlaces places, const std::optional<ElementSettings>& elements);
     void setBuilding(const QString& id);  ///< the selected building; empty: none
     [[nodiscard]] StudyKind kind() const;
+    [[nodiscard]] ElementForm& elements() { return *elements_; }
 
 Q_SIGNALS:
     void kindChosen(noonmark::StudyKind kind);

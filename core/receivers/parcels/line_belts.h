@@ -12,4 +12,8 @@ namespace noonmark {
 /// Error: the polygons cannot be offset. Backend: line_belts_geos.cpp.
 Result<std::vector<Footprint>> cutBelt(const std::vector<Footprint>& polygons, double innerM, double outerM);
 
+/// The lines around polygons at a distance, metres, > 0: outer rings and the rings of holes. Corners and
+/// errors as of cutBelt().
+Result<std::vector<Ring>> drawLines(const std::vector<Footprint>& polygons, double offsetM);
+
 }  // namespace noonmark

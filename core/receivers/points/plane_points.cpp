@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/receivers/points/solid_parts.h"
 #include "core/receivers/rasterize.h"
 
@@ -41,6 +43,15 @@ void addPlanePoint(const Grid& grid, std::uint32_t cell, double planeM, PointRec
 }
 
 }  // namespace
+
+double findMeanGroundM(const City& city, const Region& region) {
+    const Box2 box = bounds(region);
+    const glm::vec2 size = box.high - box.low;
+    ReceiverSettings cells;
+    cells.cellM = std::clamp(double(std::max(size.x, size.y)) / 1000, 1.0, ReceiverSettings::maxCellM);
+    const auto grid = gridOver(region, cells);
+    return grid ? meanGround(city, *grid, cellsIn(region, *grid)) : 0;
+}
 
 Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
                                  double heightM, const std::stop_token& stop) {

@@ -21,6 +21,10 @@ struct PlanePoints {
 
 inline constexpr double mostPlaneHeightM = 1000;
 
+/// Local z of the mean of a region's ground, from cells of about 1 m, or of 1/1000 of its size where that is
+/// larger.
+double findMeanGroundM(const City& city, const Region& region);
+
 /// One receiver in the middle of each cell of the region, on the horizontal plane `heightM` above the mean of
 /// the region's ground, facing up. Ids are "column,row" of the grid that gridOver() makes. Error: a height
 /// outside 0 to mostPlaneHeightM, a cell out of range, more than mostReceivers cells, cancelled().

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
 
@@ -20,24 +21,57 @@ namespace {
 
 using ElementJson = nlohmann::ordered_json;
 
+void addPlaneJson(ElementJson& json, const ElementStudy& study) {
+    json["plane_above_ground_m"] = study.elements.planeHeightM;
+    json["plane_elevation_m"] = study.planeM + study.city.frame.originElevationM();
+}
+
+void addFaceJson(ElementJson& json, const ElementSettings& elements) {
+    const FaceChoice& faces = elements.faces;
+    if (!faces.faces.empty()) json["faces"] = faces.faces;
+    if (faces.facing) json["facing_deg"] = {faces.facing->fromDeg, faces.facing->toDeg};
+    if (faces.place.empty()) return;
+    json["facing_place"] = faces.place;
+    json["within_m"] = faces.withinM;
+}
+
+ElementJson listJson(const std::vector<ListedPoint>& points) {
+    ElementJson list = ElementJson::array();
+    for (const ListedPoint& point : points) {
+        ElementJson one{{"id", point.id}, {"lon_deg", point.at.lonDeg}, {"lat_deg", point.at.latDeg}};
+        if (point.heightM) one["above_ground_m"] = *point.heightM;
+        if (point.facingDeg) one["facing_deg"] = *point.facingDeg;
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
 ElementJson whereJson(const ElementStudy& study) {
     const ElementSettings& elements = study.elements;
     ElementJson json;
     json["receivers_on"] = nameOf(elements.places);
     if (elements.places == ElementPlaces::facades) {
-        json["buildings"] =
-            elements.buildings.empty() ? ElementJson("all of the region") : ElementJson(elements.buildings);
+        json["buildings"] = elements.proposed            ? ElementJson("proposed")
+                            : elements.buildings.empty() ? ElementJson("all of the region")
+                                                         : ElementJson(elements.buildings);
         json["bay_m"] = elements.facades.bayM;
         json["storey_m"] = elements.facades.storeyM;
         json["above_floor_m"] = elements.facades.aboveFloorM;
     }
+    addFaceJson(json, elements);
     if (elements.places == ElementPlaces::windows && study.windowsFile)
         json["windows"] = inputsJson({*study.windowsFile});
     if (elements.places == ElementPlaces::plane) {
         json["cell_m"] = study.settings.receivers.cellM;
-        json["plane_above_ground_m"] = elements.planeHeightM;
-        json["plane_elevation_m"] = study.planeM + study.city.frame.originElevationM();
+        addPlaneJson(json, study);
     }
+    if (elements.places == ElementPlaces::lines) {
+        json["parcel"] = elements.parcel;
+        json["offsets_m"] = elements.lines.offsetsM;
+        json["spacing_m"] = elements.lines.spacingM;
+        addPlaneJson(json, study);
+    }
+    if (elements.places == ElementPlaces::points) json["points"] = listJson(elements.points);
     return json;
 }
 
@@ -81,9 +115,29 @@ ElementJson elementDefinitions() {
         {"plane",
          "one point in the middle of each cell, on a level plane above the mean of the region's "
          "ground"},
+        {"lines",
+         "points at equal distances on lines around the parcel, at the height of a level plane above the "
+         "mean of its ground, facing up"},
+        {"points", "the listed points, on the ground or roof where no height is given"},
+        {"facing_place",
+         "points from which a level line straight out from the wall meets the place within within_m"},
         {"azimuth", "that the surface faces, from true north, clockwise"},
         {"floor", "storeys of storey_m from the lowest point of the building, unless the windows state it"}};
 }
+
+}  // namespace
+
+std::vector<RepeatOption> makeRepeatOptions(const FaceChoice& faces) {
+    std::vector<RepeatOption> options;
+    for (const std::string& face : faces.faces) options.push_back({"--face", {face}});
+    if (faces.facing) options.push_back({"--facing", {formatText(*faces.facing)}});
+    if (faces.place.empty()) return options;
+    options.push_back({"--facing-place", {faces.place}});
+    options.push_back({"--within", {fmt::format("{}", faces.withinM)}});
+    return options;
+}
+
+namespace {
 
 std::vector<RepeatOption> elementOptions(const ElementStudy& study) {
     const ElementSettings& elements = study.elements;
@@ -95,15 +149,27 @@ std::vector<RepeatOption> elementOptions(const ElementStudy& study) {
     const auto addMetres = [&](const char* name, double metres, double usualMetres) {
         if (metres != usualMetres) add(name, fmt::format("{}", metres));
     };
-    for (const std::string& building : elements.buildings) add("--facades-of", building);
+    if (elements.proposed) add("--facades-of", "proposed");
+    if (!elements.proposed)
+        for (const std::string& building : elements.buildings) add("--facades-of", building);
+    for (RepeatOption& option : makeRepeatOptions(elements.faces)) options.push_back(std::move(option));
     if (elements.places == ElementPlaces::windows) {
         add("--windows", elements.windows.filename().string());
         if (!elements.windowFile.idField.empty()) add("--window-id", elements.windowFile.idField);
         if (elements.windowFile.crs) add("--windows-crs", *elements.windowFile.crs);
         if (elements.windowFile.aboveGround) add("--window-heights", "ground");
     }
-    if (elements.places == ElementPlaces::plane)
+    if (elements.places == ElementPlaces::plane || elements.places == ElementPlaces::lines)
         add("--plane-height", fmt::format("{}", elements.planeHeightM));
+    if (elements.places == ElementPlaces::lines) {
+        add("--parcel", elements.parcel);
+        add("--offsets", fmt::format("{}", fmt::join(elements.lines.offsetsM, ",")));
+        add("--spacing", fmt::format("{}", elements.lines.spacingM));
+    }
+    if (elements.places == ElementPlaces::points && !elements.pointsFile.empty())
+        add("--points", elements.pointsFile.filename().string());
+    else if (elements.places == ElementPlaces::points)
+        for (const ListedPoint& point : elements.points) add("--point", formatText(point));
     addMetres("--bay", elements.facades.bayM, usual.bayM);
     addMetres("--storey", elements.facades.storeyM, usual.storeyM);
     addMetres("--above-floor", elements.facades.aboveFloorM, usual.aboveFloorM);

@@ -10,7 +10,8 @@ namespace noonmark {
 namespace {
 
 void addBuilding(MeasuredElement& measured, const ElementStudy& study, const PointElement& element) {
-    if (element.kind != ElementKind::plane) measured.floor = element.floor;
+    const bool onWall = element.kind == ElementKind::facade || element.kind == ElementKind::window;
+    if (onWall) measured.floor = element.floor;
     if (element.building >= study.city.buildings.size()) return;
     measured.building = study.city.buildings[element.building]->sourceId;
     measured.buildingName = study.city.buildings[element.building]->name;

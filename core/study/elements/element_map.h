@@ -16,7 +16,7 @@ struct MeasuredElement {
     std::string id;
     ElementKind kind = ElementKind::facade;
     std::string building, buildingName;  ///< id and name; empty: no building
-    std::optional<std::int32_t> floor;   ///< none on a plane
+    std::optional<std::int32_t> floor;   ///< of facades and windows
     double azimuthDeg = 0;               ///< that it faces, from true north; NaN where it faces up or down
     glm::vec3 position{0}, normal{0, 0, 1};       ///< local metres; a unit vector
     PaneSize pane;                                ///< the rectangle that it stands for

@@ -5,6 +5,7 @@
 
 #include "core/io/elements/write_elements.h"
 #include "core/study/elements/element_map.h"
+#include "core/study/provenance/command_words.h"
 #include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
@@ -34,5 +35,8 @@ struct ElementFigures {
     double meanContinuousMin = 0, mostContinuousMin = 0;
 };
 ElementFigures computeFigures(const ElementStudy& study);
+
+/// The options of the command line that choose these faces.
+std::vector<RepeatOption> makeRepeatOptions(const FaceChoice& faces);
 
 }  // namespace noonmark

@@ -8,6 +8,7 @@
 
 #include "core/io/files/fold_text.h"
 #include "core/receivers/points/plane_points.h"
+#include "core/study/elements/single_points.h"
 
 namespace noonmark {
 
@@ -75,9 +76,21 @@ Result<std::vector<std::uint32_t>> chooseBuildings(const City& city, const Regio
     return chosen;
 }
 
+// "way 12" of "way 12 wall 3".
+std::vector<std::string> buildingsOf(const std::vector<std::string>& faces) {
+    std::vector<std::string> ids;
+    for (const std::string& face : faces) ids.push_back(face.substr(0, face.rfind(" wall ")));
+    return ids;
+}
+
 Result<PlacedElements> placeFacades(const City& city, const Region& region, const ElementSettings& elements,
                                     const std::stop_token& stop) {
-    return chooseBuildings(city, region, elements.buildings)
+    if (elements.proposed && elements.parts.proposed.empty())
+        return failure("The city has no proposed buildings", "facades",
+                       "Choose a scenario of a project that builds or changes one");
+    std::vector<std::string> names = elements.proposed ? elements.parts.proposed : elements.buildings;
+    if (names.empty()) names = buildingsOf(elements.faces.faces);
+    return chooseBuildings(city, region, names)
         .and_then([&](const std::vector<std::uint32_t>& buildings) {
             return placeOnFacades(city, buildings, elements.facades, stop);
         })
@@ -113,28 +126,116 @@ Result<PlacedElements> placePlane(const City& city, const StudySettings& setting
     return all;
 }
 
+Result<PlacedElements> placeLines(const City& city, const ElementSettings& elements,
+                                  const std::stop_token& stop) {
+    if (elements.parts.parcel.empty())
+        return failure("The parcel is missing", "lines",
+                       "Name a lot of the project, or a file with the parcel as a polygon");
+    PlacedElements all;
+    all.planeM = findMeanGroundM(city, {elements.parcel, elements.parts.parcel}) + elements.planeHeightM;
+    auto placed = placeOnLines(city, elements.parts.parcel, elements.lines, all.planeM, all.warnings, stop);
+    if (!placed) return tl::make_unexpected(placed.error());
+    all.receivers = *std::move(placed);
+    return all;
+}
+
+Result<PlacedElements> placeListed(const City& city, const ElementSettings& elements,
+                                   const std::stop_token& stop) {
+    PlacedElements all;
+    auto placed = placeListedPoints(city, elements.points, all.warnings, stop);
+    if (!placed) return tl::make_unexpected(placed.error());
+    all.receivers = *std::move(placed);
+    return all;
+}
+
+Result<PlacedElements> placeAll(const City& city, const StudySettings& settings,
+                                const ElementSettings& elements, Progress& progress,
+                                const std::stop_token& stop) {
+    switch (elements.places) {
+        case ElementPlaces::facades:
+            return placeFacades(city, settings.region, elements, stop);
+        case ElementPlaces::windows:
+            return placeAllWindows(city, settings.region, elements, progress, stop);
+        case ElementPlaces::plane:
+            return placePlane(city, settings, elements.planeHeightM, stop);
+        case ElementPlaces::lines:
+            return placeLines(city, elements, stop);
+        case ElementPlaces::points:
+            return placeListed(city, elements, stop);
+    }
+    return placeListed(city, elements, stop);
+}
+
+// Of facades and windows those that the settings take.
+void keepTaken(const City& city, const ElementSettings& elements, PlacedElements& placed) {
+    const bool onWalls =
+        elements.places == ElementPlaces::facades || elements.places == ElementPlaces::windows;
+    if (!onWalls || elements.faces.takesAll()) return;
+    PlacedElements kept{.planeM = placed.planeM, .warnings = std::move(placed.warnings)};
+    const PointReceivers& from = placed.receivers;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        if (!takes(elements.faces, elements.parts.facedPlace, city.frame, from.elements[i],
+                   from.points.positions[i], from.points.normals[i]))
+            continue;
+        kept.receivers.points.positions.push_back(from.points.positions[i]);
+        kept.receivers.points.normals.push_back(from.points.normals[i]);
+        kept.receivers.elements.push_back(from.elements[i]);
+        kept.receivers.panes.push_back(from.panes[i]);
+        if (!placed.facts.empty()) kept.facts.push_back(std::move(placed.facts[i]));
+    }
+    placed = std::move(kept);
+}
+
+Result<void> checkFaces(const ElementSettings& elements) {
+    const FaceChoice& faces = elements.faces;
+    if (!(faces.withinM >= 1 && faces.withinM <= FaceChoice::mostWithinM))
+        return failure("The distance of the place that is faced is out of range", "facing",
+                       "Give 1 to 5000 m");
+    if (!faces.place.empty() && elements.parts.facedPlace.empty())
+        return failure(fmt::format("There is no place '{}'", faces.place), "facing",
+                       "Give the name of a place of the project");
+    return {};
+}
+
+tl::unexpected<Error> noPoints(const Region& region, const ElementSettings& elements,
+                               const Warnings& warnings) {
+    const auto groups = groupWarnings(warnings);
+    const bool some = !elements.faces.takesAll() && elements.places == ElementPlaces::facades;
+    return failure(!groups.empty() ? fmt::format("The study has no points: {}", lineOf(groups.front()))
+                   : some ? fmt::format("The study has no points on facades: {}", describe(elements.faces))
+                          : fmt::format("The study has no points on {}", nameOf(elements.places)),
+                   region.name,
+                   some ? "Choose other faces, or a wider range of azimuths"
+                        : "Choose a region with buildings, windows on their walls, or a higher plane");
+}
+
 }  // namespace
 
 std::string_view nameOf(ElementPlaces places) {
-    return places == ElementPlaces::facades   ? "facades"
-           : places == ElementPlaces::windows ? "windows"
-                                              : "plane";
+    switch (places) {
+        case ElementPlaces::facades:
+            return "facades";
+        case ElementPlaces::windows:
+            return "windows";
+        case ElementPlaces::plane:
+            return "plane";
+        case ElementPlaces::lines:
+            return "lines";
+        case ElementPlaces::points:
+            return "points";
+    }
+    return "points";
 }
 
 Result<PlacedElements> placeElements(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop) {
-    auto placed = elements.places == ElementPlaces::facades
-                      ? placeFacades(city, settings.region, elements, stop)
-                  : elements.places == ElementPlaces::windows
-                      ? placeAllWindows(city, settings.region, elements, progress, stop)
-                      : placePlane(city, settings, elements.planeHeightM, stop);
-    if (!placed || placed->receivers.size() > 0) return placed;
-    const auto groups = groupWarnings(placed->warnings);
-    return failure(groups.empty() ? fmt::format("The study has no points on {}", nameOf(elements.places))
-                                  : fmt::format("The study has no points: {}", lineOf(groups.front())),
-                   settings.region.name,
-                   "Choose a region with buildings, windows on their walls, or a higher plane");
+    if (const auto ok = checkFaces(elements); !ok) return tl::make_unexpected(ok.error());
+    auto placed = placeAll(city, settings, elements, progress, stop);
+    if (!placed) return placed;
+    keepTaken(city, elements, *placed);
+    if (placed->receivers.size() == 0) return noPoints(settings.region, elements, placed->warnings);
+    return placed;
 }
 
 }  // namespace noonmark

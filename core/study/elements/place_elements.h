@@ -8,26 +8,47 @@
 #include <vector>
 
 #include "core/io/elements/read_windows.h"
+#include "core/receivers/parcels/line_points.h"
 #include "core/receivers/point_receivers.h"
+#include "core/receivers/points/point_list.h"
+#include "core/study/elements/face_choice.h"
 #include "core/study/study.h"
 
 namespace noonmark {
 
 /// Where the points of a study lie.
-enum class ElementPlaces { facades, windows, plane };
-/// "facades", "windows", "plane"
+enum class ElementPlaces { facades, windows, plane, lines, points };
+/// "facades", "windows", "plane", "lines", "points"
 std::string_view nameOf(ElementPlaces places);
 inline constexpr std::array allElementPlaces{ElementPlaces::facades, ElementPlaces::windows,
-                                             ElementPlaces::plane};
+                                             ElementPlaces::plane, ElementPlaces::lines,
+                                             ElementPlaces::points};
+
+/// What the names in ElementSettings mean in a project and its city. The caller looks it up before the points
+/// are placed (app/input/find_element_parts.h). All are equal, since the names are compared.
+struct ElementParts {
+    std::vector<Footprint> facedPlace;  ///< the polygons of FaceChoice::place
+    std::vector<Footprint> parcel;      ///< the polygons of ElementSettings::parcel
+    std::vector<std::string> proposed;  ///< ids of the buildings that the existing city lacks
+    bool operator==(const ElementParts& /*other*/) const { return true; }
+};
 
 struct ElementSettings {
     ElementPlaces places = ElementPlaces::facades;
     /// Facades: names or ids, in any case, one or several ("A,B") in a text; empty: all of the region.
     std::vector<std::string> buildings;
-    FacadeSettings facades;         ///< its storeyM also numbers the floors of windows
+    bool proposed = false;   ///< facades: those of new and changed buildings only; `buildings` is not read
+    FacadeSettings facades;  ///< its storeyM also numbers the floors of windows
+    FaceChoice faces;        ///< of facades and windows, those that are measured
     std::filesystem::path windows;  ///< file of the windows
     WindowFileSettings windowFile;
-    double planeHeightM = 0;  ///< above the mean of the region's ground, 0 to mostPlaneHeightM
+    /// Above the mean of the region's ground, of lines of the parcel's: 0 to mostPlaneHeightM.
+    double planeHeightM = 0;
+    std::string parcel;  ///< lines: a lot, region or place of the project by name, or a polygon file
+    LineSettings lines;
+    std::vector<ListedPoint> points;   ///< points: where they are, ids unique;
+    std::filesystem::path pointsFile;  ///< the file they were read from; empty: none
+    ElementParts parts;
     bool operator==(const ElementSettings&) const = default;
 };
 
@@ -39,9 +60,9 @@ struct PlacedElements {
     Warnings warnings;               ///< from reading and placing
 };
 
-/// Places the points that the settings ask for, in the region and with the cells of `settings`. Error: a
-/// setting out of range, a building that does not exist or lies outside the region, no points, what
-/// readWindows() refuses, cancelled().
+/// Places the points that the settings ask for, in the region and with the cells of `settings`; lines and
+/// listed points also outside the region. Error: a setting out of range, a building that does not exist or
+/// lies outside the region, no points, what readWindows() refuses, cancelled().
 Result<PlacedElements> placeElements(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop);

@@ -193,6 +193,8 @@ std::vector<std::string> listNotChecked(const Rule& rule, const City& city,
     if (rule.occluders.trees) all.emplace_back("The rule counts trees; the city has none");
     if (settings.elements.places == ElementPlaces::facades)
         all.emplace_back("Where the windows are: one was assumed in each bay and storey of the facades");
+    if (const FaceChoice& faces = settings.elements.faces; !faces.takesAll())
+        all.push_back(fmt::format("Windows other than these: {}", describe(faces)));
     return all;
 }
 

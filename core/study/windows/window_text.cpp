@@ -8,6 +8,7 @@
 #include "core/base/version.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
+#include "core/study/elements/element_tables.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
@@ -217,11 +218,16 @@ std::vector<RepeatOption> makeRepeatOptions(const ElementSettings& windows) {
         if (file.crs) add("--windows-crs", *file.crs);
         if (file.aboveGround) add("--window-heights", "ground");
     } else {
-        if (windows.buildings.empty()) add("--facades-of", "all");
-        for (const std::string& name : windows.buildings) add("--facades-of", name);
+        if (windows.proposed)
+            add("--facades-of", "proposed");
+        else if (windows.buildings.empty())
+            add("--facades-of", "all");
+        else
+            for (const std::string& name : windows.buildings) add("--facades-of", name);
         add("--bay", fmt::format("{}", windows.facades.bayM));
     }
     add("--storey", fmt::format("{}", windows.facades.storeyM));
+    for (RepeatOption& option : makeRepeatOptions(windows.faces)) options.push_back(std::move(option));
     return options;
 }
 

@@ -1,5 +1,6 @@
 #include "app/window/review/windows/window_session.h"
 
+#include "app/input/find_element_parts.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/widgets/error_words.h"
 #include "core/city/city.h"
@@ -30,16 +31,18 @@ Result<WindowQuestion> WindowSession::question() {
                        "Choose a file of points or polygons with heights, or take the facades");
     const auto compared = review_.comparedCities();
     if (!compared) return tl::make_unexpected(compared.error());
+    auto windows = findElementParts(choice.windows, workbench_.session().project(), *compared->after);
+    if (!windows) return tl::make_unexpected(windows.error());
     const StudySettings& study = workbench_.document().settings();
     Region region = makeRegionFromLocalBox(bounds(*compared->after));
     region.name = "the whole city";
-    return WindowQuestion{
-        *std::move(rule),
-        choice.from,
-        compared->to,
-        compared->before,
-        compared->after,
-        {choice.windows, std::move(region), study.period.zone, int(study.period.start.year()), std::nullopt}};
+    return WindowQuestion{*std::move(rule),
+                          choice.from,
+                          compared->to,
+                          compared->before,
+                          compared->after,
+                          {*std::move(windows), std::move(region), study.period.zone,
+                           int(study.period.start.year()), std::nullopt}};
 }
 
 void WindowSession::run() {

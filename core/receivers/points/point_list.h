@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/units.h"
+
+namespace noonmark {
+
+/// A single point where sunlight is measured.
+struct ListedPoint {
+    static constexpr double mostHeightM = 2000;
+
+    std::string id;  ///< never empty
+    LonLat at;
+    std::optional<double> heightM;    ///< above the ground; none: on the ground, or on the roof of a building
+    std::optional<double> facingDeg;  ///< azimuth from true north that a wall faces; none: a level surface
+    bool operator==(const ListedPoint&) const = default;
+};
+inline constexpr std::size_t mostListedPoints = 10'000;
+
+/// Reads "LON,LAT[,H[,FACING]]": degrees, metres above the ground, degrees. The id is left empty. Error:
+/// anything else, or a value out of range.
+Result<ListedPoint> parsePoint(std::string_view text);
+/// Writes what parsePoint() reads, without the id.
+std::string formatText(const ListedPoint& point);
+
+/// Reads a list of points as CSV, one a row. With a heading: columns lon and lat, and optionally id (or
+/// name), height (or height_m, h) and facing (or facing_deg, azimuth), in any order; other columns are not
+/// read. Without a heading: lon, lat, height, facing. A point without an id is named after its row: "point
+/// 3". `source` names the text in errors. Error: no points, more than mostListedPoints, an id that is used
+/// twice, a column that is missing, or a value that is no number or out of range (with its line).
+Result<std::vector<ListedPoint>> parsePointList(std::string_view text, const std::string& source);
+
+/// Writes what parsePointList() reads: "id,lon,lat,height,facing" and a row a point.
+std::string toCsv(const std::vector<ListedPoint>& points);
+
+}  // namespace noonmark
