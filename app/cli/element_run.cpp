@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/study_request.h"
 #include "app/cli/table.h"
@@ -38,7 +39,7 @@ tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options,
         if (!file) return tl::make_unexpected(file.error());
         windows = *std::move(file);
     }
-    auto request = parseStudyRequest(options, elementFileNames(), progress, interrupt.token());
+    auto request = parseStudyRequest(options, elementFileNames(*options.points), progress, interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
     auto study = runElementStudy(request->loaded.read.city, request->settings, request->elements, progress,
                                  interrupt.token());
@@ -81,11 +82,14 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
 
 }  // namespace
 
-int runElements(const StudyOptions& options, const Console& console) {
+int runElements(const StudyOptions& options, const SheetOptions& layout, const Console& console) {
+    const OffscreenQt qt;
+    const auto sheets = bookSettingsOf(layout, {});
+    if (!sheets) return fail(console, sheets.error(), exitUsage);
     const auto study = measureElements(options, console);
     if (!study) return fail(console, study.error().error, study.error().code);
     const auto files =
-        writeElementFiles(*study, options.out, outputRulesOf(options, study->provenance.inputs));
+        writeElementFiles(*study, *sheets, options.out, outputRulesOf(options, study->provenance.inputs));
     if (!files) return fail(console, files.error(), exitFailed);
     if (!options.json)
         printElements(*study, *files, console.out);

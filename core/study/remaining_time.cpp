@@ -8,6 +8,12 @@
 
 namespace noonmark {
 
+std::string describeDuration(double seconds) {
+    if (seconds < 100) return fmt::format("about {:.0f} s", std::max(1.0, std::round(seconds)));
+    if (seconds < 100 * 60) return fmt::format("about {:.0f} min", std::round(seconds / 60));
+    return fmt::format("about {:.1f} h", seconds / 3600);
+}
+
 std::string describeRemaining(double seconds) {
     if (seconds < 100)
         return fmt::format("about {:.0f} s left", std::max(10.0, std::ceil(seconds / 10) * 10));

@@ -7,6 +7,9 @@
 
 namespace noonmark {
 
+/// "about 2 s", "about 14 min", "about 3.5 h"
+std::string describeDuration(double seconds);
+
 /// "about 14 min left", "about 20 s left"; rounded so that the text does not flicker.
 std::string describeRemaining(double seconds);
 

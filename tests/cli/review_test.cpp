@@ -200,6 +200,63 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
         EXPECT_EQ(swept.json()["windows"][i]["verdict"], json["windows"][i]["verdict"]) << i;
 }
 
+/// City files with a house and a tower south of it, in Amsterdam's degrees.
+class ReviewOfFiles : public testing::Test {
+protected:
+    Spoken review(std::vector<std::string> more) {
+        std::vector<std::string> arguments{
+            "review",       "run", city_,    "--rule",           "korea", "--out", out_,
+            "--facades-of", "a",   "--zone", "Europe/Amsterdam", "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+    noonmark::tests::TemporaryFolder folder_;
+    std::string city_ = folder_
+                            .file("city.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"id":"a","height":12},"geometry":{"type":"Polygon","coordinates":
+[[[4.9,52.37],[4.9003,52.37],[4.9003,52.3702],[4.9,52.3702],[4.9,52.37]]]}},
+{"type":"Feature","properties":{"id":"b","height":60},"geometry":{"type":"Polygon","coordinates":
+[[[4.9,52.3696],[4.9003,52.3696],[4.9003,52.3698],[4.9,52.3698],[4.9,52.3696]]]}}]})")
+                            .string();
+    std::string out_ = folder_.path("review").string();
+};
+
+TEST_F(ReviewOfFiles, AreTheVerdictsOfAProjectOfTheSameFiles) {
+    const Spoken files = review({});
+    ASSERT_EQ(files.code, 0) << files.err;
+    const auto json = files.json();
+    ASSERT_GT(json["windows"].size(), 20U);
+    EXPECT_EQ(json["from"], "Existing");
+    EXPECT_EQ(json["counts"]["windows"]["worse"], 0);
+    const std::string repeat = json["repeat"];
+    EXPECT_THAT(repeat, AllOf(HasSubstr("review run city.geojson"), HasSubstr("--facades-of a")));
+    EXPECT_THAT(repeat, testing::Not(HasSubstr("--to")));
+    const std::string project = folder_.path("city.noonmark.gpkg").string();
+    ASSERT_EQ(noonmarkCli({"project", "new", project, city_}).code, 0);
+    const Spoken of = noonmarkCli({"review", "run", project, "--rule", "korea", "--to", "Existing", "--out",
+                                   folder_.path("other").string(), "--facades-of", "a", "--zone",
+                                   "Europe/Amsterdam", "--json"});
+    ASSERT_EQ(of.code, 0) << of.err;
+    EXPECT_EQ(of.json()["windows"], json["windows"]);
+}
+
+TEST_F(ReviewOfFiles, StateTheTimeWithoutWritingAnything) {
+    const Spoken estimate = review({"--estimate"});
+    ASSERT_EQ(estimate.code, 0) << estimate.err;
+    const auto json = estimate.json();
+    EXPECT_GT(json["estimated_seconds"].get<double>(), 0);
+    EXPECT_FALSE(std::filesystem::exists(out_));
+    EXPECT_EQ(json["windows"], review({}).json()["windows"].size());
+}
+
+TEST_F(ReviewOfFiles, HaveNoScenariosPlacesOrProjectsBeside) {
+    EXPECT_THAT(review({"--to", "Proposal"}).err, HasSubstr("Only a project has scenarios"));
+    const Spoken places = noonmarkCli({"review", "run", city_, "--rule", "ceqr", "--places", "all", "--zone",
+                                       "Europe/Amsterdam", "--out", out_});
+    EXPECT_EQ(places.code, 2);
+    EXPECT_THAT(places.err, HasSubstr("reviewed in a project"));
+}
+
 TEST_F(ReviewCommand, EvaluatesTheWindowsOfAFileAndVerifiesTheReview) {
     // High above the streets: south of One57, without a wall, and in the ground.
     const std::string windows = folder_

@@ -8,6 +8,7 @@
 #include "app/cli/element_run.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
+#include "app/cli/options/elevation_sheet_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/study_request.h"
 #include "app/cli/study_table.h"
@@ -45,8 +46,8 @@ void printFile(const std::filesystem::path& folder, const char* name, std::ostre
     if (std::ifstream file(folder / name); file) out << file.rdbuf() << '\n';
 }
 
-int runStudyCommand(const StudyOptions& options, const Console& console) {
-    if (options.points) return runElements(options, console);
+int runStudyCommand(const StudyOptions& options, const SheetOptions& layout, const Console& console) {
+    if (options.points) return runElements(options, layout, console);
     if (const auto ok = checkElementOptions(options); !ok) return fail(console, ok.error(), exitUsage);
     const auto study = computed(options, console);
     if (!study) return fail(console, study.error().error, study.error().code);
@@ -63,10 +64,12 @@ int runStudyCommand(const StudyOptions& options, const Console& console) {
 
 void addStudyCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<StudyOptions>();
+    const auto layout = std::make_shared<SheetOptions>();
     CLI::App* command =
         app.add_subcommand("study", "Measure the shadow over a region and write maps, figures and a report");
     addStudyOptions(*command, *options, ReceiverChoice::cellsAndPoints);
     addElementOptions(*command, *options);
+    addElevationSheetOptions(*command, *layout);
     addPieceOptions(*command, *options);
     command->footer(
         "A first study:\n"
@@ -78,8 +81,10 @@ void addStudyCommand(CLI::App& app, Run& run) {
         "    --region city --receivers windows --windows windows.gpkg --out out\n"
         "Steps with the sun below the horizon are left out; shares of time refer to the time with the sun "
         "above it.");
-    command->callback([options, &run] {
-        run = [options](const Console& console) { return runStudyCommand(*options, console); };
+    command->callback([options, layout, &run] {
+        run = [options, layout](const Console& console) {
+            return runStudyCommand(*options, *layout, console);
+        };
     });
 }
 

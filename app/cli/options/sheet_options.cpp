@@ -1,5 +1,6 @@
 #include "app/cli/options/sheet_options.h"
 
+#include "app/cli/options/elevation_sheet_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/report/book/review/review_book.h"
 
@@ -15,10 +16,8 @@ void addText(std::vector<RepeatOption>& options, const char* name, const std::st
     if (!text.empty()) options.push_back({name, {text}});
 }
 
-}  // namespace
-
-void addSheetOptions(CLI::App& command, SheetOptions& options) {
-    command.add_option("--paper", options.paper, "Paper of sheets.pdf: A4, A3, A1, Letter or Tabloid")
+void addLayoutOptions(CLI::App& command, SheetOptions& options, const std::string& file) {
+    command.add_option("--paper", options.paper, "Paper of " + file + ": A4, A3, A1, Letter or Tabloid")
         ->capture_default_str()
         ->check(CLI::IsMember({"A4", "A3", "A1", "Letter", "Tabloid"}, CLI::ignore_case))
         ->type_name("PAPER");
@@ -35,12 +34,27 @@ void addSheetOptions(CLI::App& command, SheetOptions& options) {
         ->type_name("FILE");
 }
 
-void addDiagramScale(CLI::App& command, SheetOptions& options) {
+void addScaleOption(CLI::App& command, SheetOptions& options, const std::string& drawings) {
     command
         .add_option("--scale", options.scale,
-                    "Scale of the diagrams: 2000 for 1:2000 (default: a round one that fits)")
+                    "Scale of the " + drawings + ": 2000 for 1:2000 (default: a round one that fits)")
         ->check(within(BookSettings::leastScale, BookSettings::mostScale))
         ->type_name("NUMBER");
+}
+
+}  // namespace
+
+void addSheetOptions(CLI::App& command, SheetOptions& options) {
+    addLayoutOptions(command, options, "sheets.pdf");
+}
+
+void addDiagramScale(CLI::App& command, SheetOptions& options) {
+    addScaleOption(command, options, "diagrams and elevations");
+}
+
+void addElevationSheetOptions(CLI::App& command, SheetOptions& options) {
+    addLayoutOptions(command, options, "elements.pdf");
+    addScaleOption(command, options, "elevations");
 }
 
 void addSheetSwitch(CLI::App& command, SheetOptions& options) {

@@ -10,17 +10,17 @@
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/project/change_project.h"
-#include "app/cli/project/project_question.h"
 #include "app/cli/review/places_in_reach.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/review_run_options.h"
+#include "app/cli/review/review_source.h"
 #include "app/cli/table.h"
 #include "app/report/files/review_files.h"
 #include "core/base/progress_share.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
+#include "core/study/remaining_time.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/project/rule_parcels.h"
@@ -46,50 +46,75 @@ Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule
     std::vector<Place> places = placesUnder(rule, project);
     if (!places.empty()) return places;
     if (rule.receivers.hasLines())
-        return failure("The project has no lots", options.file,
+        return failure("The project has no lots", options.read.files.front(),
                        "Add the parcels: noonmark-cli project lot add");
-    return failure("The project has no places", options.file, "Add some: noonmark-cli project place --help");
+    return failure("The project has no places", options.read.files.front(),
+                   "Add some: noonmark-cli project place --help");
+}
+
+/// What is measured, checked.
+struct PlaceQuestion {
+    ReviewGround ground;
+    PlacesToReview taken;
+    ReviewSettings settings;
+};
+
+Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const Rule& rule,
+                                        const ReviewSource& source, const OutputRules& outputs) {
+    const auto drawn = placesFor(options, rule, source.project);
+    if (!drawn) return tl::make_unexpected(drawn.error());
+    auto taken = moveLines(rule, source.project, *drawn);
+    if (!taken) return tl::make_unexpected(taken.error());
+    auto ground = prepareGround(options, source, reviewFileNames(), outputs);
+    if (!ground) return tl::make_unexpected(ground.error());
+    const ReviewSettings settings{options.settings.cellM, ground->zone, ground->year, true, true};
+    return PlaceQuestion{*std::move(ground), *std::move(taken), settings};
 }
 
 Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Rule& rule,
-                                   const RuleLibrary& library, const ProjectFile& disk,
+                                   const RuleLibrary& library, const ReviewSource& source,
                                    const OutputRules& outputs, const Console& console) {
-    const Project& project = disk.project();
-    const auto drawn = placesFor(options, rule, project);
-    if (!drawn) return tl::make_unexpected(drawn.error());
-    auto taken = moveLines(rule, project, *drawn);
-    if (!taken) return tl::make_unexpected(taken.error());
-    const auto zone = zoneOf(options, project);
-    if (!zone) return tl::make_unexpected(zone.error());
-    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
-    if (!before) return tl::make_unexpected(before.error());
-    if (!after) return tl::make_unexpected(after.error());
-    if (const auto may = checkOutputs(options.out, reviewFileNames(), outputs); !may)
-        return tl::make_unexpected(may.error());
-    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
-    if (!sheets) return tl::make_unexpected(sheets.error());
-    const ReviewSettings settings{options.settings.cellM, *zone, yearOf(options, project), true, true};
+    const Project& project = source.project;
+    auto question = makePlaceQuestion(options, rule, source, outputs);
+    if (!question) return tl::make_unexpected(question.error());
+    const ReviewGround& ground = question->ground;
     const Interrupt interrupt;
     ProgressLine progress(console);
-    Result<std::vector<Place>> places = std::move(taken->places);
+    Result<std::vector<Place>> places = std::move(question->taken.places);
     if (options.inReach)
-        places = choosePlacesInReach(rule, before->city, after->city, *places, settings, progress,
+        places = choosePlacesInReach(rule, ground.before, ground.after, *places, question->settings, progress,
                                      interrupt.token());
     if (!places) return tl::make_unexpected(places.error());
-    auto study = runReview(rule, before->city, after->city, *places, settings, AutoEngine(), progress,
-                           interrupt.token());
+    auto study = runReview(rule, ground.before, ground.after, *places, question->settings, AutoEngine(),
+                           progress, interrupt.token());
     if (!study) return tl::make_unexpected(study.error());
     study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
-    putBefore(study->warnings, taken->moved);
+    putBefore(study->warnings, question->taken.moved);
     putBefore(study->warnings, project.reading->warnings);
-    ReviewLabels labels{options.from, options.to,
-                        provenanceOf(project, &disk, {options.to, options.from, {}, {}}), options.places,
-                        makeRepeatOptions(options.sheets, *sheets)};
+    ReviewLabels labels{ground.from, ground.to, provenanceOf(source, ground), options.places,
+                        makeRepeatOptions(options.sheets, ground.sheets)};
     if (options.inReach) labels.sheets.push_back({"--in-reach", {}});
     return ReviewAnswer{*std::move(study), labels,
-                        before->city,      after->city,
+                        ground.before,     ground.after,
                         *places,           project.reading->heights,
-                        *sheets,           placesOfKind(project, PlaceKind::street)};
+                        ground.sheets,     placesOfKind(project, PlaceKind::street)};
+}
+
+int estimatePlaces(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
+                   const OutputRules& outputs, const Console& console) {
+    const auto question = makePlaceQuestion(options, rule, source, outputs);
+    if (!question) return fail(console, question.error(), exitUsage);
+    const Interrupt interrupt;
+    const ReviewGround& ground = question->ground;
+    const auto seconds = estimateReviewSeconds(rule, ground.before, ground.after, question->taken.places,
+                                               question->settings, interrupt.token());
+    if (!seconds) return fail(console, seconds.error(), exitUsage);
+    const std::size_t places = question->taken.places.size();
+    if (options.json)
+        console.out << toJsonText({{"places", places}, {"estimated_seconds", *seconds}}) << '\n';
+    else
+        console.out << fmt::format("{} places: {}\n", places, describeDuration(*seconds));
+    return exitOk;
 }
 
 /// The rule's own table as text; of many days those with incremental shadow.
@@ -168,19 +193,10 @@ Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
     return {};
 }
 
-int runReviewRun(const ReviewRunOptions& options, const Console& console) {
-    const OffscreenQt qt;
-    const auto disk = ProjectFile::open(options.file);
-    if (!disk) return fail(console, disk.error(), exitUsage);
-    OutputRules outputs = outputRules({options.file}, disk->project().inputs, options.overwrite);
-    const auto library = loadRules(options.rules);
-    if (!library) return fail(console, library.error(), exitUsage);
-    const auto rule = findRule(*library, options.rule, options.rules);
-    if (!rule) return fail(console, rule.error(), exitUsage);
-    if (const auto fits = checkReceivers(options, *rule); !fits)
-        return fail(console, fits.error(), exitUsage);
-    if (options.windows.asked()) return runWindowReviews(options, *rule, *library, *disk, outputs, console);
-    const auto answer = computeReview(options, *rule, *library, *disk, outputs, console);
+int reviewPlaces(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
+                 const ReviewSource& source, const OutputRules& outputs, const Console& console) {
+    if (options.estimate) return estimatePlaces(options, rule, source, outputs, console);
+    const auto answer = computeReview(options, rule, library, source, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
     const auto written = writeFiles(*answer, options, outputs, console);
     if (!written) return fail(console, written.error(), exitFailed);
@@ -191,15 +207,34 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     return exitOk;
 }
 
+int runReviewRun(const ReviewRunOptions& options, const Console& console) {
+    const OffscreenQt qt;
+    const auto library = loadRules(options.rules);
+    if (!library) return fail(console, library.error(), exitUsage);
+    const auto rule = findRule(*library, options.rule, options.rules);
+    if (!rule) return fail(console, rule.error(), exitUsage);
+    if (const auto fits = checkReceivers(options, *rule); !fits)
+        return fail(console, fits.error(), exitUsage);
+    const auto source = openReviewSource(options, console);
+    if (!source) return fail(console, source.error(), exitUsage);
+    const OutputRules outputs = outputRules(options.read.files, source->project.inputs, options.overwrite);
+    return options.windows.asked() ? runWindowReviews(options, *rule, *library, *source, outputs, console)
+                                   : reviewPlaces(options, *rule, *library, *source, outputs, console);
+}
+
 void addQuestion(CLI::App& command, ReviewRunOptions& options) {
-    addProjectFile(command, options.file);
+    options.read.filesHelp = "The project; of rules about windows also city files, as of `study`";
+    addReadOptions(command, options.read);
     command.add_option("--rule", options.rule, "Key of the rule (`review list`)")
         ->required()
         ->type_name("KEY");
     command.add_option("--from", options.from, "The baseline: the scenario to compare with")
-        ->default_val(existingCity)
+        ->default_str(existingCity)
         ->type_name("NAME");
-    command.add_option("--to", options.to, "The scenario to review")->required()->type_name("NAME");
+    command
+        .add_option("--to", options.to,
+                    "The scenario to review; needed for a project. City files have the existing city alone")
+        ->type_name("NAME");
     command
         .add_option("--places", options.places,
                     "Places of the project by name, or all; of rules about parcels: its lots. Rules about "
@@ -238,34 +273,26 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         "--bom", options.byteOrderMark,
         "review.csv or windows.csv begins with a byte order mark, by which Excel recognises UTF-8");
     addOverwriteOption(command, options.overwrite);
+    command.add_flag("--estimate", options.estimate,
+                     "Only state how long the review will take, and write nothing");
     command.add_flag("--json", options.json, "Print only JSON to standard output");
 }
 
 }  // namespace
 
-Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project) {
-    if (!options.settings.zone.empty())
-        return Zone::named(options.settings.zone).map([](const Zone& zone) { return zone.name(); });
-    if (auto zone = commonZone(project)) return *std::move(zone);
-    return failure("The rule's hours need a time zone", "--zone",
-                   "Give --zone, for example --zone America/New_York");
-}
-
-int yearOf(const ReviewRunOptions& options, const Project& project) {
-    if (options.settings.year != 0) return options.settings.year;
-    return project.periods.empty() ? 2026 : int(project.periods.front().period.start.year());
-}
-
 void addReviewRun(CLI::App& review, Run& run) {
     const auto options = std::make_shared<ReviewRunOptions>();
-    CLI::App* command = review.add_subcommand("run", "Evaluate a rule on places or windows of a project");
+    CLI::App* command = review.add_subcommand(
+        "run", "Evaluate a rule on places or windows of a project, or on windows of city files");
     addQuestion(*command, *options);
     addSettings(*command, *options);
     command->footer(
         "noonmark-cli review run town.noonmark.gpkg --rule ceqr --from \"No action\" --to Proposal \\\n"
         "    --places all --zone America/New_York --out review\n"
         "noonmark-cli review run town.noonmark.gpkg --rule bre-209-windows --to Proposal \\\n"
-        "    --facades-of \"Mill House\" --zone Europe/London --out review");
+        "    --facades-of \"Mill House\" --zone Europe/London --out review\n"
+        "noonmark-cli review run town.osm.pbf --rule en-17037 --facades-of all --zone Europe/Paris --out "
+        "review");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runReviewRun(*options, console); };
     });

@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "app/cli/console.h"
+#include "app/cli/options/read_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/review/rule_options.h"
 #include "app/input/output_rules.h"
 #include "core/study/elements/place_elements.h"
 #include "core/study/review_study.h"
-#include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
+
+struct ReviewSource;
 
 /// The windows that a rule is evaluated on.
 struct ReviewedWindows {
@@ -29,20 +31,17 @@ struct ReviewedWindows {
 struct ReviewRunOptions {
     RuleOptions rules;
     SheetOptions sheets;
-    std::string file, rule, from, to, out;
+    ReadOptions read;  ///< a project, or city files
+    std::string rule, from, to, out;
     std::vector<std::string> places;
     ReviewSettings settings{1, {}, 0};
     ReviewedWindows windows;
     bool overwrite = false;
     bool byteOrderMark = false;
     bool inReach = false;
+    bool estimate = false;  ///< state the expected time instead of running
     bool json = false;
 };
-
-/// The zone of the options, or the one that all periods of the project have.
-Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project);
-/// The year of the options, that of the project's first period, or 2026.
-int yearOf(const ReviewRunOptions& options, const Project& project);
 
 /// Adds --windows, --facades-of and what belongs to them.
 void addReviewedWindows(CLI::App& command, ReviewedWindows& windows);
@@ -50,6 +49,6 @@ void addReviewedWindows(CLI::App& command, ReviewedWindows& windows);
 /// Runs `review run` of a rule about windows: measures, writes the files and prints the counts, or
 /// review.json. Returns the exit code.
 int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
-                     const ProjectFile& disk, OutputRules outputs, const Console& console);
+                     const ReviewSource& source, OutputRules outputs, const Console& console);
 
 }  // namespace noonmark::cli

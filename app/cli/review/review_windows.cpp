@@ -9,12 +9,13 @@
 #include "app/cli/options/study_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/project/project_question.h"
-#include "app/cli/review/review_run_options.h"
+#include "app/cli/review/review_source.h"
 #include "app/cli/table.h"
 #include "app/input/find_element_parts.h"
 #include "app/report/book/review/review_book.h"
 #include "app/report/files/window_files.h"
 #include "core/review/places/verdict_text.h"
+#include "core/study/remaining_time.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 
@@ -63,50 +64,87 @@ std::vector<RepeatOption> repeatOptions(const ReviewRunOptions& options, const B
     return repeated;
 }
 
-Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule& asked,
-                                    const RuleLibrary& library, const ProjectFile& disk,
-                                    const OutputRules& outputs, const Console& console) {
-    const Project& project = disk.project();
-    const auto rule = withOptions(asked, options.windows);
+/// What is measured, checked. The file of windows is described before it is read, so that its hash is that
+/// of what was read.
+struct WindowQuestion {
+    Rule rule;
+    ReviewGround ground;
+    WindowReviewSettings settings;
+    std::optional<InputFile> windowsFile;
+};
+
+Result<WindowQuestion> makeWindowQuestion(const ReviewRunOptions& options, const Rule& asked,
+                                          const ReviewSource& source, const OutputRules& outputs) {
+    auto rule = withOptions(asked, options.windows);
     if (!rule) return tl::make_unexpected(rule.error());
-    const auto zone = zoneOf(options, project);
-    if (!zone) return tl::make_unexpected(zone.error());
-    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
-    if (!before) return tl::make_unexpected(before.error());
-    if (!after) return tl::make_unexpected(after.error());
-    const auto region = regionIn(project, after->city, options.windows.region);
+    auto ground = prepareGround(options, source, windowFileNames(), outputs);
+    if (!ground) return tl::make_unexpected(ground.error());
+    const auto region = regionIn(source.project, ground->after, options.windows.region);
     if (!region) return tl::make_unexpected(region.error());
-    if (const auto may = checkOutputs(options.out, windowFileNames(), outputs); !may)
-        return tl::make_unexpected(may.error());
-    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
-    if (!sheets) return tl::make_unexpected(sheets.error());
-    const auto elements = findElementParts(options.windows.elements, project, after->city);
+    const auto elements = findElementParts(options.windows.elements, source.project, ground->after);
     if (!elements) return tl::make_unexpected(elements.error());
     using By = ShadedStepFinder::By;
     std::optional<By> by;
     if (options.windows.engine != "auto") by = options.windows.engine == "ray" ? By::rays : By::horizons;
-    const WindowReviewSettings settings{*elements, *region, *zone, yearOf(options, project), by};
-    const Interrupt interrupt;
-    ProgressLine progress(console);
-    // Described before it is read, so that its hash is that of what was read.
+    WindowReviewSettings settings{*elements, *region, ground->zone, ground->year, by};
     std::optional<InputFile> windowsFile;
     if (options.windows.ofFile) {
         auto file = describeInputFile(options.windows.elements.windows);
         if (!file) return tl::make_unexpected(file.error());
         windowsFile = *std::move(file);
     }
-    auto study = runWindowReview(*rule, before->city, after->city, settings, progress, interrupt.token());
+    return WindowQuestion{*std::move(rule), *std::move(ground), std::move(settings), std::move(windowsFile)};
+}
+
+std::string forecastText(const WindowForecast& forecast) {
+    return fmt::format("{} windows, {} steps of the sun: {}", withCommas(forecast.windows),
+                       withCommas(forecast.steps), describeDuration(forecast.seconds));
+}
+
+Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule& asked,
+                                    const RuleLibrary& library, const ReviewSource& source,
+                                    const OutputRules& outputs, const Console& console) {
+    auto question = makeWindowQuestion(options, asked, source, outputs);
+    if (!question) return tl::make_unexpected(question.error());
+    const ReviewGround& ground = question->ground;
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    const auto announce = [&](const WindowForecast& forecast) {
+        constexpr double worthTelling = 10;
+        if (console.watched || forecast.seconds >= worthTelling)
+            console.err << (console.watched ? "\r\x1b[K" : "") << forecastText(forecast) << std::endl;
+    };
+    auto study = runWindowReview(question->rule, ground.before, ground.after, question->settings, progress,
+                                 interrupt.token(), announce);
     if (!study) return tl::make_unexpected(study.error());
-    study->windowsFile = std::move(windowsFile);
+    study->windowsFile = std::move(question->windowsFile);
     study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
-    putBefore(study->warnings, project.reading->warnings);
-    ReviewLabels labels{options.from,
-                        options.to,
-                        provenanceOf(project, &disk, {options.to, options.from, {}, {}}),
-                        {},
-                        repeatOptions(options, *sheets)};
-    return WindowAnswer{*std::move(study), std::move(labels),        before->city,
-                        after->city,       project.reading->heights, *sheets};
+    putBefore(study->warnings, source.project.reading->warnings);
+    ReviewLabels labels{
+        ground.from, ground.to, provenanceOf(source, ground), {}, repeatOptions(options, ground.sheets)};
+    return WindowAnswer{
+        *std::move(study), std::move(labels), ground.before, ground.after, source.project.reading->heights,
+        ground.sheets};
+}
+
+int estimateWindows(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
+                    const OutputRules& outputs, const Console& console) {
+    const auto question = makeWindowQuestion(options, rule, source, outputs);
+    if (!question) return fail(console, question.error(), exitUsage);
+    const Interrupt interrupt;
+    NoProgress quiet;
+    const auto forecast =
+        forecastWindowReview(question->rule, question->ground.before, question->ground.after,
+                             question->settings, quiet, interrupt.token());
+    if (!forecast) return fail(console, forecast.error(), exitUsage);
+    if (options.json)
+        console.out << toJsonText({{"windows", forecast->windows},
+                                   {"steps", forecast->steps},
+                                   {"estimated_seconds", forecast->seconds}})
+                    << '\n';
+    else
+        console.out << forecastText(*forecast) << '\n';
+    return exitOk;
 }
 
 std::string countsText(const VerdictCounts& counts) {
@@ -216,10 +254,11 @@ void addReviewedWindows(CLI::App& command, ReviewedWindows& windows) {
 }
 
 int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
-                     const ProjectFile& disk, OutputRules outputs, const Console& console) {
+                     const ReviewSource& source, OutputRules outputs, const Console& console) {
     if (options.windows.ofFile) addPlace(outputs, options.windows.elements.windows.string());
     addPlace(outputs, options.windows.region);
-    const auto answer = computeWindows(options, rule, library, disk, outputs, console);
+    if (options.estimate) return estimateWindows(options, rule, source, outputs, console);
+    const auto answer = computeWindows(options, rule, library, source, outputs, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
     const Interrupt interrupt;
     ProgressLine progress(console);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/report/book/elevation_scale.h"
 #include "app/report/book/paper.h"
 
 namespace noonmark {
@@ -29,11 +30,14 @@ QSizeF roomOf(const QSizeF& areaPt, std::size_t panels, bool stacked, double tex
             (height - (rows - 1) * panelGapPt * textScale) / rows - (titlePt + 2 * marginPt) * textScale};
 }
 
+bool fitsAt(glm::dvec2 sizeM, double scale, const QSizeF& room) {
+    return sizeM.x * pointsPerMetre(scale) <= room.width() &&
+           sizeM.y * pointsPerMetre(scale) <= room.height();
+}
+
 std::optional<double> scaleFor(glm::dvec2 sizeM, const QSizeF& room) {
     for (const double scale : elevationScales)
-        if (sizeM.x * pointsPerMetre(scale) <= room.width() &&
-            sizeM.y * pointsPerMetre(scale) <= room.height())
-            return scale;
+        if (fitsAt(sizeM, scale, room)) return scale;
     return std::nullopt;
 }
 
@@ -219,6 +223,14 @@ std::optional<ElevationLayout> fitElevation(glm::dvec2 sizeM, std::size_t panels
     if (!beside && !stacked) return std::nullopt;
     if (beside && (!stacked || *beside <= *stacked)) return ElevationLayout{false, *beside};
     return ElevationLayout{true, *stacked};
+}
+
+std::optional<ElevationLayout> fitElevationAt(glm::dvec2 sizeM, std::size_t panels, const QSizeF& areaPt,
+                                              double textScale, double scale) {
+    for (const bool stacked : {false, true})
+        if (fitsAt(sizeM, scale, roomOf(areaPt, panels, stacked, textScale)))
+            return ElevationLayout{stacked, scale};
+    return std::nullopt;
 }
 
 double elevationHeightPt(glm::dvec2 sizeM, std::size_t panels, const ElevationLayout& layout,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/report/book/elevation_scale.h"
 #include "app/report/sheets/study_words.h"
 #include "core/study/elements/facing_azimuth.h"
 
@@ -36,6 +37,17 @@ std::pair<double, ElevationLayout> chooseStrip(const QSizeF& page, const FacadeE
     return {page.height(), {false, 50000}};
 }
 
+/// At that scale, if it fits on the page.
+std::optional<std::pair<double, ElevationLayout>> chooseAtScale(const QSizeF& page,
+                                                                const FacadeElevation& elevation,
+                                                                std::size_t panels, double textScale,
+                                                                double scale) {
+    const glm::dvec2 size = elevation.high - elevation.low;
+    const auto layout = fitElevationAt(size, panels, page, textScale, scale);
+    if (!layout) return std::nullopt;
+    return std::pair{elevationHeightPt(size, panels, *layout, textScale), *layout};
+}
+
 /// Fills pages with strips from top to bottom.
 class ElevationFlow {
 public:
@@ -50,7 +62,7 @@ public:
     /// False if it would exceed the pages.
     bool add(const ElevationBuilding& building) {
         for (FacadeElevation& elevation : drawElevations(building.building, building.panes)) {
-            const auto [height, layout] = chooseStrip(room_.size(), elevation, sheets_.panels.size(), scale_);
+            const auto [height, layout] = chooseLayout(elevation);
             if (pages_.empty() || top_ + height > room_.bottom() + 0.5) {
                 if (pages_.size() == sheets_.mostPages) return false;
                 beginPage();
@@ -63,6 +75,15 @@ public:
         return true;
     }
 
+    std::pair<double, ElevationLayout> chooseLayout(const FacadeElevation& elevation) {
+        const std::size_t panels = sheets_.panels.size();
+        if (sheets_.scale)
+            if (const auto asked = chooseAtScale(room_.size(), elevation, panels, scale_, *sheets_.scale))
+                return *asked;
+        smaller_ += sheets_.scale ? 1 : 0;
+        return chooseStrip(room_.size(), elevation, panels, scale_);
+    }
+
     std::vector<BookPage> finish(std::size_t leftOut) {
         if (pages_.empty()) return {};
         BookPage& first = pages_.front();
@@ -70,6 +91,10 @@ public:
         first.bookmark = sheets_.bookmark + QStringLiteral(": ") + first.bookmark;
         if (leftOut > 0)
             first.subtitle += QStringLiteral(" %1 more buildings are not drawn.").arg(describeCount(leftOut));
+        if (smaller_ > 0)
+            first.subtitle += QStringLiteral(" %1 sides do not fit on %2 at 1:%3 and are smaller.")
+                                  .arg(describeCount(smaller_), plainText(nameOf(setup_.paper)),
+                                       describeAmount(*sheets_.scale));
         return std::move(pages_);
     }
 
@@ -124,6 +149,7 @@ private:
     const PageSetup& setup_;
     const ElevationSheets& sheets_;
     double scale_, top_ = 0;
+    std::size_t smaller_ = 0;  // sides that do not fit at sheets_.scale
     QRectF foot_, room_;
     QString named_;
     std::vector<BookPage> pages_;

@@ -1,5 +1,7 @@
 #include "app/report/files/element_files.h"
 
+#include "app/report/book/element_book.h"
+#include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
 #include "core/study/elements/element_gltf.h"
 #include "core/study/elements/element_tables.h"
@@ -16,23 +18,33 @@ bool needsRegionFile(const ElementStudy& study) {
 
 }  // namespace
 
-std::vector<std::string> elementFileNames() {
-    return {"elements.csv", "elements.gpkg", "elements.glb", "study.json"};
+std::vector<std::string> elementFileNames(ElementPlaces places) {
+    std::vector<std::string> names{"elements.csv", "elements.gpkg", "elements.glb", "study.json"};
+    if (places != ElementPlaces::plane) names.emplace_back("elements.pdf");
+    return names;
 }
 
 Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy& study,
+                                                             const BookSettings& settings,
                                                              const std::filesystem::path& folder,
                                                              const OutputRules& rules) {
-    std::vector<std::string> names = elementFileNames();
+    std::vector<std::string> names = elementFileNames(study.elements.places);
     if (needsRegionFile(study)) names.emplace_back(regionFileName);
     if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
     const ElementMap map = makeElementMap(study);
     const ElementTable table = makeElementTable(map, study.city, sourceValues(study.provenance));
+    QByteArray pdf;
+    if (study.elements.places != ElementPlaces::plane) {
+        auto printed = printBook(makeElementBook(study, map, settings));
+        if (!printed) return tl::make_unexpected(printed.error());
+        pdf = *std::move(printed);
+    }
     OutputFolder files(folder, rules);
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
               [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
     files.add("elements.glb", textContent(toGlb(map)));
+    if (!pdf.isEmpty()) files.add("elements.pdf", textContent(pdf.toStdString()));
     files.addLast("study.json",
                   [&](const OutputFolder::Durations& seconds) { return elementStudyJson(study, seconds); });
     if (needsRegionFile(study))

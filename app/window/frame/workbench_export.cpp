@@ -52,8 +52,8 @@ Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
                                    choice.sheets ? &book : nullptr, choice.pictureWidth);
         };
     if (elements_)
-        return [elements = elements_, origin, rules](const auto& folder) {
-            return writeElementFiles(origin.stated(elements->study), folder, rules);
+        return [elements = elements_, origin, rules, book](const auto& folder) {
+            return writeElementFiles(origin.stated(elements->study), book, folder, rules);
         };
     if (comparison_)
         return [comparison = comparison_, origin, city = session_.city(), rules, book,
@@ -113,7 +113,7 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
         if (shown() == Shown::score) names = scoreFileNames(anyRegion, choice.sheets);
         if (shown() == Shown::comparison) names = impactFileNames(anyRegion, choice.sheets);
         if (shown() == Shown::elements) {
-            names = elementFileNames();
+            names = elementFileNames(elements_->study.elements.places);
             names.emplace_back(regionFileName);
         }
         if (shown() == Shown::study) {

@@ -10,6 +10,7 @@
 #include "app/window/widgets/engine_words.h"
 #include "core/engines/auto_engine.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/elements/element_forecast.h"
 
 namespace noonmark {
 
@@ -18,11 +19,6 @@ namespace {
 constexpr double worthComparing = 60;  // seconds of rays from which their time is stated
 constexpr double graphEdges = 295;     // of a year of 2,190 hours at 5 deg
 constexpr double fewRays = 5e10;       // less than a minute by all engines but rays
-
-// Of points on facades of Midtown, on two cores (docs/benchmarks.md).
-constexpr double secondsOfRay = 3.4e-8;
-constexpr double secondsOfHorizon = 2.5e-4;  // all azimuths of a point
-constexpr double secondsOfLookUp = 2.9e-9;   // a point at one position of the sun
 
 // How many times as fast as rays an engine is over one hour, as measured in docs/benchmarks.md.
 double speedOverRays(std::string_view engine) {
@@ -77,14 +73,13 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
 Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
                                 const ElementSettings& elements, Progress& progress,
                                 const std::stop_token& stop) {
-    const auto placed = placeElements(city, settings, elements, progress, stop);
-    if (!placed) return tl::make_unexpected(placed.error());
-    const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
-    if (!sun) return tl::make_unexpected(sun.error());
-    RunEstimate estimate{
-        .receivers = double(placed->receivers.size()), .points = true, .steps = double(sun->steps.size())};
-    estimate.raySeconds = estimate.rays() * secondsOfRay;
-    estimate.quickerSeconds = estimate.receivers * secondsOfHorizon + estimate.rays() * secondsOfLookUp;
+    const auto forecast = forecastElementStudy(city, settings, elements, progress, stop);
+    if (!forecast) return tl::make_unexpected(forecast.error());
+    RunEstimate estimate{.receivers = double(forecast->points),
+                         .points = true,
+                         .steps = double(forecast->steps),
+                         .raySeconds = forecast->raySeconds,
+                         .quickerSeconds = forecast->horizonSeconds};
     const bool rays = settings.engine == referenceEngine;
     estimate.seconds = rays ? estimate.raySeconds : estimate.quickerSeconds;
     estimate.engine = rays ? nameOfEngine(referenceEngine) : QObject::tr("Horizons of the points");

@@ -28,7 +28,7 @@ constexpr double longRunSeconds = 600;
 /// Error: the study's own refusal, or stopped.
 Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings, const std::stop_token& stop);
 
-/// The same for a study at points, by the figures of docs/benchmarks.md. Places the points: 1 us each.
+/// The same for a study at points, by measuring some of them: see forecastElementStudy().
 Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
                                 const ElementSettings& elements, Progress& progress,
                                 const std::stop_token& stop);

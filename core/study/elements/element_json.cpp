@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <limits>
-
 #include "core/base/version.h"
 #include "core/city/height_counts.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/elements/repeat_elements.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
@@ -177,14 +176,6 @@ std::vector<RepeatOption> elementOptions(const ElementStudy& study) {
     return options;
 }
 
-Result<std::string> repeatCommandOf(const ElementStudy& study) {
-    RepeatQuestion question{"study", study.settings, study.provenance, study.engineKey};
-    if (question.provenance.region.empty())
-        question.provenance.region = formatRegion(study.settings.region, study.city);
-    question.options = elementOptions(study);
-    return makeRepeatCommand(question, std::numeric_limits<std::size_t>::max());
-}
-
 void addElementCost(ElementJson& json, const ElementStudy& study,
                     const std::map<std::string, double>& writeSeconds) {
     json["rays"] = study.minutes.cost.rays;
@@ -194,6 +185,14 @@ void addElementCost(ElementJson& json, const ElementStudy& study,
 }
 
 }  // namespace
+
+Result<std::string> makeRepeatCommand(const ElementStudy& study, std::size_t width) {
+    RepeatQuestion question{"study", study.settings, study.provenance, study.engineKey};
+    if (question.provenance.region.empty())
+        question.provenance.region = formatRegion(study.settings.region, study.city);
+    question.options = elementOptions(study);
+    return makeRepeatCommand(question, width);
+}
 
 std::string elementStudyJson(const ElementStudy& study, const std::map<std::string, double>& writeSeconds) {
     ElementJson json;
@@ -214,7 +213,7 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["sun_frame"] = sunFrameJson(study.city, study.settings, study.sun);
     addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
-    addRepeat(json, repeatCommandOf(study));
+    addRepeat(json, makeRepeatCommand(study));
     json["definitions"] = elementDefinitions();
     json["warnings"] = warningsJson(study.warnings);
     return toJsonText(json);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/receivers/points/pane_corners.h"
 #include "core/study/elements/facing_azimuth.h"
 
 namespace noonmark {
@@ -46,16 +47,8 @@ MeasuredElement measureElement(const ElementStudy& study, std::size_t point,
 }  // namespace
 
 std::array<glm::vec3, 4> cornersOf(const MeasuredElement& element) {
-    constexpr PaneSize usual{{-0.5, -0.6}, {0.5, 0.6}};
-    constexpr double inFrontM = 0.03;
-    const PaneSize pane = element.pane.isKnown() ? element.pane : usual;
-    const PaneAxes axes = findPaneAxes(glm::dvec3(element.normal));
-    const glm::dvec3 middle = glm::dvec3(element.position) + inFrontM * glm::dvec3(element.normal);
-    const auto corner = [&](double right, double up) {
-        return glm::vec3(middle + right * axes.along + up * axes.up);
-    };
-    return {corner(pane.low.x, pane.low.y), corner(pane.high.x, pane.low.y), corner(pane.high.x, pane.high.y),
-            corner(pane.low.x, pane.high.y)};
+    return computePaneCorners(glm::dvec3(element.position), glm::dvec3(element.normal),
+                              element.pane.isKnown() ? element.pane : usualPane);
 }
 
 ElementMap makeElementMap(const ElementStudy& study) {

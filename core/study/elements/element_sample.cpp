@@ -5,8 +5,6 @@
 
 namespace noonmark {
 
-namespace {
-
 // The seed is spread over the fractions 0 to 1 by the golden ratio.
 std::vector<std::size_t> choosePoints(std::size_t all, std::size_t count, std::uint32_t seed) {
     count = std::min(count, all);
@@ -25,8 +23,6 @@ SurfacePoints pointsAt(const SurfacePoints& all, const std::vector<std::size_t>&
     }
     return points;
 }
-
-}  // namespace
 
 Result<ElementError> sampleElementError(const ElementStudy& study, Progress& progress,
                                         const std::stop_token& stop) {

@@ -9,4 +9,8 @@ namespace noonmark {
 Result<ElementError> sampleElementError(const ElementStudy& study, Progress& progress,
                                         const std::stop_token& stop);
 
+/// Up to `count` indices of `all` points, ascending and evenly spread; the seed shifts them.
+std::vector<std::size_t> choosePoints(std::size_t all, std::size_t count, std::uint32_t seed);
+SurfacePoints pointsAt(const SurfacePoints& all, const std::vector<std::size_t>& chosen);
+
 }  // namespace noonmark

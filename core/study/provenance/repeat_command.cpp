@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/city_files_command.h"
 #include "core/study/text/region_text.h"
 
 namespace noonmark {
@@ -132,7 +133,7 @@ bool namesProject(const Provenance& provenance) { return provenance.project && p
 bool namesInputs(const RepeatQuestion& question) {
     const Provenance& provenance = question.provenance;
     const bool asRead = !provenance.project || provenance.project->scenario.edits.empty();
-    return !question.needsProject && asRead && !provenance.inputs.empty() && provenance.reading;
+    return !question.needsProject && asRead && namesCityFiles(provenance);
 }
 
 tl::unexpected<Error> notRepeatable(const Provenance& provenance) {
@@ -153,9 +154,7 @@ void addSource(CommandWords& line, const RepeatQuestion& question) {
         if (!provenance.project->baseline) line.option("--scenario", provenance.project->scenario.name);
         return;
     }
-    addInputs(line, provenance.inputs);
-    addReading(line, *provenance.reading);
-    addMesh(line, *provenance.reading);
+    addCityFiles(line, provenance);
 }
 
 std::vector<RepeatOption> optionsOf(const StudySettings& settings) {
@@ -176,6 +175,16 @@ std::string regionOf(const Study& study) {
 void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options) {
     if (sample.receivers != ErrorSampleSettings{}.receivers)
         options.push_back({"--error-sample", {fmt::to_string(sample.receivers)}});
+}
+
+bool namesCityFiles(const Provenance& provenance) {
+    return !provenance.inputs.empty() && provenance.reading.has_value();
+}
+
+void addCityFiles(CommandWords& line, const Provenance& provenance) {
+    addInputs(line, provenance.inputs);
+    addReading(line, *provenance.reading);
+    addMesh(line, *provenance.reading);
 }
 
 Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_t width) {

@@ -1,9 +1,10 @@
 #pragma once
 
 // The folder core/study/windows evaluates rules about windows. runWindowReview() (this file) returns a
-// WindowStudy; window_text.h turns it into tables and JSON, and window_values.h says which of its values
-// elevations show.
+// WindowStudy, prepared by a WindowScene (window_scene.h); window_text.h turns it into tables and JSON, and
+// window_values.h says which of its values elevations show.
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <stop_token>
@@ -56,13 +57,28 @@ struct WindowStudy {
     std::optional<InputFile> windowsFile{};  ///< set by the caller
 };
 
+/// What a review of windows is expected to take.
+struct WindowForecast {
+    std::size_t windows = 0;  ///< windows that are measured
+    std::size_t steps = 0;    ///< with the sun up in the rule's hours
+    double seconds = 0;       ///< of the whole review, without its files
+};
+using AnnounceWindows = std::function<void(const WindowForecast&)>;
+
+/// Prepares the review and measures 64 of its windows, evenly chosen, so that the forecast holds for the
+/// city and the machine: docs/benchmarks.md states its error. Errors as of runWindowReview().
+Result<WindowForecast> forecastWindowReview(const Rule& rule, const City& baseline, const City& scenario,
+                                            const WindowReviewSettings& settings, Progress& progress,
+                                            const std::stop_token& stop);
+
 /// Evaluates a rule on the windows of the scenario. A window is compared with the baseline where its building
 /// is the same in both; the windows of new and changed buildings have no former values. Uses all cores.
 /// Error: a rule about places, the sun below the horizon in all hours of the rule, what placeElements()
 /// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 2 ms more where
-/// the rule asks for the sky component.
+/// the rule asks for the sky component. `announce`, if given, is called once with the forecast before the
+/// windows are evaluated.
 Result<WindowStudy> runWindowReview(const Rule& rule, const City& baseline, const City& scenario,
                                     const WindowReviewSettings& settings, Progress& progress,
-                                    const std::stop_token& stop);
+                                    const std::stop_token& stop, const AnnounceWindows& announce = {});
 
 }  // namespace noonmark

@@ -9,6 +9,7 @@
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/provenance/city_files_command.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
@@ -233,20 +234,24 @@ std::vector<RepeatOption> makeRepeatOptions(const ElementSettings& windows) {
 
 Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabels& labels,
                                       std::size_t width) {
-    const auto& project = labels.provenance.project;
-    if (!project || !project->saved())
+    const Provenance& provenance = labels.provenance;
+    const bool ofFiles = !provenance.project && namesCityFiles(provenance);
+    if (!ofFiles && (!provenance.project || !provenance.project->saved()))
         return failure(
             "No command can repeat this review yet: the project has not been saved in the state "
             "that was reviewed",
             fmt::format("scenario '{}'", labels.to), "Save the project, then review again");
     CommandWords line("noonmark-cli review run");
-    line.file(project->file);
+    if (ofFiles)
+        addCityFiles(line, provenance);
+    else
+        line.file(provenance.project->file);
     line.option("--rule", study.rule.key);
     for (const auto& [choice, option] : study.rule.chosen)
         line.option("--choose", fmt::format("{}={}", choice, option));
     line.unless(study.rule.file.empty(), "--rules", ".");
-    line.option("--from", labels.from);
-    line.option("--to", labels.to);
+    line.unless(ofFiles, "--from", labels.from);
+    line.unless(ofFiles, "--to", labels.to);
     line.option("--year", fmt::to_string(study.year));
     line.option("--zone", study.settings.zone);
     for (const RepeatOption& option : labels.sheets) line.option(option);

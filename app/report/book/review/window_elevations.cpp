@@ -113,6 +113,7 @@ std::vector<BookPage> makePagesOf(const WindowBookSource& source, const BookSett
         study.settings.elements.facades.storeyM,
         source.scenario.frame,
         mostElevationPages};
+    sheets.scale = settings.scale;
     sheets.foot.note = QStringLiteral("Grey: no value. Seen square to the wall, from outside.");
     // Each side takes a quarter of a page at least: more buildings cannot be drawn.
     std::vector<ElevationBuilding> buildings;

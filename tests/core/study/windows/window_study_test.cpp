@@ -198,5 +198,23 @@ TEST(WindowStudy, RefusesRulesAboutPlaces) {
               ErrorKind::cancelled);
 }
 
+TEST(WindowStudy, IsForecastWithTheWindowsAndStepsThatItMeasures) {
+    const City city = named({house, {{20, 0, 0}, {30, 12, 30}}}, {127, 37.5});
+    const WindowReviewSettings settings = facadesOf("house 0", "Asia/Seoul");
+    NoProgress quiet;
+    const auto forecast = forecastWindowReview(windowRule("korea"), city, city, settings, quiet, {});
+    ASSERT_TRUE(forecast);
+    std::vector<WindowForecast> announced;
+    const auto study = runWindowReview(windowRule("korea"), city, city, settings, quiet, {},
+                                       [&](const WindowForecast& one) { announced.push_back(one); });
+    ASSERT_TRUE(study);
+    EXPECT_EQ(forecast->windows, study->windows.size());
+    EXPECT_EQ(forecast->steps, study->steps);
+    EXPECT_GT(forecast->seconds, 0);
+    ASSERT_EQ(announced.size(), 1U);
+    EXPECT_EQ(announced[0].windows, forecast->windows);
+    EXPECT_FALSE(forecastWindowReview(windowRule("own"), city, city, settings, quiet, {})) << "of places";
+}
+
 }  // namespace
 }  // namespace noonmark

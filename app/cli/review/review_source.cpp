@@ -1,0 +1,83 @@
+#include "app/cli/review/review_source.h"
+
+#include "app/cli/load_city.h"
+#include "app/cli/project/project_question.h"
+#include "app/input/project_of.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+Result<ReviewSource> openProject(const ReviewRunOptions& options) {
+    if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
+    if (options.to.empty())
+        return failure("The scenario to review is missing", "--to", "Give --to NAME, a scenario");
+    return ProjectFile::open(options.read.files.front()).map([](ProjectFile disk) {
+        return ReviewSource{disk.project(), std::move(disk), std::nullopt};
+    });
+}
+
+Result<ReviewSource> readFiles(const ReviewRunOptions& options, const Console& console) {
+    for (const std::string& scenario : {options.from, options.to})
+        if (!scenario.empty() && scenario != existingCity)
+            return failure("Only a project has scenarios", scenario,
+                           "Give a project: noonmark-cli project new --help");
+    if (!options.windows.asked())
+        return failure("Places are reviewed in a project", options.read.files.front(),
+                       "Make one: noonmark-cli project new --help; or give --windows or --facades-of");
+    return loadCity(options.read, console).map([](LoadedCity loaded) {
+        ReviewSource source{projectOf(loaded), std::nullopt, std::nullopt};
+        source.loaded = std::move(loaded);
+        return source;
+    });
+}
+
+Result<std::string> zoneOf(const ReviewRunOptions& options, const Project& project) {
+    if (!options.settings.zone.empty())
+        return Zone::named(options.settings.zone).map([](const Zone& zone) { return zone.name(); });
+    if (auto zone = commonZone(project)) return *std::move(zone);
+    return failure("The rule's hours need a time zone", "--zone",
+                   "Give --zone, for example --zone America/New_York");
+}
+
+int yearOf(const ReviewRunOptions& options, const Project& project) {
+    if (options.settings.year != 0) return options.settings.year;
+    return project.periods.empty() ? 2026 : int(project.periods.front().period.start.year());
+}
+
+}  // namespace
+
+Result<ReviewSource> openReviewSource(const ReviewRunOptions& options, const Console& console) {
+    return namesProject(options.read) ? openProject(options) : readFiles(options, console);
+}
+
+Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const ReviewSource& source,
+                                   const std::vector<std::string>& fileNames, const OutputRules& outputs) {
+    const Project& project = source.project;
+    const auto zone = zoneOf(options, project);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const std::string from = options.from.empty() ? existingCity : options.from;
+    const std::string to = options.to.empty() ? existingCity : options.to;
+    auto before = cityOf(project, from), after = cityOf(project, to);
+    if (!before) return tl::make_unexpected(before.error());
+    if (!after) return tl::make_unexpected(after.error());
+    if (const auto may = checkOutputs(options.out, fileNames, outputs); !may)
+        return tl::make_unexpected(may.error());
+    auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    if (!sheets) return tl::make_unexpected(sheets.error());
+    return ReviewGround{from,
+                        to,
+                        std::move(before->city),
+                        std::move(after->city),
+                        *zone,
+                        yearOf(options, project),
+                        *std::move(sheets)};
+}
+
+Provenance provenanceOf(const ReviewSource& source, const ReviewGround& ground) {
+    if (source.loaded) return provenanceOf(*source.loaded);
+    return provenanceOf(source.project, &*source.disk, {ground.to, ground.from, {}, {}});
+}
+
+}  // namespace noonmark::cli

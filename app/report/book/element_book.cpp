@@ -1,0 +1,160 @@
+#include "app/report/book/element_book.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/report/book/elevation_pages.h"
+#include "app/report/book/flow.h"
+#include "app/report/sheets/period_words.h"
+#include "app/report/sheets/report_sections.h"
+#include "app/report/sheets/study_words.h"
+#include "core/receivers/points/pane_corners.h"
+#include "core/study/elements/element_tables.h"
+#include "core/study/elements/repeat_elements.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double minutesOfHour = 60;
+constexpr std::size_t elementCommandLetters = 60;  // in a line of a column
+
+/// The points of one building that elevations show, as indices of the map.
+struct PointsOfBuilding {
+    std::uint32_t building = 0;
+    std::vector<std::size_t> points;
+    double meanMin = 0;
+};
+
+ElevationPane paneOf(const MeasuredElement& element) {
+    return {glm::dvec3(element.position), glm::dvec3(element.normal),
+            element.pane.isKnown() ? element.pane : usualPane};
+}
+
+std::vector<PointsOfBuilding> groupPoints(const ElementStudy& study, const ElementMap& map) {
+    std::map<std::uint32_t, PointsOfBuilding> byBuilding;
+    for (std::size_t i = 0; i < map.elements.size(); ++i) {
+        if (map.elements[i].kind == ElementKind::plane || !hasElevation(paneOf(map.elements[i]))) continue;
+        const std::uint32_t building = study.receivers.elements[i].building;
+        PointsOfBuilding& group =
+            byBuilding.try_emplace(building, PointsOfBuilding{building, {}, 0}).first->second;
+        group.points.push_back(i);
+        group.meanMin += map.elements[i].sunlitMin;
+    }
+    std::vector<PointsOfBuilding> groups;
+    for (auto& [building, group] : byBuilding) {
+        group.meanMin /= double(group.points.size());
+        groups.push_back(std::move(group));
+    }
+    std::ranges::stable_sort(groups, {}, &PointsOfBuilding::meanMin);
+    return groups;
+}
+
+ElevationBuilding drawBuilding(const ElementStudy& study, const ElementMap& map,
+                               const PointsOfBuilding& group, double topHours) {
+    const MeasuredElement& first = map.elements[group.points.front()];
+    const std::string& name = first.buildingName.empty() ? first.building : first.buildingName;
+    ElevationBuilding drawn{
+        name.empty() ? QStringLiteral("Points at no building") : plainText(name), nullptr, {}, {{}}, {}};
+    if (group.building < study.city.buildings.size())
+        drawn.building = study.city.buildings[group.building].get();
+    for (const std::size_t i : group.points) {
+        drawn.panes.push_back(paneOf(map.elements[i]));
+        drawn.cells[0].push_back(
+            {shadowColour(1 - map.elements[i].sunlitMin / minutesOfHour / topHours), ElevationMark::none});
+    }
+    return drawn;
+}
+
+Legend hoursLegend(const ElementMap& map) {
+    const double top = std::max(1.0, std::ceil(map.possibleMin / minutesOfHour));
+    Legend legend;
+    legend.title = QStringLiteral("Sun");
+    legend.unit = QStringLiteral("hours a day, mean over the days");
+    legend.scale = {top, 1};
+    legend.wanted = true;
+    return legend;
+}
+
+std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap& map,
+                                     const BookSettings& settings) {
+    const Legend legend = hoursLegend(map);
+    ElevationSheets sheets{QStringLiteral("Elevations: hours of sun"),
+                           QStringLiteral("%1. Floors of %2 m.")
+                               .arg(describePeriod(study.settings.period))
+                               .arg(study.elements.facades.storeyM),
+                           QStringLiteral("Elevations"),
+                           {QStringLiteral("Hours of sun a day")},
+                           {{legend}},
+                           study.elements.facades.storeyM,
+                           study.city.frame};
+    sheets.foot.hasMarks = false;
+    sheets.foot.note = QStringLiteral("Seen square to the wall, from outside.");
+    sheets.scale = settings.scale;
+    // Each side takes a third of a page at least: more buildings cannot be drawn.
+    const std::size_t mostDrawn = 3 * sheets.mostPages;
+    std::vector<ElevationBuilding> buildings;
+    for (const PointsOfBuilding& group : groupPoints(study, map))
+        buildings.push_back(buildings.size() > mostDrawn ? ElevationBuilding{}
+                                                         : drawBuilding(study, map, group, legend.scale.top));
+    return makeElevationPages(settings.setup, std::move(sheets), buildings);
+}
+
+QString hoursText(double minutes) { return describeAmount(minutes / minutesOfHour, 2); }
+
+TextBlocks summariseElements(const ElementStudy& study, const ElementMap& map) {
+    const ElementFigures figures = computeFigures(study);
+    TextBlocks blocks{heading(QStringLiteral("Summary"))};
+    const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
+    add(QStringLiteral("%1 points on %2. %3.")
+            .arg(describeCount(map.elements.size()), plainText(nameOf(study.elements.places)),
+                 describePeriod(study.settings.period)));
+    add(QStringLiteral("Sun: mean %1 hours a day, from %2 to %3, of %4 with the sun up.")
+            .arg(hoursText(figures.meanSunlitMin), hoursText(figures.leastSunlitMin),
+                 hoursText(figures.mostSunlitMin), hoursText(map.possibleMin)));
+    add(QStringLiteral("Longest unbroken shadow: mean %1 hours, at most %2.")
+            .arg(hoursText(figures.meanContinuousMin), hoursText(figures.mostContinuousMin)));
+    blocks.push_back(heading(QStringLiteral("Method")));
+    add(study.engineKey == referenceEngine
+            ? QStringLiteral("Rays at every step of the sun.")
+            : QStringLiteral("Horizons of the points, in bins of a quarter of a degree."));
+    if (study.error) add(QStringLiteral("Error against rays: %1.").arg(plainText(describe(*study.error))));
+    add(QStringLiteral(
+        "Hours of sun: time a day that a point is in the sun, mean over the days. A point that "
+        "faces away from the sun is in shadow."));
+    return blocks;
+}
+
+TextBlocks describeSources(const ElementStudy& study) {
+    Study sources;
+    sources.city = study.city;
+    sources.warnings = study.warnings;
+    sources.provenance = study.provenance;
+    sources.heights = study.heights;
+    auto sections = sourceSections(sources);
+    sections.pop_back();  // cost and skipped work belong to a field
+    sections.push_back(repeatBlocks(makeRepeatCommand(study, elementCommandLetters), false));
+    TextBlocks blocks;
+    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
+    return blocks;
+}
+
+}  // namespace
+
+Book makeElementBook(const ElementStudy& study, const ElementMap& map, const BookSettings& settings) {
+    const QString title = QStringLiteral("Hours of sun on %1").arg(plainText(nameOf(study.elements.places)));
+    Book book = beginBook(settings, title, study.provenance.attribution);
+    book.record = {QStringLiteral("study.json"), elementStudyJson(study, {})};
+    const auto append = [&](std::vector<BookPage> pages) {
+        std::ranges::move(pages, std::back_inserter(book.pages));
+    };
+    append(
+        makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study, map)));
+    append(makeElevations(study, map, settings));
+    append(makeTextPages(settings.setup, {QStringLiteral("Sources"), {}, QStringLiteral("Sources")},
+                         describeSources(study)));
+    return book;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/engines/points/sky_trees.h"
+#include "core/study/windows/window_study.h"
+
+namespace noonmark {
+
+/// The windows that are judged together, as indices of receivers.
+using WindowGroup = std::vector<std::uint32_t>;
+
+/// What a review of windows evaluates: everything that does not depend on a single window.
+struct WindowScene {
+    Rule rule;         ///< its opening is no wider than a bay
+    const City& city;  ///< the scenario
+    PlacedElements placed;
+    RuleSun days;
+    ShadedStepFinder::By by = ShadedStepFinder::By::rays;
+    std::optional<ShadedStepFinder> after;
+    std::optional<ShadedStepFinder> before;  ///< none: the baseline is the scenario
+    std::optional<SkyTrees> sky, formerSky;  ///< where the rule asks for the sky component
+    std::set<std::uint32_t> fresh;           ///< buildings without former values, by index
+    std::vector<WindowGroup> groups;
+    double prepareSeconds = 0, buildSeconds = 0;
+
+    [[nodiscard]] PaneSize paneOf(std::uint32_t window) const {
+        return placed.facts.empty() ? PaneSize{} : placed.facts[window].pane;
+    }
+};
+
+/// Cities must outlive the scene, which stays where it is: its parts refer to each other. Errors as of
+/// runWindowReview(). In Midtown some 0.5 s a city.
+Result<std::unique_ptr<const WindowScene>> prepareWindowScene(const Rule& rule, const City& baseline,
+                                                              const City& scenario,
+                                                              const WindowReviewSettings& settings,
+                                                              Progress& progress,
+                                                              const std::stop_token& stop);
+
+/// Evaluates the rule on a group of windows. Safe on several threads.
+WindowReview reviewGroup(const WindowScene& scene, const WindowGroup& group);
+
+}  // namespace noonmark
