@@ -1,47 +1,16 @@
 #include <QComboBox>
-#include <QDockWidget>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/window/review/review_dock.h"
-#include "app/window/review/windows/window_form.h"
-#include "app/window/review/windows/window_session.h"
 #include "app/window/review/windows/window_table.h"
-#include "tests/gui/project_window.h"
+#include "tests/gui/window_review_window.h"
 
 namespace noonmark {
 namespace {
 
-using test::waitFor;
-
-/// Rules about windows, on the facades of the small project, with a new tower in it.
-struct WindowReviewWindow : test::ProjectWindow {
-    void SetUp() override {
-        ProjectWindow::SetUp();
-        StudySettings study = workbench().document().settings();
-        study.period.zone = "Europe/Amsterdam";
-        workbench().document().change(study, QStringLiteral("zone"));
-        for (QDockWidget* one : window->findChildren<QDockWidget*>())
-            if (one->isAncestorOf(&dock())) one->show();
-        ASSERT_TRUE(waitFor([this] { return dock().isVisible(); }));
-        choose("en-17037");
-    }
-    WindowSession& windows() { return window->windowReview(); }
-    ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
-    WindowForm& form() { return *dock().findChild<WindowForm*>(); }
-    QString state() { return dock().findChild<QLabel*>(QStringLiteral("reviewState"))->text(); }
-    void choose(const std::string& rule) {
-        ReviewChoice choice = window->review().choice();
-        choice.rule = rule;
-        window->review().choose(choice);
-    }
-    void run() {
-        dock().findChild<QPushButton*>(QStringLiteral("runReview"))->click();
-        ASSERT_TRUE(waitFor([this] { return !windows().running().busy(); }));
-    }
-};
+using test::WindowReviewWindow;
 
 TEST_F(WindowReviewWindow, ARuleAboutWindowsAsksForWindowsInsteadOfPlaces) {
     EXPECT_TRUE(windows().applies());
@@ -124,6 +93,17 @@ TEST_F(WindowReviewWindow, WritesTheFilesOfTheCommandLine) {
     EXPECT_TRUE(json.contains("--facades-of all")) << json.left(600).toStdString();
     const QByteArray csv = test::bytesOf(folder.filePath(QStringLiteral("out/windows.csv")));
     EXPECT_EQ(csv.count('\n'), 1 + qsizetype(windows().answer()->study.windows.size()));
+}
+
+TEST_F(WindowReviewWindow, StatesTheNumberOfWindowsAndTheTimeBeforehand) {
+    build();
+    auto* estimate = dock().findChild<QLabel*>(QStringLiteral("reviewEstimate"));
+    ASSERT_TRUE(waitFor([&] { return !estimate->text().isEmpty(); }));
+    const QString words = estimate->text();
+    EXPECT_TRUE(words.contains(QStringLiteral("about"))) << words.toStdString();
+    run();
+    EXPECT_TRUE(words.startsWith(QString::number(windows().answer()->study.panes.size())))
+        << words.toStdString();
 }
 
 TEST_F(WindowReviewWindow, AFileThatIsMissingIsNamed) {

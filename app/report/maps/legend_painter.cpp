@@ -121,6 +121,20 @@ void paintMoment(const Canvas& canvas, const QRectF& bar, bool change) {
                change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
 }
 
+// Patches from left to right, in a second row where the first has no room.
+void paintClasses(const Canvas& canvas, const QRectF& bar, const std::vector<LegendPatch>& classes) {
+    const QFontMetricsF metrics(textFont(canvas, labelPt));
+    const double gap = 10 * canvas.point;
+    QPointF at = bar.topLeft();
+    for (const LegendPatch& one : classes) {
+        const double width = bar.height() * 1.6 + 4 * canvas.point + metrics.horizontalAdvance(one.label);
+        if (at.x() > bar.left() && at.x() + width > bar.right())
+            at = {bar.left(), at.y() + bar.height() + 3 * canvas.point};
+        paintPatch(canvas, {at, QSizeF(bar.height() * 1.6, bar.height())}, one.colour, one.label);
+        at.rx() += width + gap;
+    }
+}
+
 // Paints the patches at the right end of the title line; returns their width.
 double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
     const QFontMetricsF metrics(textFont(canvas, labelPt));
@@ -147,7 +161,9 @@ void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend)
     const QRectF bar = barOf(canvas, area);
     const double patches = paintOwnColours(canvas, area, legend.patches);
     paintTitle(canvas, area.adjusted(0, 0, -patches, 0), legend);
-    if (legend.instant) {
+    if (!legend.classes.empty()) {
+        paintClasses(canvas, bar, legend.classes);
+    } else if (legend.instant) {
         paintMoment(canvas, bar, legend.change);
     } else {
         paintBar(canvas, bar, legend);

@@ -26,6 +26,7 @@ struct Legend {
     /// More is wanted, as of sun: the colours run the other way. With `change` impactColour(-value /
     /// scale.top), else shadowColour(1 - value / scale.top).
     bool wanted = false;
+    std::vector<LegendPatch> classes{};  ///< if any: patches in their order instead of a scale
 };
 
 /// The legend of a map of `measure`. O(cells). The colour of a value is shadowColour(value /

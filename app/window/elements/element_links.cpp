@@ -1,36 +1,25 @@
 #include "app/window/elements/element_links.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "app/window/elements/elements_dock.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/view/wall_view.h"
 
 namespace noonmark {
 
-namespace {
-constexpr double farthestViewM = 80;
-constexpr double pitchTowardsWallDeg = 20;
-}  // namespace
-
 ElementLinks::ElementLinks(ElementsDock& dock, ViewPanel& panel) : dock_(dock), panel_(panel) {
-    connect(&dock_, &ElementsDock::pointedAt, this,
-            [this](const std::vector<std::size_t>& elements) { panel_.view().tiles().highlight(elements); });
+    connect(&dock_, &ElementsDock::pointedAt, this, [this](const std::vector<std::size_t>& elements) {
+        if (panel_.results().showsElements()) panel_.view().tiles().highlight(elements);
+    });
     connect(&dock_, &ElementsDock::wanted, this, &ElementLinks::goTo);
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &ElementLinks::click);
 }
 
-// Looks at the point from in front of its wall.
 void ElementLinks::goTo(std::size_t element) {
     const MeasuredElement& at = dock_.model().map()->elements[element];
-    CameraPose pose = panel_.view().pose();
-    pose.target = glm::dvec3(at.position);
-    pose.distanceM = std::min(pose.distanceM, farthestViewM);
-    if (!std::isnan(at.azimuthDeg)) {
-        pose.headingDeg = std::fmod(at.azimuthDeg + 180, 360);
-        pose.pitchDeg = pitchTowardsWallDeg;
-    }
-    panel_.view().setPose(pose);
+    const auto azimuth = std::isnan(at.azimuthDeg) ? std::nullopt : std::optional(at.azimuthDeg);
+    panel_.view().setPose(faceWall(panel_.view().pose(), glm::dvec3(at.position), azimuth));
 }
 
 void ElementLinks::click(QPointF pixel) {

@@ -76,6 +76,7 @@ MainWindow::MainWindow(QSettings& settings)
       opening_(workbench_, saving_, settings, panel_->messages(), *this),
       recovery_(workbench_, store_, saving_, panel_->messages()),
       links_(*docks_.elements, *panel_),
+      verdicts_(docks_.review->windowPanel(), windowReview_, review_, workbench_, *panel_),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
                 docks_.scenarios->table()}),

@@ -36,6 +36,7 @@
 #include "app/window/point/point_inspector.h"
 #include "app/window/preferences/preferences_actions.h"
 #include "app/window/results/result_display.h"
+#include "app/window/review/windows/verdict_links.h"
 #include "app/window/review/windows/window_session.h"
 #include "app/window/study_form/what_form.h"
 #include "app/window/time/time_display.h"
@@ -131,6 +132,7 @@ private:
     OpeningActions opening_;
     RecoveryOffers recovery_;
     ElementLinks links_;
+    VerdictLinks verdicts_;
     ResultDisplay display_;
     ResultActions results_;
     CopyActions copying_;

@@ -64,6 +64,19 @@ void ResultLayer::setElements(std::optional<ElementView> elements) {
     if (mode_ != ViewMode::exploration) show();
 }
 
+void ResultLayer::setTiles(std::shared_ptr<const TileView> tiles) {
+    if (tiles == tiles_) return;
+    tiles_ = std::move(tiles);
+    show();
+}
+
+void ResultLayer::noteTiles(const QString& note, bool marked) {
+    if (note == tileNote_ && marked == tileNoteMarked_) return;
+    tileNote_ = note;
+    tileNoteMarked_ = marked;
+    if (showsTiles()) strip_.setNote(tileNote_, tileNoteMarked_);
+}
+
 void ResultLayer::setPartial(std::shared_ptr<const PartialField> partial) {
     if (!partial && !partial_) return;
     partial_ = partial ? std::optional(makeGroundAnswer(partial)) : std::nullopt;
@@ -98,6 +111,8 @@ void ResultLayer::noteLive(const QString& note) {
 }
 
 void ResultLayer::show() {
+    if (showsTiles()) return showTiles();
+    painted_.reset();
     if (!showsElements()) view_.tiles().clear();
     if (!moment_.isEmpty() && !live_ && !(time_ && mode_ != ViewMode::exploration)) return showMoment();
     if (mode_ == ViewMode::exploration && !live_) {
@@ -110,7 +125,8 @@ void ResultLayer::show() {
 }
 
 bool ResultLayer::showsElements() const {
-    return elements_ && !live_ && !partial_ && mode_ != ViewMode::exploration && moment_.isEmpty();
+    return elements_ && !showsTiles() && !live_ && !partial_ && mode_ != ViewMode::exploration &&
+           moment_.isEmpty();
 }
 
 void ResultLayer::showElements() {
@@ -121,14 +137,32 @@ void ResultLayer::showElements() {
     strip_.setNote(elements_->note, elements_->marked);
 }
 
+bool ResultLayer::showsTiles() const { return tiles_ && !live_ && moment_.isEmpty(); }
+
+void ResultLayer::showTiles() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    if (std::exchange(painted_, tiles_) != tiles_) view_.tiles().show(tiles_->tiles);
+    strip_.setLegend(tiles_->legend);
+    strip_.setNote(tileNote_, tileNoteMarked_);
+}
+
 std::optional<std::size_t> ResultLayer::elementAt(const glm::dvec3& place) const {
+    return showsElements() ? paintedTileAt(place) : std::nullopt;
+}
+
+std::optional<std::size_t> ResultLayer::tileAt(const glm::dvec3& place) const {
+    return showsTiles() ? paintedTileAt(place) : std::nullopt;
+}
+
+std::optional<std::size_t> ResultLayer::paintedTileAt(const glm::dvec3& place) const {
     constexpr double behindM = 0.5;  // a tile may lie a little behind the surface under the cursor
     const CameraPose& pose = view_.pose();
     const glm::dvec3 forward = computeForward(pose);
     glm::dvec3 eye = computeEye(pose);
     if (pose.isParallel()) eye = place - glm::dot(place - eye, forward) * forward;
     const double distance = glm::distance(eye, place);
-    if (!showsElements() || distance == 0) return std::nullopt;
+    if (distance == 0) return std::nullopt;
     return view_.tiles().tileAt({eye, (place - eye) / distance}, distance + behindM);
 }
 
@@ -176,6 +210,10 @@ void ResultLayer::showMoment() {
 
 QString ResultLayer::minutesAt(const Pick& pick) const {
     if (!moment_.isEmpty() && !live_ && !time_) return {};
+    if (showsTiles()) {
+        const auto tile = tileAt(pick.position);
+        return tile ? tiles_->describe(*tile) : QString();
+    }
     if (mode_ == ViewMode::exploration && !live_) {
         const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
         if (!point) return {};

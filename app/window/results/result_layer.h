@@ -5,6 +5,7 @@
 #include "app/window/elements/element_picture.h"
 #include "app/window/exploration/view_refinement.h"
 #include "app/window/results/ground_answer.h"
+#include "app/window/results/tile_view.h"
 #include "app/window/view/view_mode.h"
 #include "app/window/widgets/legend_strip.h"
 #include "render/view/city_view.h"
@@ -28,6 +29,15 @@ public:
     void setElements(std::optional<ElementView> elements);
     /// The element that the view shows at a place of the scene, as the camera sees it.
     [[nodiscard]] std::optional<std::size_t> elementAt(const glm::dvec3& place) const;
+    /// Tiles displayed instead of the result of any mode, but for a live shadow and a moment; none: shows
+    /// that again. They stay when the city changes.
+    void setTiles(std::shared_ptr<const TileView> tiles);
+    /// Another note beside the legend, while the tiles are shown.
+    void noteTiles(const QString& note, bool marked);
+    /// One of setTiles() at a place of the scene, as the camera sees it.
+    [[nodiscard]] std::optional<std::size_t> tileAt(const glm::dvec3& place) const;
+    [[nodiscard]] bool showsElements() const;
+    [[nodiscard]] bool showsTiles() const;
     /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
     /// before again.
     void setPartial(std::shared_ptr<const PartialField> partial);
@@ -51,7 +61,8 @@ private:
     void showExplored();
     void showGround();
     void showElements();
-    [[nodiscard]] bool showsElements() const;
+    void showTiles();
+    [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     [[nodiscard]] const GroundAnswer* ground() const;
     void showNothing();
     void showMoment();
@@ -62,6 +73,9 @@ private:
     std::optional<GroundAnswer> study_;
     std::optional<GroundAnswer> inFront_;
     std::optional<ElementView> elements_;
+    std::shared_ptr<const TileView> tiles_, painted_;  ///< to be shown, and in the view
+    QString tileNote_;
+    bool tileNoteMarked_ = false;
     std::optional<GroundAnswer> partial_;
     std::optional<GroundAnswer> time_;
     std::optional<GroundAnswer> live_;

@@ -23,6 +23,7 @@
 #include "app/window/review/verdict_table.h"
 #include "app/window/review/verdict_words.h"
 #include "app/window/review/windows/window_form.h"
+#include "app/window/review/windows/window_panel.h"
 #include "app/window/review/windows/window_session.h"
 #include "app/window/review/windows/window_table.h"
 #include "app/window/widgets/error_words.h"
@@ -98,7 +99,8 @@ ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSes
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       tables_(new QStackedWidget),
       table_(new VerdictTable),
-      windowTable_(new WindowTable),
+      windowPanel_(new WindowPanel),
+      windowTable_(windowPanel_->table()),
       tabs_(new QTabWidget),
       day_(new DayPanel),
       range_(new RangePanel),
@@ -115,7 +117,8 @@ ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSes
     column->addWidget(parts);
     estimateSoon_->setSingleShot(true);
     estimateSoon_->setInterval(estimateDelayMs);
-    connect(estimateSoon_, &QTimer::timeout, &review_, &ReviewSession::estimate);
+    connect(estimateSoon_, &QTimer::timeout, this,
+            [this] { windows_.applies() ? windows_.estimate() : review_.estimate(); });
     connectSession();
     connectTable();
     showChart();
@@ -158,7 +161,7 @@ QWidget* ReviewDock::makeTable() {
     column->addWidget(progress_);
     column->addWidget(state_);
     tables_->addWidget(table_);
-    tables_->addWidget(windowTable_);
+    tables_->addWidget(windowPanel_);
     column->addWidget(tables_, 1);
     details_->setObjectName(QStringLiteral("verdictDetails"));
     details_->setWordWrap(true);
@@ -186,10 +189,10 @@ void ReviewDock::connectSession() {
     progress_->follow(review_.running());
     connect(&review_, &ReviewSession::changed, this, &ReviewDock::showChoice);
     connect(&review_, &ReviewSession::answered, this, &ReviewDock::showAnswer);
-    connect(&review_, &ReviewSession::estimated, estimate_, [this](const QString& words) {
-        estimate_->setText(words);
-        estimate_->setToolTip(words.isEmpty() ? QString() : tr("The expected time of this review"));
-    });
+    connect(&review_, &ReviewSession::estimated, this,
+            [this](const QString& words) { showEstimate(words, false); });
+    connect(&windows_, &WindowSession::estimated, this,
+            [this](const QString& words) { showEstimate(words, true); });
     connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::tellScreening);
     connect(run_, &QPushButton::clicked, this,
             [this] { windows_.applies() ? windows_.run() : review_.run(); });
@@ -211,10 +214,16 @@ void ReviewDock::connectSession() {
     });
 }
 
+void ReviewDock::showEstimate(const QString& words, bool ofWindows) {
+    if (ofWindows != windows_.applies()) return;
+    estimate_->setText(words);
+    estimate_->setToolTip(words.isEmpty() ? QString() : tr("The expected time of this review"));
+}
+
 void ReviewDock::connectTable() {
     connect(copy_, &QPushButton::clicked, this, &ReviewDock::copyTable);
     connect(export_, &QPushButton::clicked, this, &ReviewDock::exportRequested);
-    connect(windowTable_, &WindowTable::described, this, [this](const QString& words) {
+    connect(&windowTable_, &WindowTable::described, this, [this](const QString& words) {
         if (!windows_.applies()) return;
         details_->setText(words);
         details_->setVisible(!words.isEmpty());
@@ -253,12 +262,8 @@ void ReviewDock::showChoice() {
     subjects_->setCurrentIndex(ofWindows ? 1 : 0);
     tables_->setCurrentIndex(ofWindows ? 1 : 0);
     estimate_->clear();
-    if (ofWindows) {
-        windowTable_->describeCurrent();
-    } else {
-        estimateSoon_->start();
-        showDetails();
-    }
+    estimateSoon_->start();
+    ofWindows ? windowTable_.describeCurrent() : showDetails();
     showRule();
 }
 
@@ -283,7 +288,7 @@ void ReviewDock::showAnswer() {
 
 void ReviewDock::showWindows() {
     if (std::exchange(windowAnswer_, windows_.answer()) != windows_.answer()) {
-        windowTable_->show(windowAnswer_);
+        windowTable_.show(windowAnswer_);
         showRule();
     }
     const QString hint =
@@ -408,7 +413,7 @@ void ReviewDock::showRule() {
 void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setBuilding(id); }
 
 void ReviewDock::copyTable() {
-    QGuiApplication::clipboard()->setText(windows_.applies() ? windowTable_->text() : table_->text());
+    QGuiApplication::clipboard()->setText(windows_.applies() ? windowTable_.text() : table_->text());
 }
 
 }  // namespace noonmark

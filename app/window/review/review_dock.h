@@ -23,6 +23,7 @@ class RuleForm;
 class VerdictTable;
 struct WindowAnswer;
 class WindowForm;
+class WindowPanel;
 class WindowSession;
 class WindowTable;
 
@@ -37,7 +38,8 @@ public:
                QWidget* parent = nullptr);
 
     [[nodiscard]] VerdictTable& table() { return *table_; }
-    [[nodiscard]] WindowTable& windowTable() { return *windowTable_; }
+    [[nodiscard]] WindowPanel& windowPanel() { return *windowPanel_; }
+    [[nodiscard]] WindowTable& windowTable() { return windowTable_; }
     [[nodiscard]] DayPanel& day() { return *day_; }
     [[nodiscard]] RangePanel& range() { return *range_; }
     void copyTable();
@@ -60,6 +62,7 @@ private:
     void connectSession();
     void connectTable();
     void showChoice();
+    void showEstimate(const QString& words, bool ofWindows);
     void showAnswer();
     void showUnits();
     void showState();
@@ -83,9 +86,10 @@ private:
     QLabel* state_;
     QLabel* details_;  ///< of the chosen place
     ProgressStrip* progress_;
-    QStackedWidget* tables_;  ///< table_ or windowTable_
+    QStackedWidget* tables_;  ///< table_ or windowPanel_
     VerdictTable* table_;
-    WindowTable* windowTable_;
+    WindowPanel* windowPanel_;
+    WindowTable& windowTable_;  ///< of windowPanel_
     QTabWidget* tabs_;
     DayPanel* day_;
     RangePanel* range_;

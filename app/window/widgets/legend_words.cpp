@@ -8,7 +8,8 @@ namespace noonmark {
 
 namespace {
 
-// What shadow_measure.cpp, legend_painter.cpp, impact_legend.cpp and score_legend.cpp write.
+// What shadow_measure.cpp, legend_painter.cpp, impact_legend.cpp, score_legend.cpp and the window's
+// verdict_tiles.cpp write.
 [[maybe_unused]] constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("Legend", "Gross shadow"),
     QT_TRANSLATE_NOOP("Legend", "Continuous shadow"),
@@ -29,6 +30,19 @@ namespace {
     QT_TRANSLATE_NOOP("Legend", "now ground"),
     QT_TRANSLATE_NOOP("Legend", "in the sun"),
     QT_TRANSLATE_NOOP("Legend", "in shadow"),
+    QT_TRANSLATE_NOOP("Legend", "Verdicts on windows"),
+    QT_TRANSLATE_NOOP("Legend", "before"),
+    QT_TRANSLATE_NOOP("Legend", "after"),
+    QT_TRANSLATE_NOOP("Legend", "Change of verdicts"),
+    QT_TRANSLATE_NOOP("Legend", "from before to after"),
+    QT_TRANSLATE_NOOP("Legend", "pass"),
+    QT_TRANSLATE_NOOP("Legend", "borderline"),
+    QT_TRANSLATE_NOOP("Legend", "fail"),
+    QT_TRANSLATE_NOOP("Legend", "not applicable"),
+    QT_TRANSLATE_NOOP("Legend", "worse"),
+    QT_TRANSLATE_NOOP("Legend", "better"),
+    QT_TRANSLATE_NOOP("Legend", "the same"),
+    QT_TRANSLATE_NOOP("Legend", "not compared"),
 };
 
 // Words before a number: "largest 12".
@@ -55,6 +69,7 @@ QString translateLegendWord(const QString& word) {
 Legend translateLegend(Legend legend) {
     legend.title = translateLegendWord(legend.title);
     legend.unit = translateParts(legend.unit);
+    for (LegendPatch& patch : legend.classes) patch.label = translateLegendWord(patch.label);
     for (LegendPatch& patch : legend.patches) patch.label = translateLegendWord(patch.label);
     return legend;
 }

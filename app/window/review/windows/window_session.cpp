@@ -2,6 +2,7 @@
 
 #include "app/input/find_element_parts.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/study/run_estimate.h"
 #include "app/window/widgets/error_words.h"
 #include "core/city/city.h"
 
@@ -10,7 +11,8 @@ namespace noonmark {
 WindowSession::WindowSession(Workbench& workbench, ReviewSession& review, QObject* parent)
     : QObject(parent), workbench_(workbench), review_(review) {
     connect(&workbench_, &Workbench::projectOpened, this, [this] {
-        running_.drop();
+        for (JobSlot* slot : {&running_, &estimating_}) slot->drop();
+        asked_.reset();
         answer_.reset();
         Q_EMIT answered();
     });
@@ -57,6 +59,32 @@ void WindowSession::run() {
             if (!answer) return tell(answer.error());
             answer_ = std::make_shared<const WindowAnswer>(*std::move(answer));
             Q_EMIT answered();
+        });
+}
+
+void WindowSession::estimate() {
+    const auto question = this->question();
+    if (!question) {
+        estimating_.drop();
+        asked_.reset();
+        return Q_EMIT estimated({});
+    }
+    if (asked_ && isSame(*asked_, *question)) {
+        if (!estimating_.busy()) Q_EMIT estimated(estimate_);
+        return;
+    }
+    asked_ = *question;
+    estimating_.start<WindowForecast>(
+        tr("Estimating"),
+        [question = *question](Progress& progress, const std::stop_token& stop) {
+            return forecastWindowReview(question.rule, *question.before, *question.after, question.settings,
+                                        progress, stop);
+        },
+        [this](const Result<WindowForecast>& forecast) {
+            estimate_ =
+                forecast ? tr("%1 windows: %2").arg(forecast->windows).arg(describeAbout(forecast->seconds))
+                         : QString();
+            Q_EMIT estimated(estimate_);
         });
 }
 

@@ -2,7 +2,8 @@
 
 // Rules about windows in the review dock. WindowSession runs the review of the windows that the choice of a
 // ReviewSession names, window_question is the work without a window, WindowForm chooses the windows, and
-// WindowTable lists the answer.
+// WindowTable lists the answer. verdict_tiles paints its verdicts; WindowPanel chooses which,
+// and VerdictLinks connects table and view.
 
 #include <QObject>
 
@@ -24,6 +25,8 @@ public:
     /// What run() would compute. Error: what is still missing, and what to do.
     [[nodiscard]] Result<WindowQuestion> question();
     void run();
+    /// Computes the expected time of run() and emits estimated(); at once where the question is the same.
+    void estimate();
 
     [[nodiscard]] std::shared_ptr<const WindowAnswer> answer() const { return answer_; }
     /// Why the answer is not up to date; empty: it is.
@@ -36,6 +39,7 @@ public:
 
 Q_SIGNALS:
     void answered();
+    void estimated(QString words);  ///< empty: run() would be refused
     void written(QString folder);
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
 
@@ -46,6 +50,9 @@ private:
     ReviewSession& review_;
     std::shared_ptr<const WindowAnswer> answer_;
     JobSlot running_;
+    JobSlot estimating_;
+    std::optional<WindowQuestion> asked_;  ///< of the last estimate
+    QString estimate_;
 };
 
 }  // namespace noonmark

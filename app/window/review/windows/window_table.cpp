@@ -62,8 +62,29 @@ WindowTable::WindowTable(QWidget* parent) : QTreeWidget(parent) {
     setAllColumnsShowFocus(true);
     setRootIsDecorated(false);
     setHeaderHidden(true);
-    connect(this, &QTreeWidget::currentItemChanged, this,
-            [this](const QTreeWidgetItem* item) { describe(item); });
+    connect(this, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+        describe(item);
+        if (const auto window = windowOf(item)) Q_EMIT pointedAt(*window);
+    });
+    for (auto signal : {&QTreeWidget::itemClicked, &QTreeWidget::itemActivated})
+        connect(this, signal, this, [this](const QTreeWidgetItem* item) {
+            if (const auto window = windowOf(item)) Q_EMIT wanted(*window);
+        });
+}
+
+std::optional<std::size_t> WindowTable::windowOf(const QTreeWidgetItem* item) const {
+    if (item == nullptr || !answer_) return std::nullopt;
+    return std::size_t(rows_[item->data(0, rowRole).toULongLong()] - answer_->study.windows.data());
+}
+
+std::optional<std::size_t> WindowTable::chosen() const { return windowOf(currentItem()); }
+
+void WindowTable::choose(std::size_t window) {
+    for (int row = 0; row < topLevelItemCount(); ++row) {
+        if (windowOf(topLevelItem(row)) != window) continue;
+        setCurrentItem(topLevelItem(row));
+        return scrollToItem(topLevelItem(row));
+    }
 }
 
 void WindowTable::showColumns() {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/window/review/review_dock.h"
+#include "app/window/review/windows/window_form.h"
+#include "app/window/review/windows/window_session.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark::test {
+
+/// Rules about windows, on the facades of the small project, with a new tower in it.
+struct WindowReviewWindow : ProjectWindow {
+    void SetUp() override {
+        ProjectWindow::SetUp();
+        StudySettings study = workbench().document().settings();
+        study.period.zone = "Europe/Amsterdam";
+        workbench().document().change(study, QStringLiteral("zone"));
+        for (QDockWidget* one : window->findChildren<QDockWidget*>())
+            if (one->isAncestorOf(&dock())) one->show();
+        ASSERT_TRUE(waitFor([this] { return dock().isVisible(); }));
+        choose("en-17037");
+    }
+    WindowSession& windows() { return window->windowReview(); }
+    ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
+    WindowForm& form() { return *dock().findChild<WindowForm*>(); }
+    QString state() { return dock().findChild<QLabel*>(QStringLiteral("reviewState"))->text(); }
+    void choose(const std::string& rule) {
+        ReviewChoice choice = window->review().choice();
+        choice.rule = rule;
+        window->review().choose(choice);
+    }
+    void run() {
+        dock().findChild<QPushButton*>(QStringLiteral("runReview"))->click();
+        ASSERT_TRUE(waitFor([this] { return !windows().running().busy(); }));
+    }
+};
+
+}  // namespace noonmark::test
