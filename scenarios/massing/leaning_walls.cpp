@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -30,22 +31,67 @@ glm::vec2 placePoint(glm::vec2 point, glm::dvec2 about, double scale, double clo
     return glm::vec2(about + glm::dvec2(from.x * cos + from.y * sin, from.y * cos - from.x * sin));
 }
 
-// The prism's triangles, its walls repeated between all levels. The first half of its points are those of the
-// bottom, the second half those of the top, in the same order.
-std::vector<glm::uvec3> stackTriangles(const TriangleMesh& prism, std::size_t levels) {
-    const auto points = std::uint32_t(prism.vertices.size() / 2);
-    const auto last = std::uint32_t(levels - 1) * points;
-    std::vector<glm::uvec3> triangles;
-    for (const glm::uvec3 t : prism.triangles) {
-        const bool low = t.x < points && t.y < points && t.z < points;
-        const bool high = t.x >= points && t.y >= points && t.z >= points;
-        if (low) triangles.push_back(t);
-        if (high) triangles.push_back(t + (last - points));
-        if (low || high) continue;
-        for (std::uint32_t level = 0; level < last; level += points) triangles.push_back(t + level);
+// Stacks a prism's walls between levels. The first half of the prism's points are those of the bottom, the
+// second half those of the top, in the same order; each level has the points of one half.
+class WallStack {
+public:
+    WallStack(const TriangleMesh& prism, std::size_t levels)
+        : prism_(prism),
+          points_(std::uint32_t(prism.vertices.size() / 2)),
+          last_(std::uint32_t(levels - 1) * points_) {}
+
+    // Walls that only taper are plane.
+    void addPlane(TriangleMesh& mesh) const {
+        addCaps(mesh);
+        for (const glm::uvec3 t : prism_.triangles)
+            if (countLow(t) == 1 || countLow(t) == 2)
+                for (std::uint32_t level = 0; level < last_; level += points_)
+                    mesh.triangles.push_back(t + level);
     }
-    return triangles;
-}
+
+    // Each wall between two levels gets a point in its middle, on the ideal surface: with a diagonal instead,
+    // all walls would lie outside of it, or all inside.
+    void addTwisted(TriangleMesh& mesh) const {
+        addCaps(mesh);
+        for (const glm::uvec3 t : prism_.triangles)
+            if (countLow(t) == 2)
+                for (std::uint32_t level = 0; level < last_; level += points_)
+                    addQuad(mesh, startOf(t) + level, endOf(t) + level);
+    }
+
+private:
+    [[nodiscard]] int countLow(glm::uvec3 t) const {
+        return int(t.x < points_) + int(t.y < points_) + int(t.z < points_);
+    }
+    // The edge at the bottom of a wall, in the order of the triangle that has it.
+    [[nodiscard]] std::uint32_t startOf(glm::uvec3 t) const {
+        return t.z >= points_ ? t.x : t.x >= points_ ? t.y : t.z;
+    }
+    [[nodiscard]] std::uint32_t endOf(glm::uvec3 t) const {
+        return t.z >= points_ ? t.y : t.x >= points_ ? t.z : t.x;
+    }
+
+    void addCaps(TriangleMesh& mesh) const {
+        for (const glm::uvec3 t : prism_.triangles) {
+            if (countLow(t) == 3) mesh.triangles.push_back(t);
+            if (countLow(t) == 0) mesh.triangles.push_back(t + (last_ - points_));
+        }
+    }
+
+    void addQuad(TriangleMesh& mesh, std::uint32_t from, std::uint32_t to) const {
+        const std::array<std::uint32_t, 4> corners{from, to, to + points_, from + points_};
+        glm::vec3 sum(0);
+        for (const std::uint32_t corner : corners) sum += mesh.vertices[corner];
+        const auto middle = std::uint32_t(mesh.vertices.size());
+        mesh.vertices.push_back(sum / 4.0F);
+        for (std::size_t i = 0; i < 4; ++i)
+            mesh.triangles.emplace_back(corners[i], corners[(i + 1) % 4], middle);
+    }
+
+    const TriangleMesh& prism_;
+    std::uint32_t points_;
+    std::uint32_t last_;  // first point of the top
+};
 
 }  // namespace
 
@@ -89,13 +135,15 @@ TriangleMesh makeLeaningMesh(const Tier& tier, const Footprint& piece, double st
     const TriangleMesh prism = meshOf(Part{.footprint = piece, .bottomM = 0, .topM = 1});
     const std::vector<double> levels = levelsOf(tier, storeyHeightM);
     const glm::dvec2 about = findMiddle(tier.plate);
-    TriangleMesh mesh{.vertices = {}, .triangles = stackTriangles(prism, levels.size())};
+    TriangleMesh mesh;
     for (const double level : levels)
         for (std::size_t i = 0; i < prism.vertices.size() / 2; ++i) {
             const glm::vec2 at = placePoint(glm::vec2(prism.vertices[i]), about, scaleAt(tier, level),
                                             tier.walls.twistDeg * shareOfHeight(tier, level));
             mesh.vertices.emplace_back(at, float(level));
         }
+    const WallStack walls(prism, levels.size());
+    tier.walls.twistDeg == 0 ? walls.addPlane(mesh) : walls.addTwisted(mesh);
     return mesh;
 }
 

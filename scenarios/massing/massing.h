@@ -114,8 +114,8 @@ Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& setting
 Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
 
 /// A building on z = 0 with status "proposed", one part per piece of a tier: a prism, or a mesh where its
-/// walls lean (leaning_walls.h). Error: a part is not a closed, outward-oriented solid of the expected
-/// volume.
+/// walls lean (leaning_walls.h); a twisted one counts as an overhang. Error: a part is not a closed,
+/// outward-oriented solid of the expected volume.
 Result<Building> buildingOf(const Massing& massing, const std::string& id);
 
 }  // namespace noonmark

@@ -10,6 +10,7 @@
 #include "core/city/city.h"
 #include "core/city/footprints/floor_area.h"
 #include "core/city/meshes/mesh_topology.h"
+#include "core/study/study.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -77,7 +78,8 @@ TEST(LeaningWalls, ATwistTurnsEachFloorClockwise) {
     bool found = false;
     const double turned = 22.5 * std::numbers::pi / 180, radius = 10 * std::sqrt(2.0);
     const glm::dvec2 corner{30 + radius * std::cos(turned), 30 + radius * std::sin(turned)};
-    for (const glm::vec2 point : plateAt(massing.tiers[0], 20)[0].outer)
+    const Plate half = plateAt(massing.tiers[0], 20);
+    for (const glm::vec2 point : half[0].outer)
         found = found || glm::distance(glm::dvec2(point), corner) < 0.05;
     EXPECT_TRUE(found);
     EXPECT_NEAR(volumeOf(built), 16000, 80);
@@ -131,6 +133,28 @@ TEST(LeaningWalls, WhatCannotBeIsRefusedWithTheLimit) {
     EXPECT_THAT(refusal({.twistDeg = 400}), HasSubstr("-360 to 360"));
     EXPECT_THAT(refusal({.twistDeg = 90}, 0.9), HasSubstr("leaves the lot")) << "half way round";
     EXPECT_EQ(refusal({.twistDeg = 360}), "");
+}
+
+// The ray reference, which traces triangles, against the engines that use walls and polygons.
+TEST(LeaningWalls, AllEnginesSeeThem) {
+    const auto shadowAreaOf = [](WallShape walls, const char* engine) {
+        City city;
+        city.frame = Frame({-73.97, 40.76});
+        const Massing massing = makeMassing(lot, tower(30, walls)).value();
+        city.buildings.push_back(shared(buildingOf(massing, "tower").value()));
+        StudySettings settings{.region = {"around", {box(-150, -50, 200, 250)}}, .engine = engine};
+        settings.receivers.cellM = 2;
+        settings.period.start = std::chrono::year(2026) / 4 / 20;
+        settings.period.stepMinutes = 10;
+        settings.period.zone = "America/New_York";
+        NoProgress progress;
+        return runStudy(city, settings, progress, {}).value().statistics.shadowAreaM2;
+    };
+    const WallShape leaning{.taper = 0.4, .twistDeg = 80};
+    const double traced = shadowAreaOf(leaning, "ray");
+    EXPECT_NEAR(shadowAreaOf(leaning, "projected"), traced, 0.002 * traced);
+    EXPECT_NEAR(shadowAreaOf(leaning, "horizon"), traced, 0.002 * traced);
+    EXPECT_LT(traced, 0.9 * shadowAreaOf({}, "ray")) << "less than that of the upright tower";
 }
 
 }  // namespace
