@@ -20,6 +20,13 @@ namespace {
 
 using ElementJson = nlohmann::ordered_json;
 
+// A file without its folder, as other inputs are named.
+std::string parcelName(const ElementSettings& elements) {
+    std::error_code ignored;
+    const std::filesystem::path parcel(elements.parcel);
+    return std::filesystem::is_regular_file(parcel, ignored) ? parcel.filename().string() : elements.parcel;
+}
+
 void addPlaneJson(ElementJson& json, const ElementStudy& study) {
     json["plane_above_ground_m"] = study.elements.planeHeightM;
     json["plane_elevation_m"] = study.planeM + study.city.frame.originElevationM();
@@ -65,7 +72,7 @@ ElementJson whereJson(const ElementStudy& study) {
         addPlaneJson(json, study);
     }
     if (elements.places == ElementPlaces::lines) {
-        json["parcel"] = elements.parcel;
+        json["parcel"] = parcelName(elements);
         json["offsets_m"] = elements.lines.offsetsM;
         json["spacing_m"] = elements.lines.spacingM;
         addPlaneJson(json, study);
@@ -161,7 +168,7 @@ std::vector<RepeatOption> elementOptions(const ElementStudy& study) {
     if (elements.places == ElementPlaces::plane || elements.places == ElementPlaces::lines)
         add("--plane-height", fmt::format("{}", elements.planeHeightM));
     if (elements.places == ElementPlaces::lines) {
-        add("--parcel", elements.parcel);
+        add("--parcel", parcelName(elements));
         add("--offsets", fmt::format("{}", fmt::join(elements.lines.offsetsM, ",")));
         add("--spacing", fmt::format("{}", elements.lines.spacingM));
     }
