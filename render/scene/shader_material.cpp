@@ -19,13 +19,19 @@ namespace noonmark {
 
 namespace {
 
-Qt3DRender::QShaderProgram* programOf(const QString& vertex, const QString& fragment) {
-    auto* program = new Qt3DRender::QShaderProgram;
-    const QString folder = QStringLiteral("qrc:/shaders/");
-    program->setVertexShaderCode(
-        Qt3DRender::QShaderProgram::loadSource(QUrl(folder + vertex + QStringLiteral(".vert"))));
-    program->setFragmentShaderCode(
-        Qt3DRender::QShaderProgram::loadSource(QUrl(folder + fragment + QStringLiteral(".frag"))));
+// The source of a shader with a definition of each part after its first line, which states the version.
+QByteArray sourceOf(const QString& file, const QStringList& parts) {
+    QByteArray source = Qt3DRender::QShaderProgram::loadSource(QUrl(QStringLiteral("qrc:/shaders/") + file));
+    QByteArray definitions;
+    for (const QString& part : parts) definitions += "#define " + part.toLatin1() + "\n";
+    return source.insert(source.indexOf('\n') + 1, definitions);
+}
+
+Qt3DRender::QShaderProgram* programOf(const QString& vertex, const QString& fragment,
+                                      const QStringList& parts, Qt3DCore::QNode* parent) {
+    auto* program = new Qt3DRender::QShaderProgram(parent);
+    program->setVertexShaderCode(sourceOf(vertex + QStringLiteral(".vert"), parts));
+    program->setFragmentShaderCode(sourceOf(fragment + QStringLiteral(".frag"), parts));
     return program;
 }
 
@@ -61,8 +67,8 @@ Qt3DRender::QDepthTest* depthTest(Qt3DRender::QDepthTest::DepthFunction function
 }  // namespace
 
 ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment, Qt3DCore::QNode* parent)
-    : QMaterial(parent), vertex_(vertex), pass_(new Qt3DRender::QRenderPass) {
-    pass_->setShaderProgram(programOf(vertex, fragment));
+    : QMaterial(parent), vertex_(vertex), fragment_(fragment), pass_(new Qt3DRender::QRenderPass) {
+    usePrograms();
     name(pass_, colourPass);
     auto* effect = new Qt3DRender::QEffect(this);
     technique_ = forwardTechnique(pass_);
@@ -74,6 +80,28 @@ void ShaderMaterial::set(const QString& uniform, const QVariant& value) {
     for (Qt3DRender::QParameter* parameter : parameters())
         if (parameter->name() == uniform) return parameter->setValue(value);
     addParameter(new Qt3DRender::QParameter(uniform, value, this));
+}
+
+void ShaderMaterial::include(const QString& part, bool included) {
+    if (parts_.contains(part) == included) return;
+    if (included)
+        parts_ << part;
+    else
+        parts_.removeOne(part);
+    parts_.sort();
+    usePrograms();
+}
+
+// Programs in use before are compiled already.
+void ShaderMaterial::usePrograms() {
+    const auto use = [this](Qt3DRender::QRenderPass* pass, const QString& fragment) {
+        Qt3DRender::QShaderProgram*& program =
+            programs_[fragment + QLatin1Char(' ') + parts_.join(QLatin1Char(' '))];
+        if (!program) program = programOf(vertex_, fragment, parts_, this);
+        pass->setShaderProgram(program);
+    };
+    use(pass_, fragment_);
+    if (depth_) use(depth_, QStringLiteral("depth"));
 }
 
 void ShaderMaterial::blend() {
@@ -92,16 +120,16 @@ void ShaderMaterial::blend() {
 void ShaderMaterial::alwaysVisible() { pass_->addRenderState(depthTest(Qt3DRender::QDepthTest::Always)); }
 
 void ShaderMaterial::drawDepthFirst() {
-    auto* depth = new Qt3DRender::QRenderPass;
-    depth->setShaderProgram(programOf(vertex_, QStringLiteral("depth")));
-    name(depth, depthPass);
+    depth_ = new Qt3DRender::QRenderPass;
+    usePrograms();
+    name(depth_, depthPass);
     auto* noColour = new Qt3DRender::QColorMask;
     noColour->setRedMasked(false);
     noColour->setGreenMasked(false);
     noColour->setBlueMasked(false);
     noColour->setAlphaMasked(false);
-    depth->addRenderState(noColour);
-    technique_->addRenderPass(depth);
+    depth_->addRenderState(noColour);
+    technique_->addRenderPass(depth_);
     pass_->addRenderState(depthTest(Qt3DRender::QDepthTest::LessOrEqual));
 }
 

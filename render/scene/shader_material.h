@@ -1,10 +1,13 @@
 #pragma once
 
+#include <QHash>
 #include <QString>
+#include <QStringList>
 #include <Qt3DRender/QMaterial>
 
 namespace Qt3DRender {
 class QRenderPass;
+class QShaderProgram;
 class QTechnique;
 }  // namespace Qt3DRender
 
@@ -20,6 +23,9 @@ public:
         : ShaderMaterial(both, both, parent) {}
 
     void set(const QString& uniform, const QVariant& value);
+    /// Compiles the shaders with the code between `#ifdef part` and `#endif`, or without it. Software drawing
+    /// executes every branch of a shader, so a part that nothing is shown of costs as much as one in use.
+    void include(const QString& part, bool included);
 
     void blend();          ///< alpha blending, without writing depth
     void alwaysVisible();  ///< ignores depth: drawn over nearer objects
@@ -35,9 +41,13 @@ public:
 
 private:
     void cull(int mode);  ///< a QCullFace::CullingMode
+    void usePrograms();
 
-    QString vertex_;
+    QString vertex_, fragment_;
+    QStringList parts_;                                     ///< sorted
+    QHash<QString, Qt3DRender::QShaderProgram*> programs_;  ///< by fragment shader and parts
     Qt3DRender::QRenderPass* pass_;
+    Qt3DRender::QRenderPass* depth_ = nullptr;
     Qt3DRender::QTechnique* technique_;
 };
 

@@ -20,6 +20,10 @@ SunDepthMap noMap() {
     return nothing;
 }
 
+void includeSun(const std::vector<ShaderMaterial*>& materials, bool included) {
+    for (ShaderMaterial* material : materials) material->include(QStringLiteral("SUNLIT"), included);
+}
+
 }  // namespace
 
 SunLayer::SunLayer(std::vector<ShaderMaterial*> materials, Qt3DCore::QNode* parent)
@@ -46,12 +50,12 @@ void SunLayer::show(const SunDepthMap& map) {
     set("sunRow", numbersOf(map.row));
     set("sunHeight", numbersOf(map.height));
     set("sunTexel", float(map.texelM));
-    set("sunShown", 1.0F);
+    includeSun(materials_, true);
     shown_ = true;
 }
 
 void SunLayer::clear() {
-    set("sunShown", 0.0F);
+    includeSun(materials_, false);
     shown_ = false;
 }
 

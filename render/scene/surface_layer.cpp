@@ -14,6 +14,10 @@ namespace {
 
 QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
+void includeSamples(const std::vector<ShaderMaterial*>& materials, bool included) {
+    for (ShaderMaterial* material : materials) material->include(QStringLiteral("EXPLORED"), included);
+}
+
 }  // namespace
 
 SurfaceLayer::SurfaceLayer(std::vector<ShaderMaterial*> materials, Qt3DCore::QNode* parent)
@@ -46,13 +50,14 @@ void SurfaceLayer::show(const SurfacePicture& picture) {
     set("samplesScale", float(samplesPerMetre(camera, 1)));
     set("samplesParallel", camera.heightM > 0 ? 1.0F : 0.0F);
     set("soFar", picture.soFar ? 1.0F : 0.0F);
+    includeSamples(materials_, true);
 }
 
 void SurfaceLayer::clear() {
     SurfacePicture nothing;
     nothing.samples = {{0, 0, 0, -1}};
     show(nothing);
-    set("samplesScale", 0.0F);
+    includeSamples(materials_, false);
 }
 
 }  // namespace noonmark

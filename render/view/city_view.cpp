@@ -40,6 +40,7 @@ constexpr QColor edgeColour{0x3a, 0x40, 0x4a};
 constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
 constexpr double viewDeg = 40;
 constexpr std::size_t mostEdgesInMotion = 150'000;
+constexpr std::size_t mostEdgesBySoftware = 20'000;
 constexpr int restMs = 200;
 // Without a section box.
 const SectionBox everything{glm::dvec3(-1e9), glm::dvec3(1e9)};
@@ -76,6 +77,7 @@ void layAs(const QString& name, const GroundPicture& given, ShaderMaterial& mate
     material.set(name + QStringLiteral("Box"),
                  QVector4D(float(grid.westM), float(grid.southM), float(grid.eastM() - grid.westM),
                            float(grid.northM() - grid.southM)));
+    material.include(name.toUpper(), true);
     delete previous;
 }
 
@@ -134,8 +136,7 @@ void CityView::makeFrameGraph() {
     setActiveFrameGraph(surface);
 }
 
-// The states replace those that Qt3D sets by itself. The shaders clip at the section box, which without one
-// is very large.
+// The states replace those that Qt3D sets by itself.
 void CityView::makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::QFrameGraphNode* parent) {
     clipping_ = new Qt3DRender::QRenderStateSet(parent);
     auto* nearest = new Qt3DRender::QDepthTest;
@@ -144,18 +145,32 @@ void CityView::makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::Q
     auto* fromOutside = new Qt3DRender::QCullFace;
     fromOutside->setMode(Qt3DRender::QCullFace::Back);
     clipping_->addRenderState(fromOutside);
-    for (int plane = 0; plane < 6; ++plane) {
-        auto* clip = new Qt3DRender::QClipPlane;
-        clip->setPlaneIndex(plane);
-        clipping_->addRenderState(clip);
-    }
     sectionLow_ = new Qt3DRender::QParameter(QStringLiteral("sectionLow"), vectorOf(everything.lowM));
     sectionHigh_ = new Qt3DRender::QParameter(QStringLiteral("sectionHigh"), vectorOf(everything.highM));
     for (Qt3DRender::QParameter* side : {sectionLow_, sectionHigh_}) forward.addParameter(side);
 }
 
+namespace {
+
+// Six planes of clipping cost time at every vertex, so they are there only with a section box.
+void setClipPlanes(Qt3DRender::QRenderStateSet& states, bool wanted) {
+    for (Qt3DRender::QRenderState* state : states.renderStates())
+        if (auto* plane = qobject_cast<Qt3DRender::QClipPlane*>(state)) {
+            states.removeRenderState(plane);
+            delete plane;
+        }
+    for (int plane = 0; wanted && plane < 6; ++plane) {
+        auto* clip = new Qt3DRender::QClipPlane(&states);
+        clip->setPlaneIndex(plane);
+        states.addRenderState(clip);
+    }
+}
+
+}  // namespace
+
 void CityView::showSection(const std::optional<SectionBox>& box) {
     if (box == section_) return;
+    if (section_.has_value() != box.has_value()) setClipPlanes(*clipping_, box.has_value());
     section_ = box;
     showCut();
     const SectionBox drawn = box.value_or(everything);
@@ -216,7 +231,6 @@ void CityView::makeMaterials() {
     ribbon_->blend();
     ribbon_->alwaysVisible();
     ribbon_->bothSides();
-    lay(noPicture(), false, *building_, roofTexture_, root_);
     clearPicture();
     clearMap();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
@@ -253,7 +267,7 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     added_.reset();
     bounds_ = arrays->bounds;
     showGround(*arrays);
-    manyEdges_ = arrays->edges.size() > mostEdgesInMotion;
+    manyEdges_ = arrays->edges.size() > (drawsInSoftware() ? mostEdgesBySoftware : mostEdgesInMotion);
     city_ = std::make_unique<BuildingBodies>(std::move(arrays), *building_, *cut_, *edge_, blended_, root_);
     city_->showFaces(facesShown_);
     showCut();
@@ -288,7 +302,7 @@ void CityView::showFaces(bool shown) {
 
 void CityView::showPicture(const GroundPicture& picture, bool soFar) {
     lay(picture, soFar, *ground_, texture_, root_);
-    building_->set(QStringLiteral("pictureBox"), QVector4D());  // the texture stays until the next picture
+    building_->include(QStringLiteral("PICTURE"), false);  // the texture stays until the next picture
 }
 
 void CityView::showRoofPicture(const GroundPicture& picture) {
@@ -301,10 +315,13 @@ void CityView::showMap(const GroundPicture& picture) {
 
 void CityView::clearMap() {
     showMap(noPicture());
-    ground_->set(QStringLiteral("mapBox"), QVector4D());
+    ground_->include(QStringLiteral("MAP"), false);
 }
 
-void CityView::clearPicture() { showPicture(noPicture()); }
+void CityView::clearPicture() {
+    showPicture(noPicture());
+    ground_->include(QStringLiteral("PICTURE"), false);
+}
 
 void CityView::showLines(const std::vector<GroundLine>& lines) {
     delete lines_;
