@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QFile>
+#include <QTableWidget>
 #include <QTemporaryDir>
 
 #include "app/window/point/picked_point.h"
@@ -59,6 +61,35 @@ TEST_F(ProjectWindow, APinMarksThePointWhileItsAnswerIsVisible) {
     EXPECT_TRUE(overlay.pin());
     points.forget();
     EXPECT_FALSE(overlay.pin());
+}
+
+TEST_F(ProjectWindow, APointIsComparedInAnyTwoScenarios) {
+    build();
+    PointInspector& points = window->points();
+    const Box2 box = bounds(workbench().city()->city());
+    points.inspect({{box.low.x - 5, box.high.y + 5, 0}, {}, {0, 0, 1}});
+    ASSERT_TRUE(waitFor([&] { return points.answer() != nullptr; }, 20'000));
+    EXPECT_EQ(points.answer()->from, existingCity);
+    ASSERT_EQ(points.answer()->cases.size(), 2U);
+    EXPECT_GE(points.answer()->cases[0].yearMin, points.answer()->cases[1].yearMin);
+    auto* table = window->findChild<QTableWidget*>(QStringLiteral("pointScenarios"));
+    ASSERT_EQ(table->rowCount(), 2);
+    EXPECT_EQ(table->item(0, 0)->text(), QString::fromLatin1(existingCity));
+    // The other way round.
+    const auto before = points.answer();
+    auto& from = *window->findChild<QComboBox*>(QStringLiteral("pointFrom"));
+    auto& to = *window->findChild<QComboBox*>(QStringLiteral("pointTo"));
+    ASSERT_EQ(from.count(), 3);
+    from.setCurrentIndex(2);
+    to.setCurrentIndex(1);
+    Q_EMIT to.activated(1);
+    window->findChild<PointDock*>()->window()->show();
+    points.setVisible(true);
+    ASSERT_TRUE(waitFor([&] { return points.answer() && points.answer() != before; }, 20'000));
+    EXPECT_EQ(points.answer()->to, existingCity);
+    EXPECT_EQ(points.answer()->from, workbench().session().project().scenarios[0].name);
+    ASSERT_TRUE(points.answer()->study.scenario);
+    EXPECT_LE(points.answer()->study.scenario->year.grossMin, points.answer()->study.baseline.year.grossMin);
 }
 
 TEST_F(ProjectWindow, APointIsSavedAsDrawingPictureAndTable) {

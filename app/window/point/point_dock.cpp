@@ -9,6 +9,7 @@
 #include <QScrollArea>
 
 #include "app/window/point/point_inspector.h"
+#include "app/window/point/point_scenarios.h"
 #include "app/window/point/sky_picture.h"
 #include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
@@ -19,7 +20,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int textWidth = 260;
+constexpr int textWidth = 300;
 constexpr int savedWidthPx = 2400;
 
 QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zone) {
@@ -73,6 +74,7 @@ QWidget* PointDock::makeSide() {
     auto* texts = new QVBoxLayout(side);
     texts->addWidget(sentence_);
     texts->addWidget(figures_);
+    texts->addWidget(new PointScenarios(inspector_));
     texts->addWidget(save_, 0, Qt::AlignLeft);
     texts->addStretch();
     auto* scroll = new QScrollArea;
@@ -105,8 +107,9 @@ void PointDock::showAnswer() {
     if (!zone) return;
     QString figures = figuresOf(answer->study.baseline, answer->study, *zone);
     if (answer->study.scenario)
-        figures = tr("Before\n%1\n\nScenario\n%2")
-                      .arg(figures, figuresOf(*answer->study.scenario, answer->study, *zone));
+        figures = tr("Before: %1\n%2\n\nAfter: %3\n%4")
+                      .arg(QString::fromStdString(answer->from), figures, QString::fromStdString(answer->to),
+                           figuresOf(*answer->study.scenario, answer->study, *zone));
     figures_->setText(figures);
 }
 

@@ -1,5 +1,8 @@
 #include "app/window/point/point_inspector.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/report/skyline/skyline_svg.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/point/picked_point.h"
@@ -15,15 +18,33 @@ namespace {
 struct InspectedCities {
     std::shared_ptr<const City> baseline;
     std::shared_ptr<const City> scenario;  ///< null: there is nothing to compare with
+    std::string from, to;                  ///< their names
+    std::vector<PointCase> cases;          ///< all of the project, if it has scenarios
 };
 
+bool hasScenario(const ProjectSession& session, const std::string& name) {
+    return name == existingCity || std::ranges::find(session.project().scenarios, name, &Scenario::name) !=
+                                       session.project().scenarios.end();
+}
+
+std::vector<PointCase> casesOf(ProjectSession& session) {
+    std::vector<PointCase> cases;
+    if (session.project().scenarios.empty()) return cases;
+    cases.push_back({existingCity, session.project().city});
+    for (const Scenario& scenario : session.project().scenarios)
+        if (const auto city = session.cityOf(scenario.name)) cases.push_back({scenario.name, *city});
+    return cases;
+}
+
 // The existing city, unless another baseline is chosen.
-InspectedCities citiesToInspect(ProjectSession& session) {
+InspectedCities citiesToInspect(ProjectSession& session, const PointComparison& chosen) {
     const std::string baseline = session.baseline().empty() ? existingCity : session.baseline();
-    if (baseline == session.scenario()) return {session.city(), nullptr};
-    const auto before = session.cityOf(baseline);
-    if (!before || *before == session.city()) return {session.city(), nullptr};
-    return {*before, session.city()};
+    const std::string from = hasScenario(session, chosen.from) ? chosen.from : baseline;
+    const std::string to = hasScenario(session, chosen.to) ? chosen.to : session.scenario();
+    const auto before = session.cityOf(from), after = session.cityOf(to);
+    if (!before || !after || *before == *after || from == to)
+        return {after ? *after : session.city(), nullptr, {}, to, casesOf(session)};
+    return {*before, *after, from, to, casesOf(session)};
 }
 
 Result<PointStudy> measure(InspectedCities& cities, const PointQuestion& question,
@@ -31,7 +52,8 @@ Result<PointStudy> measure(InspectedCities& cities, const PointQuestion& questio
     auto study = runPointStudy(*cities.baseline, cities.scenario.get(), question, stop);
     if (study || !cities.scenario || stop.stop_requested()) return study;
     // On what the scenario builds there is nothing to compare with.
-    cities = {cities.scenario, nullptr};
+    cities.baseline = std::exchange(cities.scenario, nullptr);
+    cities.from.clear();
     return runPointStudy(*cities.baseline, nullptr, question, stop);
 }
 
@@ -42,7 +64,8 @@ Result<PointAnswer> answerOf(InspectedCities cities, const PointQuestion& questi
     auto study = measure(cities, question, stop);
     if (!study) return tl::make_unexpected(study.error());
     const City& city = *cities.baseline;
-    PointAnswer answer{*std::move(study), {}, {}};
+    PointAnswer answer{*std::move(study), {}, {}, cities.from, cities.to};
+    if (const auto figures = measurePointCases(cities.cases, question, stop)) answer.cases = *figures;
     answer.sentence = QString::fromStdString(describe(answer.study, city));
     answer.drawing = QByteArray::fromStdString(skylineSvg(answer.study, city, *zone));
     return answer;
@@ -55,6 +78,7 @@ PointInspector::PointInspector(Workbench& workbench, ViewPanel& panel)
     connect(&workbench_, &Workbench::cityShown, this, &PointInspector::follow);
     connect(&workbench_, &Workbench::projectOpened, this, &PointInspector::forget);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &PointInspector::follow);
+    connect(&workbench_.session(), &ProjectSession::changed, this, &PointInspector::scenariosChanged);
     connect(&panel_.time(), &TimeStrip::lookChanged, this, [this](const TimeLook& look) {
         if (look.date != day_) follow();
     });
@@ -73,6 +97,20 @@ void PointInspector::setVisible(bool visible) {
     if (visible_ && outdated_) ask();
 }
 
+void PointInspector::compare(const PointComparison& chosen) {
+    if (chosen == chosen_) return;
+    chosen_ = chosen;
+    follow();
+    Q_EMIT scenariosChanged();
+}
+
+QStringList PointInspector::scenarios() const {
+    QStringList names{QString::fromLatin1(existingCity)};
+    for (const Scenario& scenario : workbench_.session().project().scenarios)
+        names << QString::fromStdString(scenario.name);
+    return names;
+}
+
 void PointInspector::mark() {
     panel_.view().overlay().showPin(visible_ && pick_ ? std::optional(pick_->position) : std::nullopt);
 }
@@ -84,6 +122,7 @@ void PointInspector::follow() {
 
 void PointInspector::forget() {
     pick_.reset();
+    chosen_ = {};
     mark();
     slot_.drop();
     answer_.reset();
@@ -93,7 +132,7 @@ void PointInspector::forget() {
 void PointInspector::ask() {
     outdated_ = false;
     if (!pick_ || !workbench_.city()) return;
-    const InspectedCities cities = citiesToInspect(workbench_.session());
+    const InspectedCities cities = citiesToInspect(workbench_.session(), chosen_);
     PointQuestion question = questionAt(*cities.baseline, *pick_);
     question.day = day_ = panel_.time().look().date;
     question.zone = workbench_.document().settings().period.zone;
