@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
@@ -308,6 +309,26 @@ TEST_F(EditToolsTest, HeightsAreShownAndTakenAboveTheDatum) {
     tools.tower().build();
     EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 87.5F);
     applyHeightReference(HeightReference::ground);
+}
+
+TEST_F(EditToolsTest, ATowerShowsTheSunlightOfItsFacadesUntilItIsSwitchedOff) {
+    lots = {{"South", test::square({-25, -65}, 40)}};
+    tools.setLots(lots);
+    ElementTiles& tiles = view.view().tiles();
+    tools.tower().begin(lots[0], {}, 20);
+    ASSERT_TRUE(test::waitFor([&] { return !tiles.tiles().empty(); }));
+    const EditPreview& preview = tools.context().preview;
+    ASSERT_TRUE(
+        test::waitFor([&] { return preview.facades().answer() && !preview.facades().answer()->coarse; }));
+    EXPECT_EQ(tiles.tiles().size(), preview.facades().answer()->map.elements.size());
+    EXPECT_TRUE(field<QCheckBox>(tools.massingDock(), "liveFacades").isChecked());
+    field<QCheckBox>(tools.massingDock(), "liveFacades").click();
+    EXPECT_FALSE(tools.facadesAction().isChecked());
+    EXPECT_TRUE(tiles.tiles().empty());
+    tools.facadesAction().trigger();
+    ASSERT_TRUE(test::waitFor([&] { return !tiles.tiles().empty(); }));
+    tools.tower().cancel();
+    EXPECT_TRUE(tiles.tiles().empty());
 }
 
 TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {

@@ -73,6 +73,8 @@ void EditActions::askLive() {
                         settings.region,
                         settings.receivers,
                         mode_.mode() != ViewMode::exploration});
+    const auto& elements = workbench_.document().elements();
+    tools_.setFacades(elements ? elements->facades : FacadeSettings());
 }
 
 // Goes to the building that a warning refers to, and selects it.

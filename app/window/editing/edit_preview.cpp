@@ -31,6 +31,11 @@ EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> h
     connect(&live_, &LiveFollower::changed, this, &EditPreview::showLive);
     connect(&live_, &LiveFollower::aged, this, &EditPreview::tellAge);
     connect(&live_, &LiveFollower::failed, this, &EditPreview::tellWhy);
+    connect(&facades_, &LiveFacades::changed, this, &EditPreview::showLiveFacades);
+    connect(&facades_, &LiveFacades::failed, this, [this](const Error& error) {
+        panel_.results().setLiveFacades(std::nullopt);
+        if (!isCancelled(error)) Q_EMIT told(tr("No live facades. %1").arg(describeError(error)));
+    });
 }
 
 void EditPreview::setCity(std::shared_ptr<const OpenCity> city) {
@@ -44,6 +49,26 @@ void EditPreview::setQuestion(const LiveQuestion& question) {
     if (!shown_) return;
     begin();
     live_.follow(changes_.added);
+    followFacades();
+}
+
+void EditPreview::setFacades(const FacadeSettings& facades) {
+    if (facadeSettings_ == facades) return;
+    facadeSettings_ = facades;
+    beginFacades();
+    followFacades();
+}
+
+void EditPreview::showFacades(bool shown) {
+    facadesShown_ = shown;
+    beginFacades();
+    followFacades();
+}
+
+void EditPreview::toggleNeighbour(const std::shared_ptr<const Building>& building) {
+    const auto found = std::ranges::find(neighbours_, building);
+    found == neighbours_.end() ? neighbours_.push_back(building) : void(neighbours_.erase(found));
+    followFacades();
 }
 
 Result<void> EditPreview::show(const std::vector<Edit>& edits) {
@@ -62,6 +87,7 @@ Result<void> EditPreview::show(const std::vector<Edit>& edits) {
         begin();
     }
     live_.follow(changes_.added);
+    followFacades();
     if (!before) Q_EMIT shownChanged(true);
     Q_EMIT shapeChanged(std::make_shared<const City>(std::move(edited->city)));
     return {};
@@ -72,6 +98,9 @@ void EditPreview::clear() {
     shown_ = false;
     changes_ = {};
     live_.end();
+    facades_.end();
+    neighbours_.clear();
+    panel_.results().setLiveFacades(std::nullopt);
     panel_.view().overlay().show(OverlayBodies::Tint::proposed, {});
     panel_.results().setLive(std::nullopt);
     hide({});
@@ -85,9 +114,31 @@ void EditPreview::hide(const Buildings& removed) {
 
 void EditPreview::begin() {
     const ChangedVolume volume = computeVolume(changes_);
+    beginFacades();
     if (volume.box.empty()) return live_.end();
     live_.begin({without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose())},
                 question_);
+}
+
+// Nothing is measured where nothing is built.
+void EditPreview::beginFacades() {
+    facades_.end();
+    panel_.results().setLiveFacades(std::nullopt);
+    if (!shown_ || !facadesShown_ || changes_.added.empty()) return;
+    facades_.begin(without(city_->city(), changes_.removed), question_.sun, facadeSettings_);
+}
+
+void EditPreview::followFacades() {
+    if (shown_) facades_.follow(changes_.added, neighbours_);
+}
+
+void EditPreview::showLiveFacades() {
+    const auto answer = facades_.answer();
+    const QString points = groupDigits(double(answer->map.elements.size()), 0);
+    panel_.results().setLiveFacades(ElementView{std::shared_ptr<const ElementMap>(answer, &answer->map),
+                                                answer->coarse
+                                                    ? tr("Facades: %1 points while it moves").arg(points)
+                                                    : tr("Facades: %1 points").arg(points)});
 }
 
 void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.answer())); }

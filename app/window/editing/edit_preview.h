@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/window/live/live_facades.h"
 #include "app/window/live/live_follower.h"
 #include "scenarios/edits/apply_edits.h"
 
@@ -22,6 +23,10 @@ public:
 
     void setCity(std::shared_ptr<const OpenCity> city);  ///< ends the preview
     void setQuestion(const LiveQuestion& question);
+    void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
+    void showFacades(bool shown);                    ///< the sunlight of the added buildings' facades
+    /// Shows the facades of another building of the city too, or no longer; until the preview ends.
+    void toggleNeighbour(const std::shared_ptr<const Building>& building);
 
     /// Replaces the edits shown before. Error: the edits cannot be applied; then nothing changes.
     Result<void> show(const std::vector<Edit>& edits);
@@ -30,7 +35,9 @@ public:
     /// The buildings removed and added by the edits shown.
     [[nodiscard]] const CityChanges& changes() const { return changes_; }
     [[nodiscard]] const LiveFollower& live() const { return live_; }
-    [[nodiscard]] JobSlot& working() { return live_.working(); }  ///< jobs of the live shadow
+    [[nodiscard]] const LiveFacades& facades() const { return facades_; }
+    [[nodiscard]] JobSlot& working() { return live_.working(); }              ///< jobs of the live shadow
+    [[nodiscard]] JobSlot& measuringFacades() { return facades_.working(); }  ///< jobs of the live facades
 
 Q_SIGNALS:
     void told(QString text);  ///< the reason why there is no live shadow
@@ -41,6 +48,9 @@ Q_SIGNALS:
 private:
     void hide(const std::vector<std::shared_ptr<const Building>>& removed);
     void begin();
+    void beginFacades();
+    void followFacades();
+    void showLiveFacades();
     void showLive();
     void tellAge();
     void tellWhy(const Error& error);
@@ -51,6 +61,10 @@ private:
     bool shown_ = false;
     LiveQuestion question_;
     LiveFollower live_;
+    LiveFacades facades_;
+    FacadeSettings facadeSettings_;
+    bool facadesShown_ = true;
+    std::vector<std::shared_ptr<const Building>> neighbours_;
 };
 
 }  // namespace noonmark

@@ -80,6 +80,17 @@ void EditTools::makeActions() {
     connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
     connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
     connect(mesh, &QAction::triggered, this, &EditTools::importMesh);
+    makeFacadesAction();
+}
+
+void EditTools::makeFacadesAction() {
+    facades_ = action(tr("Li&ve facades"), QKeySequence(tr("Shift+F")),
+                      tr("Shows the sunlight of a building's facades while it is designed or changed"));
+    facades_->setCheckable(true);
+    facades_->setChecked(true);
+    connect(facades_, &QAction::toggled, this, [this](bool on) { context_.preview.showFacades(on); });
+    connect(facades_, &QAction::toggled, massing_, &MassingPanel::setFacadesShown);
+    connect(massing_, &MassingPanel::facadesShownChosen, facades_, &QAction::setChecked);
 }
 
 void EditTools::connectView() {
@@ -199,6 +210,8 @@ void EditTools::setLots(const std::vector<NamedLot>& lots) {
 
 void EditTools::setQuestion(const LiveQuestion& question) { context_.preview.setQuestion(question); }
 
+void EditTools::setFacades(const FacadeSettings& facades) { context_.preview.setFacades(facades); }
+
 void EditTools::showLots() {
     if (!context_.city) return;
     Region all;
@@ -212,7 +225,8 @@ void EditTools::enableActions() {
 }
 
 void EditTools::click(QPointF pixel) {
-    if (!context_.city || context_.panel.drawing() || tower_.active()) return;
+    if (!context_.city || context_.panel.drawing()) return;
+    if (tower_.active()) return clickNeighbour(pixel);
     const ViewNavigator& navigator = context_.panel.navigator();
     if (mesh_.active()) {
         if (const auto ground = navigator.groundAt(pixel)) mesh_.placeAt({ground->x, ground->y});
@@ -220,6 +234,13 @@ void EditTools::click(QPointF pixel) {
     }
     const auto pick = navigator.pickAt(pixel);
     building_.select(pick ? pick->building : std::nullopt);
+}
+
+void EditTools::clickNeighbour(QPointF pixel) {
+    const auto pick = context_.panel.navigator().pickAt(pixel);
+    if (!pick || !pick->building || !facades_->isChecked()) return;
+    const auto& buildings = context_.city->city().buildings;
+    if (*pick->building < buildings.size()) context_.preview.toggleNeighbour(buildings[*pick->building]);
 }
 
 void EditTools::hover(QPointF pixel) {

@@ -40,6 +40,9 @@ public:
     void setQuestion(const LiveQuestion& question);  ///< settings of the live shadow
     void setStoreyLines(bool on);                    ///< lines at the floors of proposed towers; on at first
     void heightReferenceChanged();                   ///< shows heights again (looks/height_reference.h)
+    void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
+    /// Shows the sunlight of the edited building's facades too; at first it does.
+    [[nodiscard]] QAction& facadesAction() { return *facades_; }
 
     [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership
     [[nodiscard]] QWidget* massingDock() const;  ///< panel of lots and towers; likewise
@@ -75,6 +78,8 @@ Q_SIGNALS:
 
 private:
     void makeActions();
+    void makeFacadesAction();
+    void clickNeighbour(QPointF pixel);
     QAction* action(const QString& text, const QKeySequence& keys, const QString& tip);
     void connectView();
     void connectTools();
@@ -102,6 +107,7 @@ private:
     std::vector<QAction*> actions_;
     std::vector<QAction*> ofBuilding_;
     bool storeyLines_ = true;
+    QAction* facades_ = nullptr;
 };
 
 }  // namespace noonmark

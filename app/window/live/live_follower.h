@@ -2,7 +2,8 @@
 
 // The live shadow: what an edit shades, while it is dragged. LiveFollower runs one computation at a time for
 // the newest shape; LiveShadow computes it, with the receivers of live_receivers and the engine that
-// live_rule chooses. SharedHorizonCache holds the horizons that the time sliders use too.
+// live_rule chooses. LiveFacades does the same for the sunlight of facades, which facade_sunlight measures.
+// SharedHorizonCache holds the horizons that the time sliders use too.
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -1,5 +1,6 @@
 #include "app/window/massing/massing_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -63,6 +64,7 @@ MassingPanel::MassingPanel(QWidget* parent)
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addLayout(names);
     inside->addWidget(form_);
+    inside->addWidget(makeFacades());
     inside->addWidget(makeFigures());
     auto* column = new QVBoxLayout(this);
     column->addWidget(makeLotRow());
@@ -112,6 +114,19 @@ std::optional<NamedLot> MassingPanel::chosenLot() const {
     if (chosen < 0 || std::size_t(chosen) >= lots_.size()) return std::nullopt;
     return lots_[std::size_t(chosen)];
 }
+
+QWidget* MassingPanel::makeFacades() {
+    facades_ = new QCheckBox(tr("Sunlight of its facades"));
+    facades_->setObjectName(QStringLiteral("liveFacades"));
+    facades_->setChecked(true);
+    facades_->setToolTip(tr(
+        "Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings "
+        "in the view to see their facades too. Bays and storeys are those of the study's form."));
+    connect(facades_, &QCheckBox::clicked, this, &MassingPanel::facadesShownChosen);
+    return facades_;
+}
+
+void MassingPanel::setFacadesShown(bool shown) { facades_->setChecked(shown); }
 
 QWidget* MassingPanel::makeFigures() {
     figures_ = new QLabel;

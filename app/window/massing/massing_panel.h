@@ -5,6 +5,7 @@
 
 #include "app/window/massing/tower_draft.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -28,6 +29,7 @@ public:
 
     /// `groundElevationM`: of the ground under the tower, above the datum.
     void showFigures(const MassingFigures& figures, std::size_t demolished, double groundElevationM);
+    void setFacadesShown(bool shown);  ///< without a signal
     void showError(const Error& error);
     [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
 
@@ -36,12 +38,14 @@ Q_SIGNALS:
     void designRequested(noonmark::NamedLot lot);  ///< a tower on an existing lot
     void copyRequested(noonmark::NamedLot lot);    ///< the tower selected or designed, on this lot
     void edited();
+    void facadesShownChosen(bool shown);
     void applied();
     void cancelled();
 
 private:
     QWidget* makeLotRow();
     [[nodiscard]] std::optional<NamedLot> chosenLot() const;
+    QWidget* makeFacades();
     QWidget* makeFigures();
     void setDesigning(bool designing);
 
@@ -54,6 +58,7 @@ private:
     QLabel* on_;
     QLineEdit* name_;
     MassingForm* form_;
+    QCheckBox* facades_;
     QLabel* figures_;
     QLabel* error_;
     QPushButton* apply_;

@@ -106,6 +106,12 @@ void ResultLayer::setLive(std::optional<GroundAnswer> answer) {
     show();
 }
 
+void ResultLayer::setLiveFacades(std::optional<ElementView> facades) {
+    if (!facades && !facades_) return;
+    facades_ = std::move(facades);
+    show();
+}
+
 void ResultLayer::noteLive(const QString& note) {
     if (live_) strip_.setNote(note, true);
 }
@@ -113,7 +119,7 @@ void ResultLayer::noteLive(const QString& note) {
 void ResultLayer::show() {
     if (showsTiles()) return showTiles();
     painted_.reset();
-    if (!showsElements()) view_.tiles().clear();
+    if (shownElements() == nullptr) view_.tiles().clear();
     if (!moment_.isEmpty() && !live_ && !(time_ && mode_ != ViewMode::exploration)) return showMoment();
     if (mode_ == ViewMode::exploration && !live_) {
         view_.clearPicture();
@@ -122,6 +128,12 @@ void ResultLayer::show() {
     view_.surfaces().clear();
     if (showsElements()) return showElements();
     ground() ? showGround() : showNothing();
+}
+
+// Null: none. Facades of an edited building come with its live shadow.
+const ElementMap* ResultLayer::shownElements() const {
+    if (live_) return facades_ ? facades_->map.get() : nullptr;
+    return showsElements() ? elements_->map.get() : nullptr;
 }
 
 bool ResultLayer::showsElements() const {
@@ -190,6 +202,16 @@ void ResultLayer::showGround() {
         view_.showRoofPicture(*roofs);
     strip_.setLegend(legend);
     strip_.setNote(makeNote(answer, strip_.measure()), answer.marked);
+    if (live_ && facades_) showFacades();
+}
+
+// One legend for ground and facades, since both are minutes of shadow.
+void ResultLayer::showFacades() {
+    const ShadowMeasure measure = live_->grossOnly ? ShadowMeasure::gross : strip_.measure();
+    const Legend legend = makeLegend(*live_, measure, strip_.changeScale());
+    view_.tiles().show(makeTiles(*facades_->map, measure, legend.scale.top));
+    strip_.setNote(QObject::tr("%1. %2").arg(makeNote(*live_, strip_.measure()), facades_->note),
+                   live_->marked);
 }
 
 void ResultLayer::showNothing() {
@@ -221,9 +243,10 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
         return formatMinutes(shadow.grossMin[*point], shadow.continuousMin[*point],
                              makeLegend(explored_->view, ShadowMeasure::gross).instant);
     }
-    if (showsElements()) {
+    if (const ElementMap* map = shownElements()) {
         const auto element = elementAt(pick.position);
-        return element ? describe(elements_->map->elements[*element]) : QString();
+        if (element) return describe(map->elements[*element]);
+        if (!live_) return {};
     }
     const glm::dvec2 place{pick.position.x, pick.position.y};
     if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};

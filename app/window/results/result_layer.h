@@ -50,6 +50,8 @@ public:
 
     /// The live shadow, displayed in any mode until it is none.
     void setLive(std::optional<GroundAnswer> answer);
+    /// The sunlight of facades in the colours of the live shadow, until it is none.
+    void setLiveFacades(std::optional<ElementView> facades);
     /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
     void noteLive(const QString& note);
 
@@ -63,6 +65,9 @@ private:
     void showElements();
     void showTiles();
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
+    void showFacades();
+    [[nodiscard]] const ElementMap* shownElements() const;
+    [[nodiscard]] bool showsElements() const;
     [[nodiscard]] const GroundAnswer* ground() const;
     void showNothing();
     void showMoment();
@@ -79,6 +84,7 @@ private:
     std::optional<GroundAnswer> partial_;
     std::optional<GroundAnswer> time_;
     std::optional<GroundAnswer> live_;
+    std::optional<ElementView> facades_;  ///< with live_
     QString moment_;
     std::shared_ptr<const ViewAnswer> explored_;
 };
