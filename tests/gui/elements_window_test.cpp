@@ -1,14 +1,20 @@
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFocusEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableView>
 
 #include "app/window/editing/building_editing.h"
 #include "app/window/elements/elements_dock.h"
 #include "app/window/export/table_text.h"
+#include "app/window/project/element_settings_json.h"
+#include "app/window/study_form/element_form.h"
+#include "app/window/study_form/point_list_form.h"
 #include "app/window/study_form/run_forecast.h"
 #include "app/window/study_form/study_dock.h"
 #include "core/study/elements/element_tables.h"
@@ -71,6 +77,113 @@ TEST_F(ElementsWindow, TheFormChoosesPointsAndForecastsTheirNumber) {
     EXPECT_FALSE(workbench().document().elements());
     workbench().document().undoStack().undo();
     EXPECT_TRUE(workbench().document().elements());
+}
+
+TEST_F(ElementsWindow, FacadesAreNarrowedDownByWhatTheyFace) {
+    choose({});
+    measure();
+    const std::size_t all = workbench().elements()->map.elements.size();
+    auto& direction = field<QComboBox>("facingDirection");
+    direction.setCurrentIndex(3);
+    Q_EMIT direction.activated(3);
+    ASSERT_TRUE(workbench().document().elements()->faces.facing);
+    EXPECT_EQ(*workbench().document().elements()->faces.facing, (AzimuthRange{135, 225}));
+    measure();
+    EXPECT_LT(workbench().elements()->map.elements.size(), all / 3);
+    for (const MeasuredElement& element : workbench().elements()->map.elements)
+        EXPECT_NEAR(element.azimuthDeg, 180, 45.1);
+    field<QDoubleSpinBox>("facingFrom").setValue(100);
+    EXPECT_EQ(workbench().document().elements()->faces.facing->fromDeg, 100);
+    EXPECT_EQ(direction.currentIndex(), 5) << "another range than those of the list";
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(direction.currentIndex(), 3);
+}
+
+TEST_F(ElementsWindow, AClickOnAWallPicksItsFace) {
+    choose({});
+    measure();
+    Q_EMIT dock().wanted(20);
+    const CityView& view = window->panel().view();
+    const MeasuredElement middle = workbench().elements()->map.elements[20];
+    window->show();
+    field<QPushButton>("pickFace").setChecked(true);
+    const auto pixel = pixelOf(view.pose(), view.lens(), glm::dvec3(middle.position));
+    ASSERT_TRUE(pixel);
+    Q_EMIT window->panel().navigator().clicked(QPointF(pixel->x, pixel->y));
+    const std::vector<std::string> faces = workbench().document().elements()->faces.faces;
+    ASSERT_EQ(faces.size(), 1U);
+    EXPECT_TRUE(middle.id.starts_with(faces[0] + " floor ")) << faces[0] << " of " << middle.id;
+    field<QPushButton>("pickFace").setChecked(false);
+    measure();
+    for (const MeasuredElement& element : workbench().elements()->map.elements)
+        EXPECT_TRUE(element.id.starts_with(faces[0] + " floor "));
+}
+
+TEST_F(ElementsWindow, ProposedBuildingsAreThoseOfTheScenario) {
+    choose({.proposed = true});
+    session().goTo("Tower");
+    ASSERT_TRUE(waitFor([&] { return workbench().city()->city().buildings.size() == 4; }));
+    EXPECT_TRUE(field<QCheckBox>("proposedOnly").isChecked());
+    measure();
+    for (const MeasuredElement& element : workbench().elements()->map.elements)
+        EXPECT_EQ(element.building, "New");
+}
+
+TEST_F(ElementsWindow, LinesRunAroundALotOfTheProject) {
+    choosePlaces(6);
+    auto& parcel = field<QComboBox>("parcel");
+    EXPECT_EQ(parcel.findText(QStringLiteral("Yard")), 0);
+    parcel.setCurrentIndex(0);
+    Q_EMIT parcel.activated(0);
+    EXPECT_EQ(workbench().document().elements()->parcel, "Yard");
+    auto& offsets = field<QLineEdit>("lineOffsets");
+    offsets.setText(QStringLiteral("7 ; 2.5"));
+    Q_EMIT offsets.editingFinished();
+    EXPECT_EQ(workbench().document().elements()->lines.offsetsM, (std::vector<double>{7, 2.5}));
+    offsets.setText(QStringLiteral("far"));
+    Q_EMIT offsets.editingFinished();
+    EXPECT_EQ(offsets.text(), QStringLiteral("7, 2.5")) << "the last distances";
+    measure();
+    EXPECT_TRUE(workbench().elements()->map.elements.front().id.starts_with("7 m, "));
+}
+
+TEST_F(ElementsWindow, SinglePointsAreTypedOrClicked) {
+    choosePlaces(7);
+    const LonLat at = workbench().city()->city().frame.lonLatFromLocal({0, 0});
+    auto& list = field<QPlainTextEdit>("pointList");
+    list.setPlainText(QStringLiteral("%1,%2,30").arg(at.lonDeg, 0, 'f', 7).arg(at.latDeg, 0, 'f', 7));
+    QFocusEvent left(QEvent::FocusOut);
+    QCoreApplication::sendEvent(&list, &left);
+    ASSERT_EQ(workbench().document().elements()->points.size(), 1U);
+    EXPECT_EQ(workbench().document().elements()->points[0].heightM, 30.0);
+    window->findChild<StudyDock*>()->elements().list().add({{}, at, {}, {}});
+    ASSERT_EQ(workbench().document().elements()->points.size(), 2U);
+    EXPECT_EQ(workbench().document().elements()->points[1].id, "point 2");
+    measure();
+    EXPECT_EQ(workbench().elements()->map.elements.size(), 2U);
+    list.setPlainText(QStringLiteral("somewhere"));
+    QCoreApplication::sendEvent(&list, &left);
+    EXPECT_EQ(workbench().document().elements()->points.size(), 2U) << "what is wrong is not taken";
+    EXPECT_EQ(list.toPlainText(), QStringLiteral("somewhere")) << "and can be mended";
+}
+
+TEST(ElementSettingsJson, IsReadAsItIsWritten) {
+    ElementSettings elements{.places = ElementPlaces::lines, .buildings = {"a"}, .proposed = true};
+    elements.faces = {{"a wall 2"}, AzimuthRange{315, 45}, "Park", 250};
+    elements.parcel = "Yard";
+    elements.lines = {{2.5, 7}, 0.5};
+    elements.points = {{"p", {-73.98, 40.75}, 4.5, 180.0}};
+    const auto json = elementSettingsJson(elements);
+    EXPECT_EQ(elementSettingsFrom(json), elements);
+    auto earlier = json;
+    for (const char* key : {"proposed", "faces", "facing_deg", "facing_place", "within_m", "parcel",
+                            "offsets_m", "spacing_m", "points"})
+        earlier.erase(key);
+    ASSERT_TRUE(elementSettingsFrom(earlier)) << "of a project of an earlier version";
+    EXPECT_TRUE(elementSettingsFrom(earlier)->faces.takesAll());
+    auto wrong = json;
+    wrong["spacing_m"] = 0;
+    EXPECT_FALSE(elementSettingsFrom(wrong));
 }
 
 TEST_F(ElementsWindow, ARunPaintsTilesAndFillsTheTable) {

@@ -51,6 +51,12 @@ QString askForWindows(QWidget* parent) {
                                         orAllFiles(QObject::tr("Points and polygons"), vectorEndings()));
 }
 
+QString askForPoints(QWidget* parent) {
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Points from file"), {},
+        orAllFiles(QObject::tr("Tables of points"), {QStringLiteral("csv"), QStringLiteral("txt")}));
+}
+
 QStringList askForPlaces(QWidget* parent) {
     return QFileDialog::getOpenFileNames(parent, QObject::tr("Read places"), {},
                                          orAllFiles(QObject::tr("Maps and polygons"), vectorEndings()));

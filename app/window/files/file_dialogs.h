@@ -13,6 +13,7 @@ QString askForProject(QWidget* parent, const QString& suggested);
 QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
 QString askForWindows(QWidget* parent);
+QString askForPoints(QWidget* parent);  ///< .csv
 QStringList askForPlaces(QWidget* parent);
 QString askForSky(QWidget* parent);                              ///< likewise: .svg, .png or .csv
 QString askForPicture(QWidget* parent);                          ///< always with a file extension

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include "app/input/find_element_parts.h"
 #include "app/window/elements/elements_dock.h"
 #include "app/window/files/file_dialogs.h"
 #include "app/window/frame/window_menus.h"
@@ -25,6 +26,7 @@
 #include "app/window/sheets/page_settings.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/study_form/accuracy_choice.h"
+#include "app/window/study_form/element_form.h"
 #include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/weights/weights_dock.h"
@@ -77,6 +79,7 @@ MainWindow::MainWindow(QSettings& settings)
       recovery_(workbench_, store_, saving_, panel_->messages()),
       links_(*docks_.elements, *panel_),
       verdicts_(docks_.review->windowPanel(), windowReview_, review_, workbench_, *panel_),
+      picking_(workbench_, *panel_),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
                 docks_.scenarios->table()}),
@@ -178,8 +181,9 @@ void MainWindow::connectJobs() {
                                                                : QString());
     });
     connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
-    for (JobSlot* slot : {&workbench_.keeping(), &tools_.context().preview.working(),
-                          &time_.looking().working(), &points_.working()})
+    for (JobSlot* slot :
+         {&workbench_.keeping(), &tools_.context().preview.working(),
+          &tools_.context().preview.measuringFacades(), &time_.looking().working(), &points_.working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
     docks_.study->progress().follow(workbench_.running());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
@@ -210,6 +214,7 @@ void MainWindow::connectDocks() {
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
+    connectElementForms();
     connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
     connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
@@ -232,6 +237,25 @@ void MainWindow::connectStudyForm() {
     });
     connect(&workbench_.session(), &ProjectSession::changed, &form,
             [this, &form] { form.setComparing(workbench_.comparing()); });
+}
+
+// Of a study at points and of a review of windows.
+void MainWindow::connectElementForms() {
+    docks_.study->setElementFinder([this](const ElementSettings& elements) {
+        ProjectSession& session = workbench_.session();
+        return findElementParts(elements, session.project(), *session.city()).value_or(elements);
+    });
+    for (ElementForm* form : {&docks_.study->elements(), &docks_.review->elements()}) {
+        picking_.serve(*form);
+        connect(&workbench_.session(), &ProjectSession::changed, form, [this, form] {
+            QStringList lots, places;
+            const Project& project = workbench_.session().project();
+            for (const NamedLot& lot : project.lots) lots << QString::fromStdString(lot.name);
+            for (const Place& place : project.places) places << QString::fromStdString(place.name);
+            places.sort(Qt::CaseInsensitive);
+            form->setNames(lots, places);
+        });
+    }
 }
 
 // The panels that a kind of study needs, or the baseline of a comparison.

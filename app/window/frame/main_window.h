@@ -25,6 +25,7 @@
 #include "app/window/actions/view_actions.h"
 #include "app/window/editing/edit_tools.h"
 #include "app/window/elements/element_links.h"
+#include "app/window/elements/element_picking.h"
 #include "app/window/exploration/exploration.h"
 #include "app/window/export/copy_actions.h"
 #include "app/window/export/movie_actions.h"
@@ -100,6 +101,7 @@ private:
     void connectWorkbench();
     void connectDocks();
     void connectStudyForm();
+    void connectElementForms();
     void connectModes();
     void connectPreferences();
     void activateExploration();
@@ -133,6 +135,7 @@ private:
     RecoveryOffers recovery_;
     ElementLinks links_;
     VerdictLinks verdicts_;
+    ElementPicking picking_;
     ResultDisplay display_;
     ResultActions results_;
     CopyActions copying_;

@@ -410,6 +410,8 @@ void ReviewDock::showRule() {
     about_->setProperty("shown", html);
 }
 
+ElementForm& ReviewDock::elements() { return windowForm_->elements(); }
+
 void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setBuilding(id); }
 
 void ReviewDock::copyTable() {

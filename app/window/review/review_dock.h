@@ -15,6 +15,7 @@ class QTimer;
 namespace noonmark {
 
 class DayPanel;
+class ElementForm;
 class PlaceList;
 class ProjectSession;
 class ProgressStrip;
@@ -45,6 +46,7 @@ public:
     void copyTable();
     /// The building that is selected in the view, whose windows may be reviewed; empty: none.
     void setSelectedBuilding(const QString& id);
+    [[nodiscard]] ElementForm& elements();  ///< which windows a rule is evaluated on
 
 Q_SIGNALS:
     void placePointedAt(const std::string& place);  ///< to be highlighted in the view

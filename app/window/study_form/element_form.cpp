@@ -1,5 +1,6 @@
 #include "app/window/study_form/element_form.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -10,6 +11,9 @@
 #include <algorithm>
 
 #include "app/window/files/file_dialogs.h"
+#include "app/window/study_form/face_form.h"
+#include "app/window/study_form/line_form.h"
+#include "app/window/study_form/point_list_form.h"
 #include "app/window/widgets/number_fields.h"
 #include "app/window/widgets/push_button.h"
 #include "core/receivers/points/plane_points.h"
@@ -63,6 +67,7 @@ ElementForm::ElementForm(Use use, QWidget* parent)
     makeFields();
     placeFields();
     connectFields();
+    connectParts();
     show(settings_);
 }
 
@@ -80,9 +85,16 @@ void ElementForm::makeFields() {
     heights_->setToolTip(
         tr("Heights of the file: elevations as those of the city, or metres above the "
            "ground below the window"));
-    plane_ = metresField("planeHeight", 0, mostPlaneHeightM,
-                         tr("Height of the plane above the mean of the region's ground. The size of its "
-                            "cells is that under \"How exactly\"."));
+    plane_ =
+        metresField("planeHeight", 0, mostPlaneHeightM,
+                    tr("Height of the plane above the mean of the region's ground, or of the lines above "
+                       "that of the parcel's. The size of a plane's cells is that under \"How exactly\"."));
+    proposed_ = new QCheckBox(tr("Proposed buildings only"));
+    proposed_->setObjectName(QStringLiteral("proposedOnly"));
+    proposed_->setToolTip(tr("The buildings that the displayed scenario builds or changes"));
+    faces_ = new FaceForm;
+    lines_ = new LineForm;
+    list_ = new PointListForm;
 }
 
 QWidget* ElementForm::makeBuildings() {
@@ -107,12 +119,44 @@ QWidget* ElementForm::makeFile() {
 void ElementForm::placeFields() {
     form_->setContentsMargins(0, 0, 0, 0);
     form_->addRow(tr("Of"), makeBuildings());
+    form_->addRow(QString(), proposed_);
     form_->addRow(tr("File"), makeFile());
     form_->addRow(tr("Heights"), heights_);
     form_->addRow(tr("Bay"), bay_);
     form_->addRow(tr("Storey"), storey_);
     form_->addRow(tr("Above floor"), aboveFloor_);
+    form_->addRow(lines_);
     form_->addRow(tr("Height"), plane_);
+    form_->addRow(faces_);
+    form_->addRow(list_);
+}
+
+void ElementForm::connectParts() {
+    connect(proposed_, &QCheckBox::clicked, this, [this](bool only) {
+        settings_.proposed = only;
+        showRows();
+        Q_EMIT edited(settings_, tr("buildings"));
+    });
+    connect(faces_, &FaceForm::edited, this, [this](const FaceChoice& faces, const QString& field) {
+        settings_.faces = faces;
+        Q_EMIT edited(settings_, field);
+    });
+    connect(lines_, &LineForm::edited, this,
+            [this](const std::string& parcel, const LineSettings& lines, const QString& field) {
+                settings_.parcel = parcel;
+                settings_.lines = lines;
+                Q_EMIT edited(settings_, field);
+            });
+    connect(list_, &PointListForm::edited, this,
+            [this](const std::vector<ListedPoint>& points, const QString& field) {
+                settings_.points = points;
+                Q_EMIT edited(settings_, field);
+            });
+}
+
+void ElementForm::setNames(const QStringList& lots, const QStringList& places) {
+    lines_->setLots(lots);
+    faces_->setPlaces(places);
 }
 
 void ElementForm::connectFields() {
@@ -177,6 +221,10 @@ void ElementForm::show(const ElementSettings& settings) {
     file_->setText(QString::fromStdString(settings.windows.string()));
     heights_->setCurrentIndex(settings.windowFile.aboveGround ? 1 : 0);
     plane_->setValue(settings.planeHeightM);
+    proposed_->setChecked(settings.proposed);
+    faces_->show(settings.faces);
+    lines_->show(settings.parcel, settings.lines);
+    list_->show(settings.points);
     showRows();
     showButton();
 }
@@ -185,13 +233,20 @@ void ElementForm::showRows() {
     const auto visible = [this](QWidget* field, bool shown) { form_->setRowVisible(field, shown); };
     const bool facades = settings_.places == ElementPlaces::facades;
     const bool windows = settings_.places == ElementPlaces::windows;
+    const bool lines = settings_.places == ElementPlaces::lines;
     visible(buildings_->parentWidget(), facades);
+    buildings_->parentWidget()->setEnabled(!settings_.proposed);
+    visible(proposed_, facades);
+    visible(faces_, facades || windows);
+    faces_->setPickable(facades);
+    visible(lines_, lines);
+    visible(list_, settings_.places == ElementPlaces::points);
     visible(file_->parentWidget(), windows);
     visible(heights_, windows);
     visible(bay_, facades);
     visible(storey_, facades || windows);
     visible(aboveFloor_, facades && use_ == Use::study);
-    visible(plane_, settings_.places == ElementPlaces::plane);
+    visible(plane_, settings_.places == ElementPlaces::plane || lines);
 }
 
 void ElementForm::setBuilding(const QString& id) {

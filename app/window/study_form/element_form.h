@@ -4,6 +4,7 @@
 
 #include "core/study/elements/place_elements.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -12,7 +13,12 @@ class QPushButton;
 
 namespace noonmark {
 
-/// Where points lie: of which buildings' facades, on which windows of a file, or how high a plane is.
+class FaceForm;
+class LineForm;
+class PointListForm;
+
+/// Where points lie: of which buildings' facades, on which windows of a file, how high a plane is, on which
+/// lines, or a list of them.
 class ElementForm final : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +28,10 @@ public:
 
     void show(const ElementSettings& settings);  ///< without a signal
     void setBuilding(const QString& id);         ///< the selected building; empty: none
+    void setNames(const QStringList& lots, const QStringList& places);  ///< of the project, to choose from
     [[nodiscard]] const ElementSettings& settings() const { return settings_; }
+    [[nodiscard]] FaceForm& faces() { return *faces_; }
+    [[nodiscard]] PointListForm& list() { return *list_; }
 
 Q_SIGNALS:
     void edited(noonmark::ElementSettings settings, QString field);  ///< the name of the field
@@ -33,6 +42,7 @@ private:
     QWidget* makeFile();
     void placeFields();
     void connectFields();
+    void connectParts();
     void browse();
     void toggleBuilding();
     void showRows();
@@ -43,6 +53,10 @@ private:
     QString building_;
     QLineEdit* buildings_;  ///< ids or names with commas; empty: all of the region
     QPushButton* selected_;
+    QCheckBox* proposed_;
+    FaceForm* faces_;
+    LineForm* lines_;
+    PointListForm* list_;
     QDoubleSpinBox* bay_;
     QDoubleSpinBox* storey_;
     QDoubleSpinBox* aboveFloor_;

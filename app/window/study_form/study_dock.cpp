@@ -146,6 +146,8 @@ void StudyDock::setCity(std::shared_ptr<const City> city) {
     showRefusal();
 }
 
+void StudyDock::setElementFinder(ElementFinder find) { find_ = std::move(find); }
+
 void StudyDock::setComparing(bool comparing) {
     if (comparing == comparing_) return;
     comparing_ = comparing;
@@ -169,7 +171,8 @@ void StudyDock::showDocument() {
 
 // Comparisons are of cells.
 std::optional<ElementSettings> StudyDock::measuredElements() const {
-    return comparing_ ? std::nullopt : document_.elements();
+    if (comparing_ || !document_.elements()) return std::nullopt;
+    return find_ ? find_(*document_.elements()) : *document_.elements();
 }
 
 // Shown at once, not only on Run.

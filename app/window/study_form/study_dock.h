@@ -5,6 +5,7 @@
 // rule_period and accuracy_choice turn the plain choices into settings.
 
 #include <QWidget>
+#include <functional>
 
 #include "app/window/study_form/what_form.h"
 #include "core/review/rule/rule.h"
@@ -38,7 +39,11 @@ public:
     void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
     void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
     void setBuilding(const QString& id);             ///< the selected building; empty: none
-    void setComparing(bool comparing);               ///< run() compares the scenario with a baseline
+    /// Looks up the parts of the settings in the project (findElementParts()), to estimate the time of a run.
+    using ElementFinder = std::function<ElementSettings(const ElementSettings&)>;
+    void setElementFinder(ElementFinder find);
+    [[nodiscard]] ElementForm& elements() { return what_->elements(); }
+    void setComparing(bool comparing);  ///< run() compares the scenario with a baseline
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -78,6 +83,7 @@ private:
     bool running_ = false;
     QPushButton* run_;
     ProgressStrip* progress_;
+    ElementFinder find_;
     int formsWidth_ = 0;  // px, all they need
 };
 

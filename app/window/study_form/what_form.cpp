@@ -98,8 +98,7 @@ void WhatForm::fill() {
     kind_->addItems({tr("Hours of shadow"), tr("Change by a scenario"), tr("Score of wanted shadow"),
                      tr("Review by a rule")});
     for (const ReceiverPlaces places : allReceiverPlaces) places_->addItem(placesText(places));
-    for (const ElementPlaces places : {ElementPlaces::facades, ElementPlaces::windows, ElementPlaces::plane})
-        places_->addItem(placesText(places));
+    for (const ElementPlaces places : allElementPlaces) places_->addItem(placesText(places));
     for (QComboBox* list : {kind_, places_}) {
         list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         list->setMinimumContentsLength(14);

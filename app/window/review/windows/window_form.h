@@ -18,6 +18,7 @@ public:
 
     void show(const ElementSettings& windows);  ///< without a signal
     void setBuilding(const QString& id);        ///< the selected building; empty: none
+    [[nodiscard]] ElementForm& elements() { return *form_; }
 
 Q_SIGNALS:
     void edited(noonmark::ElementSettings windows);
