@@ -69,7 +69,7 @@ TEST_F(FieldWindow, WhatsThisStatesLabelRangeAndGuide) {
     ASSERT_NE(cell, nullptr);
     const std::string text = describeField(*cell).toStdString();
     EXPECT_THAT(text, HasSubstr("<b>Cell size</b>"));
-    EXPECT_THAT(text, HasSubstr("0.25 to 10 m"));
+    EXPECT_THAT(text, HasSubstr("0.25 m to 10.00 m"));
     EXPECT_THAT(text, HasSubstr("guide:window#A study"));
 }
 

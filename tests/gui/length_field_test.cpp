@@ -5,6 +5,8 @@
 #include <QLineEdit>
 
 #include "app/window/looks/units.h"
+#include "app/window/massing/plate_field.h"
+#include "app/window/study_form/accuracy_section.h"
 
 namespace noonmark {
 namespace {
@@ -54,6 +56,28 @@ TEST_F(LengthFieldTest, ReadsTheDecimalCommaOfTheLanguage) {
     EXPECT_EQ(typed(*field, "3,25"), 3.25);
     EXPECT_EQ(typed(*field, "3.5"), 3.5);
     EXPECT_EQ(typed(*field, "1.250 m"), 1250) << "a point groups thousands";
+}
+
+TEST_F(LengthFieldTest, CellsOfAStudyAreInFeetWhereTheUnitsAreFeet) {
+    applyUnits(UnitSystem::imperial);
+    AccuracySection section;
+    StudySettings settings;
+    settings.receivers.cellM = 3.048;
+    section.show(settings);
+    const auto* cell = section.findChild<QDoubleSpinBox*>(QStringLiteral("cell"));
+    EXPECT_EQ(cell->text().toStdString(), "10'");
+    EXPECT_EQ(cell->value(), 3.048);
+}
+
+TEST_F(LengthFieldTest, FloorPlatesAreInSquareFeetWhereTheUnitsAreFeet) {
+    applyUnits(UnitSystem::imperial);
+    PlateField field;
+    field.show({.areaM2 = 500});
+    auto* size = field.findChild<QDoubleSpinBox*>(QStringLiteral("plateSize"));
+    EXPECT_EQ(size->text().toStdString(), "5382 sq ft");
+    EXPECT_EQ(field.plate().areaM2, 500) << "an area that nobody typed is not rounded";
+    size->setValue(10000);
+    EXPECT_NEAR(*field.plate().areaM2, 929.0304, 1e-9);
 }
 
 }  // namespace

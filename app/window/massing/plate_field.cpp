@@ -4,14 +4,22 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <cmath>
 
+#include "app/window/looks/units.h"
 #include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 
 namespace {
 
-enum Kind { wholeLot, share, squareMetres };
+enum Kind { wholeLot, share, givenArea };
+
+constexpr double largestM2 = 1e6;
+
+// An area is typed in square feet where lengths are in feet.
+bool showsFeet() { return unitsInUse() == UnitSystem::imperial; }
+double squareMetresPerUnit() { return showsFeet() ? squareMetresPerSquareFoot : 1; }
 
 }  // namespace
 
@@ -38,26 +46,41 @@ PlateField::PlateField(QWidget* parent)
 void PlateField::choose(int kind) {
     const QSignalBlocker block(size_);
     size_->setEnabled(kind != wholeLot);
-    const bool area = kind == squareMetres;
-    size_->setSuffix(area ? QStringLiteral(" m²") : QStringLiteral(" %"));
-    size_->setRange(1, area ? 1e6 : 100);
-    size_->setSingleStep(area ? 50 : 5);
-    size_->setValue(area ? 500 : kind == share ? 60 : 100);
+    if (kind == givenArea) return chooseArea();
+    size_->setSuffix(QStringLiteral(" %"));
+    size_->setRange(1, 100);
+    size_->setSingleStep(5);
+    size_->setValue(kind == share ? 60 : 100);
+}
+
+void PlateField::chooseArea() {
+    size_->setSuffix(showsFeet() ? tr(" sq ft") : QStringLiteral(" m²"));
+    size_->setRange(1, std::floor(largestM2 / squareMetresPerUnit()));
+    size_->setSingleStep(showsFeet() ? 500 : 50);
+    size_->setValue(showsFeet() ? 5000 : 500);
 }
 
 PlateSize PlateField::plate() const {
     PlateSize plate;
     if (kind_->currentIndex() == share) plate.shareOfLot = size_->value() / 100;
-    if (kind_->currentIndex() == squareMetres) plate.areaM2 = size_->value();
+    if (kind_->currentIndex() == givenArea) plate.areaM2 = typedM2();
     return plate;
 }
 
+// Whole square feet are shown: an area that was not typed anew is kept as it is.
+double PlateField::typedM2() const {
+    const double unit = squareMetresPerUnit();
+    const bool same = areaM2_ && std::round(*areaM2_ / unit) == size_->value();
+    return same ? *areaM2_ : size_->value() * unit;
+}
+
 void PlateField::show(const PlateSize& plate) {
-    const int kind = plate.areaM2 ? squareMetres : plate.shareOfLot ? share : wholeLot;
+    const int kind = plate.areaM2 ? givenArea : plate.shareOfLot ? share : wholeLot;
     kind_->setCurrentIndex(kind);
     choose(kind);
     const QSignalBlocker block(size_);
-    if (plate.areaM2) size_->setValue(*plate.areaM2);
+    areaM2_ = plate.areaM2;
+    if (plate.areaM2) size_->setValue(*plate.areaM2 / squareMetresPerUnit());
     if (plate.shareOfLot) size_->setValue(*plate.shareOfLot * 100);
 }
 

@@ -9,7 +9,7 @@ class QDoubleSpinBox;
 
 namespace noonmark {
 
-/// The size of a floor plate: the whole lot, a share of it, or an area.
+/// The size of a floor plate: the whole lot, a share of it, or an area in the units in use.
 class PlateField final : public QWidget {
     Q_OBJECT
 public:
@@ -23,9 +23,12 @@ Q_SIGNALS:
 
 private:
     void choose(int kind);
+    void chooseArea();
+    [[nodiscard]] double typedM2() const;
 
     QComboBox* kind_;
     QDoubleSpinBox* size_;
+    std::optional<double> areaM2_;  ///< as it was shown last
 };
 
 }  // namespace noonmark

@@ -12,14 +12,14 @@
 #include "app/window/study_form/accuracy_choice.h"
 #include "app/window/widgets/accuracy_form.h"
 #include "app/window/widgets/folded_section.h"
-#include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
 AccuracySection::AccuracySection(QWidget* parent)
     : QWidget(parent),
-      cell_(numberField(ReceiverSettings::minCellM, ReceiverSettings::maxCellM, 2, 0.25, tr(" m"))),
+      cell_(lengthField(ReceiverSettings::minCellM, ReceiverSettings::maxCellM, 2, 0.25)),
       choice_(new QComboBox),
       about_(new QLabel),
       form_(new AccuracyForm(allEngines())) {
@@ -30,8 +30,7 @@ AccuracySection::AccuracySection(QWidget* parent)
 
 void AccuracySection::makeFields() {
     cell_->setObjectName(QStringLiteral("cell"));
-    cell_->setToolTip(
-        tr("Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells"));
+    cell_->setToolTip(tr("Side of a cell on the ground. Half the size: four times the cells"));
     choice_->setObjectName(QStringLiteral("accuracy"));
     for (const AccuracyChoice choice : allAccuracyChoices) {
         choice_->addItem(nameOf(choice));

@@ -14,7 +14,7 @@
 #include "app/window/study_form/face_form.h"
 #include "app/window/study_form/line_form.h"
 #include "app/window/study_form/point_list_form.h"
-#include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/push_button.h"
 #include "core/receivers/points/plane_points.h"
 
@@ -30,8 +30,8 @@ QLineEdit* lineField(const char* name, const QString& placeholder, const QString
     return field;
 }
 
-QDoubleSpinBox* metresField(const char* name, double low, double high, const QString& tip) {
-    QDoubleSpinBox* field = numberField(low, high, 2, 0.5, QObject::tr(" m"));
+QDoubleSpinBox* lengthFieldOf(const char* name, double low, double high, const QString& tip) {
+    QDoubleSpinBox* field = lengthField(low, high, 2, 0.5);
     field->setObjectName(QString::fromLatin1(name));
     field->setToolTip(tip);
     return field;
@@ -72,21 +72,21 @@ ElementForm::ElementForm(Use use, QWidget* parent)
 }
 
 void ElementForm::makeFields() {
-    bay_ = metresField("bay", FacadeSettings::leastM, FacadeSettings::mostM,
-                       tr("Width of a bay: a wall has one point in each"));
-    storey_ = metresField("storey", FacadeSettings::leastM, FacadeSettings::mostM,
-                          tr("Height of a storey: a wall has a row of points in each, and floors are "
-                             "numbered by it"));
+    bay_ = lengthFieldOf("bay", FacadeSettings::leastM, FacadeSettings::mostM,
+                         tr("Width of a bay: a wall has one point in each"));
+    storey_ = lengthFieldOf("storey", FacadeSettings::leastM, FacadeSettings::mostM,
+                            tr("Height of a storey: a wall has a row of points in each, and floors are "
+                               "numbered by it"));
     aboveFloor_ =
-        metresField("aboveFloor", 0, 50, tr("Height of the points above the floor of their storey"));
+        lengthFieldOf("aboveFloor", 0, 50, tr("Height of the points above the floor of their storey"));
     heights_ = new QComboBox;
     heights_->setObjectName(QStringLiteral("windowHeights"));
     heights_->addItems({tr("elevations"), tr("above the ground")});
     heights_->setToolTip(
-        tr("Heights of the file: elevations as those of the city, or metres above the "
+        tr("Heights of the file, in metres: elevations as those of the city, or above the "
            "ground below the window"));
     plane_ =
-        metresField("planeHeight", 0, mostPlaneHeightM,
+        lengthFieldOf("planeHeight", 0, mostPlaneHeightM,
                     tr("Height of the plane above the mean of the region's ground, or of the lines above "
                        "that of the parcel's. The size of a plane's cells is that under \"How exactly\"."));
     proposed_ = new QCheckBox(tr("Proposed buildings only"));
