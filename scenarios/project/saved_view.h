@@ -17,7 +17,17 @@ struct ViewMoment {
     bool operator==(const ViewMoment&) const = default;
 };
 
-/// A view of the city under a name: camera, projection and moment.
+/// What a view shows of the city: a box along east, north and up, local metres.
+struct ViewBox {
+    glm::dvec3 lowM{0};   ///< west, south, bottom
+    glm::dvec3 highM{0};  ///< east, north, top; each above lowM
+    bool operator==(const ViewBox&) const = default;
+};
+
+/// Whether each side is above 0 and lies within 1e7 m.
+bool isBox(const ViewBox& box);
+
+/// A view of the city under a name: camera, projection, moment and section box.
 struct SavedView {
     std::string name;                    ///< unique in a project
     glm::dvec3 targetM{0};               ///< point that the camera looks at, local metres
@@ -26,6 +36,7 @@ struct SavedView {
     double pitchDeg = 45;                ///< below the horizontal, 0 to 90
     bool parallel = false;               ///< parallel (orthographic) projection, not perspective
     std::optional<ViewMoment> moment{};  ///< none: the view shows the whole period
+    std::optional<ViewBox> section{};    ///< none: the view shows the whole city
     bool operator==(const SavedView&) const = default;
 };
 

@@ -73,13 +73,17 @@ TEST_F(ProjectWindow, AViewIsSavedFoundRenamedAndDeleted) {
         {LookSpan::moment, CivilDate{std::chrono::year{2026}, std::chrono::June, std::chrono::day{21}},
          std::chrono::minutes(15 * 60)});
     const TimeLook look = window->panel().time().look();
+    const SectionBox box{{-20, -10, -1}, {40, 50, 30}};
+    window->panel().section().set(box);
     window->savedViews().save();
     ASSERT_EQ(session().project().views.size(), 1U);
     const std::string name = session().project().views[0].name;
     EXPECT_TRUE(session().hasUnsavedWork());
     window->panel().navigator().go({{0, 0, 0}, 900, 0, 40});
     window->panel().time().choose({LookSpan::moment, look.date, std::chrono::minutes(9 * 60)});
+    window->panel().section().set(std::nullopt);
     window->savedViews().show(name);
+    EXPECT_EQ(window->panel().section().box(), box);
     EXPECT_EQ(view.pose(), saved);
     EXPECT_EQ(window->panel().time().look(), look);
     ASSERT_TRUE(session().rename(ProjectPart::view, name, "Plaza"));
@@ -95,6 +99,13 @@ TEST_F(ProjectWindow, AViewIsSavedFoundRenamedAndDeleted) {
     QMenu& menu = *window->savedViews().menu();
     Q_EMIT menu.aboutToShow();
     EXPECT_THAT(entriesOf(menu).join(QLatin1Char('|')).toStdString(), testing::HasSubstr("Plaza"));
+}
+
+TEST_F(ProjectWindow, AViewOfTheWholeCityRemovesTheSectionBox) {
+    window->savedViews().save();
+    window->panel().section().set(SectionBox{{-20, -10, -1}, {40, 50, 30}});
+    window->savedViews().show(session().project().views[0].name);
+    EXPECT_FALSE(window->panel().section().box());
 }
 
 TEST(ViewPresets, TheSunsViewIsAlongItsRays) {

@@ -89,6 +89,12 @@ void expectSame(const MeasuredElement& a, const MeasuredElement& b) {
     EXPECT_TRUE(std::ranges::equal(a.monthMin, b.monthMin, same));
 }
 
+// Version 7 stored no section boxes of views.
+Project asVersion7Holds(Project project) {
+    for (SavedView& view : project.views) view.section.reset();
+    return project;
+}
+
 // Version 5 stored no views.
 Project asVersion5Holds(Project project) {
     project.views.clear();
@@ -282,7 +288,7 @@ TEST_F(ProjectFileTest, AFileOfVersion5IsOpened) {
 TEST_F(ProjectFileTest, AFileOfVersion6IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-6.noonmark.gpkg"), file());
     ProjectFile disk = ProjectFile::open(file()).value();
-    expectSame(disk.project(), sampleProject());
+    expectSame(disk.project(), asVersion7Holds(sampleProject()));
     ASSERT_TRUE(disk.save(sampleWithPoints()));
     expectSame(opened(), sampleWithPoints());
 }
@@ -295,6 +301,20 @@ TEST_F(ProjectFileTest, AFileOfVersion6WithATableOfThatNameIsRefused) {
 
 TEST_F(ProjectFileTest, AFileOfVersion7IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-7.noonmark.gpkg"), file());
+    ProjectFile disk = ProjectFile::open(file()).value();
+    expectSame(disk.project(), asVersion7Holds(sampleWithPoints()));
+    ASSERT_TRUE(disk.save(sampleWithPoints()));
+    expectSame(opened(), sampleWithPoints());
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion7WithAColumnOfThatNameIsRefused) {
+    fs::copy_file(testFile("scenarios/files/version-7.noonmark.gpkg"), file());
+    Database(file(), Database::Access::write).execute("ALTER TABLE saved_views ADD COLUMN Section TEXT");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("column 'section'"));
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion8IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-8.noonmark.gpkg"), file());
     expectSame(opened(), sampleWithPoints());
 }
 
@@ -316,9 +336,10 @@ TEST_F(ProjectFileTest, TheRemovalOfAResultRemovesItsPoints) {
 }
 
 TEST_F(ProjectFileTest, ViewsThatMakeNoSenseAreDamage) {
-    for (const char* harm :
-         {"distance_m = 0", "distance_m = 9e999", "pitch_deg = 91", "heading_deg = 'north'",
-          "target_x_m = -1e9", "projection = 'fisheye'", "date = '2026-02-30'", "at_min = 1441"}) {
+    for (const char* harm : {"distance_m = 0", "distance_m = 9e999", "pitch_deg = 91",
+                             "heading_deg = 'north'", "target_x_m = -1e9", "projection = 'fisheye'",
+                             "date = '2026-02-30'", "at_min = 1441", "section = 'all'", "section = '[1,2,3]'",
+                             "section = '[0,0,0,1,-1,1]'", "section = '[0,0,0,1e9,1,1]'"}) {
         fs::remove(file());
         made();
         Database(file(), Database::Access::write)
@@ -334,6 +355,9 @@ TEST_F(ProjectFileTest, AViewOutOfRangeIsRefusedBeforeItIsSaved) {
              [](SavedView& view) { view.headingDeg = std::nan(""); },
              [](SavedView& view) {
                  view.moment = ViewMoment{{}, std::chrono::minutes(5)};
+             },
+             [](SavedView& view) {
+                 view.section = ViewBox{{0, 0, 0}, {1, 1, 0}};
              },
              [](SavedView& view) { view.name = "Depuis l'Été"; }}) {
         project.views = sampleProject().views;

@@ -94,7 +94,8 @@ inline Project sampleProject() {
                       359.9,
                       2,
                       false,
-                      ViewMoment{2026y / June / 21, minutes(20 * 60 + 5)}}};
+                      ViewMoment{2026y / June / 21, minutes(20 * 60 + 5)},
+                      ViewBox{{-50, -60.5, -2}, {70, 80.25, 31}}}};
     project.results = {makeSavedResult("first")};
     project.sheets = {
         {"Tower \"A\"", "Ä. Planer", "城市", "1 May 2026", "A-", std::string("\x89PNG\r\n\x1a\n\0x", 10)},

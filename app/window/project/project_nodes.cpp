@@ -130,7 +130,8 @@ void addPeriods(ProjectNode& root, const Project& project) {
 }
 
 QString describeView(const SavedView& view) {
-    const QString projection = view.parallel ? QObject::tr("parallel") : QObject::tr("perspective");
+    QString projection = view.parallel ? QObject::tr("parallel") : QObject::tr("perspective");
+    if (view.section) projection = QObject::tr("%1, section box").arg(projection);
     if (!view.moment) return projection;
     return QObject::tr("%1, %2 %3")
         .arg(projection, formatText(noonmark::formatText(view.moment->date)),
@@ -138,8 +139,9 @@ QString describeView(const SavedView& view) {
 }
 
 void addViews(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::view, QObject::tr("Views"), project.views.size(),
-                                  QObject::tr("Camera, projection and moment, saved with Ctrl+Shift+V"));
+    ProjectNode& group =
+        addGroup(root, ProjectPart::view, QObject::tr("Views"), project.views.size(),
+                 QObject::tr("Camera, projection, section box and moment, saved with Ctrl+Shift+V"));
     for (const SavedView& view : project.views)
         addPart(group, view.name, {},
                 QObject::tr("%1\nPress Enter or double-click to go to it").arg(describeView(view)));

@@ -13,7 +13,8 @@
 
 namespace noonmark {
 
-SavedView makeSavedView(const std::string& name, const CameraPose& pose, const TimeLook& look) {
+SavedView makeSavedView(const std::string& name, const CameraPose& pose, const TimeLook& look,
+                        const std::optional<SectionBox>& section) {
     const double headingDeg = pose.headingDeg - 360 * std::floor(pose.headingDeg / 360);
     SavedView view{name,
                    pose.target,
@@ -22,7 +23,13 @@ SavedView makeSavedView(const std::string& name, const CameraPose& pose, const T
                    std::clamp(pose.pitchDeg, 0.0, 90.0),
                    pose.isParallel()};
     if (look.span == LookSpan::moment) view.moment = ViewMoment{look.date, look.at};
+    if (section) view.section = ViewBox{section->lowM, section->highM};
     return view;
+}
+
+std::optional<SectionBox> sectionOf(const SavedView& view) {
+    if (!view.section) return std::nullopt;
+    return repairSection({view.section->lowM, view.section->highM});
 }
 
 CameraPose poseOf(const SavedView& view) {
@@ -36,8 +43,8 @@ SavedViews::SavedViews(ProjectSession& session, ViewPanel& panel, ProjectDock& t
       tree_(tree),
       menu_(new QMenu(tr("Sa&ved views"), &window)),
       save_(makeAction(this, tr("&Save this view"), QKeySequence(tr("Ctrl+Shift+V")),
-                       tr("Camera, projection, and date and time if a moment is shown, under a name in the "
-                          "project"))) {
+                       tr("Camera, projection, section box, and date and time if a moment is shown, under a "
+                          "name in the project"))) {
     menu_->addAction(save_);
     connect(save_, &QAction::triggered, this, &SavedViews::save);
     connect(menu_, &QMenu::aboutToShow, this, &SavedViews::fillMenu);
@@ -60,7 +67,8 @@ void SavedViews::fillMenu() {
 void SavedViews::save() {
     Project next = session_.project();
     const std::string name = freeName(next, ProjectPart::view, tr("View").toStdString());
-    next.views.push_back(makeSavedView(name, panel_.view().pose(), panel_.time().look()));
+    next.views.push_back(
+        makeSavedView(name, panel_.view().pose(), panel_.time().look(), panel_.section().box()));
     if (!session_.change(std::move(next), tr("save view %1").arg(QString::fromStdString(name)))) return;
     panel_.messages().showNote(tr("Saved as '%1' in the project. F2 in the project's list renames it.")
                                    .arg(QString::fromStdString(name)));
@@ -71,6 +79,7 @@ void SavedViews::show(const std::string& name) {
     for (const SavedView& view : session_.project().views) {
         if (view.name != name) continue;
         panel_.navigator().go(poseOf(view));
+        panel_.section().set(sectionOf(view));
         if (view.moment) panel_.time().choose({LookSpan::moment, view.moment->date, view.moment->at});
         return;
     }

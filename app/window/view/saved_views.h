@@ -4,6 +4,7 @@
 
 #include "app/window/time/time_look.h"
 #include "render/view/camera_pose.h"
+#include "render/view/section_box.h"
 #include "scenarios/project/saved_view.h"
 
 class QAction;
@@ -16,9 +17,12 @@ class ProjectDock;
 class ProjectSession;
 class ViewPanel;
 
-/// A view of this name as it is displayed; a whole period or a day has no moment.
-SavedView makeSavedView(const std::string& name, const CameraPose& pose, const TimeLook& look);
+/// A view of this name as it is displayed; a whole period or a day has no moment. `section`: none shows the
+/// whole city.
+SavedView makeSavedView(const std::string& name, const CameraPose& pose, const TimeLook& look,
+                        const std::optional<SectionBox>& section = std::nullopt);
 CameraPose poseOf(const SavedView& view);
+std::optional<SectionBox> sectionOf(const SavedView& view);
 
 /// View > Saved views: saves the view in the project and shows one again. The project's tree renames and
 /// deletes them.

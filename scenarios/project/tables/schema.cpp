@@ -92,6 +92,9 @@ CREATE TABLE result_elements (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, resul
 CREATE INDEX result_elements_result ON result_elements (result);
 )sql";
 
+// Since version 8.
+constexpr const char* sectionColumn = "ALTER TABLE saved_views ADD COLUMN section TEXT";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -177,6 +180,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         memory.execute(sheetTable);
         memory.execute(contextTable);
         memory.execute(viewTable);
+        memory.execute(sectionColumn);
         memory.execute(elementTable);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
@@ -233,10 +237,18 @@ void toVersion7(Database& database) {
     addElementTable(database);
 }
 
+void toVersion8(Database& database) {
+    if (database.value(
+            "SELECT 1 FROM pragma_table_info('saved_views') WHERE name = 'section' COLLATE NOCASE"))
+        throwDamaged(
+            "its saved views have a column 'section' that is not the program's; rename it in a GIS program");
+    database.execute(sectionColumn);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4,
-                                                                   toVersion5, toVersion6, toVersion7};
+    static const std::vector<std::function<void(Database&)>> steps{
+        toVersion2, toVersion3, toVersion4, toVersion5, toVersion6, toVersion7, toVersion8};
     return steps;
 }
 
@@ -251,6 +263,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     addSheetTable(database);
     addContextTable(database);
     addViewTable(database);
+    database.execute(sectionColumn);
     addElementTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")

@@ -8,7 +8,7 @@
 namespace noonmark {
 
 /// Schema version that this program writes; docs/project-file.md lists all versions.
-inline constexpr int schemaVersion = 7;
+inline constexpr int schemaVersion = 8;
 
 /// Warning added to files of version 1, which store no warnings.
 inline constexpr const char* noReadingText =

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/tables/checked_row.h"
 #include "scenarios/project/write_project.h"
@@ -26,6 +28,23 @@ std::optional<ViewMoment> momentOf(const Statement& row, const CheckedRow& check
     return ViewMoment{*date, std::chrono::minutes(checked.integer(10, "at_min", dayLimitsMin))};
 }
 
+std::optional<std::string> textOf(const std::optional<ViewBox>& box) {
+    if (!box) return std::nullopt;
+    return nlohmann::json{box->lowM.x, box->lowM.y, box->lowM.z, box->highM.x, box->highM.y, box->highM.z}
+        .dump();
+}
+
+std::optional<ViewBox> sectionOf(const Statement& row, const CheckedRow& checked) try {
+    if (row.isNull(11)) return std::nullopt;
+    const auto numbers = nlohmann::json::parse(row.text(11)).get<std::vector<double>>();
+    if (numbers.size() != 6) checked.refuse("the section has not six numbers");
+    const ViewBox box{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+    if (!isBox(box)) checked.refuse("the section is no box");
+    return box;
+} catch (const nlohmann::json::exception&) {
+    checked.refuse("the section is not a list of numbers");
+}
+
 SavedView viewOf(const Statement& row) {
     const CheckedRow checked(row, "saved_views");
     return {row.text(1),
@@ -35,7 +54,8 @@ SavedView viewOf(const Statement& row) {
             checked.number(6, "heading_deg", {0, 360}),
             checked.number(7, "pitch_deg", {0, 90}),
             isParallel(checked, row.text(8)),
-            momentOf(row, checked)};
+            momentOf(row, checked),
+            sectionOf(row, checked)};
 }
 
 }  // namespace
@@ -44,7 +64,7 @@ void writeSavedViews(Database& database, const std::vector<SavedView>& views) {
     database.execute("DELETE FROM saved_views");
     Statement add = database.prepare(
         "INSERT INTO saved_views (name, target_x_m, target_y_m, target_z_m, distance_m, heading_deg, "
-        "pitch_deg, projection, date, at_min) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "pitch_deg, projection, date, at_min, section) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const SavedView& view : views) {
         std::optional<std::string> date;
         std::optional<int> at;
@@ -53,7 +73,8 @@ void writeSavedViews(Database& database, const std::vector<SavedView>& views) {
             at = int(view.moment->at.count());
         }
         add.run(view.name, view.targetM.x, view.targetM.y, view.targetM.z, view.distanceM, view.headingDeg,
-                view.pitchDeg, view.parallel ? parallelName : perspectiveName, date, at);
+                view.pitchDeg, view.parallel ? parallelName : perspectiveName, date, at,
+                textOf(view.section));
     }
 }
 
@@ -61,7 +82,7 @@ std::vector<SavedView> readSavedViews(Database& database) {
     std::vector<SavedView> views;
     Statement row = database.prepare(
         "SELECT id, name, target_x_m, target_y_m, target_z_m, distance_m, heading_deg, pitch_deg, "
-        "projection, date, at_min FROM saved_views ORDER BY id");
+        "projection, date, at_min, section FROM saved_views ORDER BY id");
     while (row.step()) views.push_back(viewOf(row));
     return views;
 }
