@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/stopwatch.h"
+#include "core/city/map_context.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark {
@@ -77,7 +78,7 @@ Provenance provenanceOf(const LoadedCity& loaded) {
     Provenance provenance;
     provenance.inputs = loaded.inputs;
     provenance.reading = loaded.settings;
-    provenance.attribution = loaded.read.attribution;
+    provenance.attribution = joinAttribution(loaded.read.attribution, loaded.read.city.context.get());
     return provenance;
 }
 

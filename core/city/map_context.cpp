@@ -21,4 +21,9 @@ std::optional<ContextKind> parseContextKind(std::string_view name) {
     return ContextKind(found - names.begin());
 }
 
+std::string joinAttribution(const std::string& ofCity, const MapContext* context) {
+    if (context == nullptr || !context->picture || context->picture->attribution.empty()) return ofCity;
+    return (ofCity.empty() ? std::string() : ofCity + "; ") + context->picture->attribution;
+}
+
 }  // namespace noonmark

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/city/footprints/footprint.h"
+#include "core/city/ground_raster.h"
 
 namespace noonmark {
 
@@ -52,16 +54,30 @@ struct ContextLine {
     bool operator==(const ContextLine&) const = default;
 };
 
-/// What maps and views draw on the ground for orientation: streets, paths, rails, parks, water and trees. It
+/// A picture of the ground over the rest of the context.
+struct ContextPicture {
+    std::shared_ptr<const GroundRaster> raster;  ///< never null
+    double opacity = 1;                          ///< 0 to 1
+    std::string attribution;                     ///< of the picture; empty if unknown
+    bool operator==(const ContextPicture&) const = default;
+};
+
+/// What maps and views draw on the ground for orientation: streets, paths, rails, parks, water and trees, and
+/// a picture such as an aerial photograph. It
 /// casts no shadow and nothing is measured on it.
 struct MapContext {
     std::vector<ContextArea> areas;
     std::vector<ContextLine> lines;
     std::vector<glm::vec2> trees;  ///< local metres
     std::string attribution;       ///< of the data; empty if unknown
+    std::optional<ContextPicture> picture;
 
-    [[nodiscard]] bool empty() const { return areas.empty() && lines.empty() && trees.empty(); }
+    [[nodiscard]] bool empty() const { return areas.empty() && lines.empty() && trees.empty() && !picture; }
     bool operator==(const MapContext&) const = default;
 };
+
+/// Whose data a map of the city shows: `ofCity`, and the owner of the picture on its ground. `context`: of
+/// the city; may be null.
+std::string joinAttribution(const std::string& ofCity, const MapContext* context);
 
 }  // namespace noonmark

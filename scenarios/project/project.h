@@ -22,6 +22,7 @@
 #include "core/study/elements/element_map.h"
 #include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
+#include "scenarios/project/ground_picture.h"
 #include "scenarios/project/saved_view.h"
 #include "scenarios/project/title_block.h"
 #include "scenarios/scenario.h"
@@ -97,6 +98,8 @@ struct Project {
     std::vector<SavedView> views;
     std::vector<std::shared_ptr<const SavedResult>> results;
     SheetSettings sheets;
+    /// What City::context draws of it depends on whether its file is at hand (withGroundPicture()).
+    std::optional<GroundPictureFile> groundPicture{};
     std::map<std::string, std::string> view;  ///< camera, layout, switches: the window defines the keys
 };
 

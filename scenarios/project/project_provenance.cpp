@@ -85,8 +85,11 @@ Result<std::string> hashContent(const Project& project, const MeasuredPart& part
 }
 
 Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {
-    Provenance provenance{
-        project.inputs, project.reading->settings, project.attribution, recordOf(project, onDisk, part), {}};
+    Provenance provenance{project.inputs,
+                          project.reading->settings,
+                          joinAttribution(project.attribution, project.city->context.get()),
+                          recordOf(project, onDisk, part),
+                          {}};
     provenance.region = regionTextOf(project, onDisk, *provenance.project, part.region);
     return provenance;
 }

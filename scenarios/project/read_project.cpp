@@ -219,6 +219,7 @@ Project readProject(Database& database) {
     project.views = readSavedViews(database);
     project.results = readResults(database);
     project.sheets = readSheetSettings(database);
+    project.groundPicture = parseGroundPicture(readFact(database, groundPictureKey));
     project.view = readView(database);
     const std::string buildings = readFact(database, "buildings");
     if (buildings != std::to_string(project.city->buildings.size())) throwDamaged("buildings are missing");

@@ -108,6 +108,11 @@ void writeView(Database& database, const std::map<std::string, std::string>& vie
     for (const auto& [key, value] : view) add.run(key, value);
 }
 
+void writeGroundPicture(Database& database, const std::optional<GroundPictureFile>& picture) {
+    picture ? setFact(database, groundPictureKey, formatText(*picture))
+            : removeFact(database, groundPictureKey);
+}
+
 void writeResults(Database& database, const Project* before, const Project& after) {
     const auto holds = [](const Project& project, const auto& result) {
         return std::ranges::find(project.results, result) != project.results.end();
@@ -155,6 +160,7 @@ void writeChanges(Database& database, const Project* before, const Project& afte
     if (changed(&Project::views)) writeSavedViews(database, after.views);
     if (changed(&Project::results)) writeResults(database, before, after);
     if (changed(&Project::sheets)) writeSheetSettings(database, after.sheets);
+    if (changed(&Project::groundPicture)) writeGroundPicture(database, after.groundPicture);
     if (changed(&Project::view)) writeView(database, after.view);
 }
 

@@ -5,6 +5,8 @@
 
 namespace noonmark {
 
+inline constexpr const char* groundPictureKey = "ground_picture";  ///< in the table noonmark, as JSON
+
 /// Writes the differences between `before`, which the tables hold, and `after`; without `before` it writes
 /// everything. An unchanged city (same pointer) costs nothing; otherwise the rows of the buildings that
 /// differ are written, compared index by index. Runs inside the caller's transaction; throws DatabaseTrouble.

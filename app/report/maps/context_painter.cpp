@@ -1,5 +1,6 @@
 #include "app/report/maps/context_painter.h"
 
+#include <QImage>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -113,6 +114,32 @@ void paintTrees(QPainter& painter, const MapContext& context, const QTransform& 
             painter.drawEllipse(toPainter.map(QPointF(double(tree.x), double(tree.y))), radius, radius);
 }
 
+// The part of the raster that the painter shows, in the raster's pixels.
+QRect visiblePart(const QPainter& painter, const Grid& grid, const QTransform& fromPainter) {
+    const QRect whole(0, 0, grid.columns, grid.rows);
+    if (!painter.hasClipping()) return whole;
+    const QRectF seen = fromPainter.mapRect(painter.clipBoundingRect());
+    return seen.toAlignedRect().adjusted(-1, -1, 1, 1).intersected(whole);
+}
+
+// Row 0 of the image is the southernmost, as in the grid: the transform turns it over where north is up.
+void paintPicture(QPainter& painter, const ContextPicture& picture, const QTransform& toPainter) {
+    constexpr int mostPixels = 4096;
+    const Grid& grid = picture.raster->grid;
+    const QImage whole(picture.raster->rgba.data(), grid.columns, grid.rows, grid.columns * 4,
+                       QImage::Format_RGBA8888);
+    const QTransform placed = QTransform(grid.cellM, 0, 0, grid.cellM, grid.westM, grid.southM) * toPainter;
+    const QRect part = visiblePart(painter, grid, placed.inverted());
+    if (part.isEmpty()) return;
+    QImage image = part == whole.rect() ? whole : whole.copy(part);
+    if (std::max(part.width(), part.height()) > mostPixels)
+        image = image.scaled(mostPixels, mostPixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setOpacity(picture.opacity);
+    painter.setTransform(placed, true);
+    painter.drawImage(QRectF(part), image);
+}
+
 }  // namespace
 
 void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter,
@@ -122,6 +149,7 @@ void paintContext(QPainter& painter, const MapContext& context, const QTransform
     for (const ContextKind kind : contextKinds) paintAreas(painter, context, kind, toPainter);
     for (const ContextKind kind : contextKinds) paintLines(painter, context, kind, toPainter, leastLine);
     paintTrees(painter, context, toPainter, leastLine);
+    if (context.picture) paintPicture(painter, *context.picture, toPainter);
     painter.restore();
 }
 

@@ -13,6 +13,7 @@
 #include "app/window/files/file_dialogs.h"
 #include "app/window/files/file_endings.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/photograph/photograph_actions.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/widgets/number_words.h"
@@ -148,6 +149,7 @@ void PlaceActions::takeDropped(const QStringList& files, std::optional<QPointF> 
         const auto ground = pixel ? panel_.navigator().groundAt(*pixel) : std::nullopt;
         return tools_.placeMesh(files.front(), ground ? std::optional(glm::dvec2(*ground)) : std::nullopt);
     }
+    if (workbench_.city() && isPhotograph(files)) return Q_EMIT photographDropped(files.front());
     const Dropped wanted = workbench_.city() && mayHoldPlaces(files) ? ask_() : Dropped::open;
     if (wanted == Dropped::open) opening_.open(files);
     if (wanted == Dropped::readPlaces) read(files);

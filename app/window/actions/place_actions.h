@@ -48,6 +48,9 @@ public:
 
     [[nodiscard]] JobSlot& reading() { return reading_; }
 
+Q_SIGNALS:
+    void photographDropped(QString file);  ///< on an open city
+
 private:
     void makeActions();
     void connectTree(ProjectDock& tree);

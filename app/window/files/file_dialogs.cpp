@@ -46,6 +46,21 @@ QString askForRegion(QWidget* parent) {
                                         orAllFiles(QObject::tr("Polygons"), vectorEndings()));
 }
 
+QString askForPhotograph(QWidget* parent) {
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Aerial photograph"), {},
+        orAllFiles(QObject::tr("Pictures with a position"),
+                   {QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("img")}));
+}
+
+QString askWhereToSavePhotograph(QWidget* parent) {
+    const QString file =
+        QFileDialog::getSaveFileName(parent, QObject::tr("Save the tiles as a photograph"),
+                                     QStringLiteral("photograph.tif"), QObject::tr("GeoTIFF (*.tif)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".tif");
+}
+
 QString askForWindows(QWidget* parent) {
     return QFileDialog::getOpenFileName(parent, QObject::tr("Windows from file"), {},
                                         orAllFiles(QObject::tr("Points and polygons"), vectorEndings()));

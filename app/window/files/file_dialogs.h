@@ -12,6 +12,8 @@ QStringList askForCity(QWidget* parent);  ///< city files or a project
 QString askForProject(QWidget* parent, const QString& suggested);
 QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
+QString askForPhotograph(QWidget* parent);
+QString askWhereToSavePhotograph(QWidget* parent);  ///< .tif; asks before replacing a file
 QString askForWindows(QWidget* parent);
 QString askForPoints(QWidget* parent);  ///< .csv
 QStringList askForPlaces(QWidget* parent);

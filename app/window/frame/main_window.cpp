@@ -89,6 +89,7 @@ MainWindow::MainWindow(QSettings& settings)
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
+      photograph_(workbench_, panel_->messages(), *this),
       reviews_(workbench_, review_, windowReview_, *docks_.review, tools_.context().preview, places_, *panel_,
                settings, *this),
       scenarios_(workbench_, *docks_.project, *docks_.scenarios),
@@ -127,12 +128,14 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    const WindowActions actions{opening_,        saving_,     results_,       movies_,
-                                copying_,        edits_,      scenarios_,     study_,
-                                region_,         places_,     reviews_,       camera_,
-                                presets_,        savedViews_, search_,        preferences_,
-                                help_,           tours_,      towers_,        new ThemeMenu(settings_, this),
-                                mode_.actions(), docks,       time_.actions()};
+    const WindowActions actions{opening_,        saving_,      results_,
+                                movies_,         copying_,     edits_,
+                                scenarios_,      study_,       region_,
+                                places_,         photograph_,  reviews_,
+                                camera_,         presets_,     savedViews_,
+                                search_,         preferences_, help_,
+                                tours_,          towers_,      new ThemeMenu(settings_, this),
+                                mode_.actions(), docks,        time_.actions()};
     QAction* quit = noonmark::fillMenus(*menuBar(), actions);
     makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());
@@ -172,8 +175,11 @@ void MainWindow::connectJobs() {
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
     for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing(),
-                          &places_.reading(), &movies_.writing()})
+                          &places_.reading(), &photograph_.reading(), &movies_.writing()})
         progress_->follow(*slot);
+    connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
+        photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
+    });
     connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
     connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
         const BuildingEditing& building = tools_.building();

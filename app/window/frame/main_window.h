@@ -34,6 +34,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/help/help_actions.h"
 #include "app/window/help/tour/tour_actions.h"
+#include "app/window/photograph/photograph_actions.h"
 #include "app/window/point/point_inspector.h"
 #include "app/window/preferences/preferences_actions.h"
 #include "app/window/results/result_display.h"
@@ -75,6 +76,7 @@ public:
     [[nodiscard]] ReviewSession& review() { return review_; }
     [[nodiscard]] WindowSession& windowReview() { return windowReview_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
+    [[nodiscard]] PhotographActions& photograph() { return photograph_; }
     [[nodiscard]] ResultActions& results() { return results_; }
     [[nodiscard]] CopyActions& copying() { return copying_; }
     [[nodiscard]] MovieActions& movies() { return movies_; }
@@ -143,6 +145,7 @@ private:
     StudyActions study_;
     RegionActions region_;
     PlaceActions places_;
+    PhotographActions photograph_;
     ReviewActions reviews_;
     ScenarioActions scenarios_;
     EditActions edits_;

@@ -20,6 +20,7 @@
 #include "app/window/help/help_actions.h"
 #include "app/window/help/tour/tour_actions.h"
 #include "app/window/looks/icons.h"
+#include "app/window/photograph/photograph_actions.h"
 #include "app/window/preferences/preferences_actions.h"
 #include "app/window/view/saved_views.h"
 #include "app/window/view/view_presets.h"
@@ -30,6 +31,7 @@ namespace {
 
 QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.opening.actions());
+    menu.addAction(actions.photograph.fileAction());
     menu.addSeparator();
     menu.addActions(actions.saving.actions());
     menu.addSeparator();
@@ -74,6 +76,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());
+    menu.addAction(actions.photograph.showAction());
     menu.addAction(actions.towers.storeyLines());
     menu.addAction(actions.towers.aboveDatum());
     menu.addAction(actions.places.showAction());

@@ -13,6 +13,7 @@ class EditActions;
 class HelpActions;
 class MovieActions;
 class OpeningActions;
+class PhotographActions;
 class PlaceActions;
 class RegionActions;
 class PreferencesActions;
@@ -40,6 +41,7 @@ struct WindowActions {
     const StudyActions& study;
     const RegionActions& region;
     const PlaceActions& places;
+    const PhotographActions& photograph;
     const ReviewActions& review;
     const ViewActions& view;
     const ViewPresets& presets;

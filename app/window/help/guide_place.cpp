@@ -34,6 +34,8 @@ constexpr PlaceOfPart places[] = {
     {"noonmark::SheetsDialog", "review", "sheets.pdf"},
     {"noonmark::OpenOptions", "data", ""},
     {"noonmark::LotRoadsDialog", "review", "Rules"},
+    {"noonmark::PhotographDialog", "data", "Aerial photograph"},
+    {"noonmark::TileDialog", "data", "Aerial photograph"},
     {"noonmark::PreferencesDialog", "window", "Preferences"},
 };
 

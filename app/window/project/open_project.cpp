@@ -1,6 +1,7 @@
 #include "app/window/project/open_project.h"
 
 #include "app/input/load_context.h"
+#include "app/input/load_photograph.h"
 #include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/input/project_of.h"
@@ -16,11 +17,12 @@ void goToScenario(OpenProject& opened, LoadedCity& loaded) {
     opened.view.scenario = existingCity;
 }
 
-Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened, Progress& progress) {
+Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened, Progress& progress,
+                                   const std::stop_token& stop) {
     progress.report(0.1, "reading the project");
     auto disk = ProjectFile::open(file);
     if (!disk) return tl::make_unexpected(disk.error());
-    opened.project = disk->project();
+    opened.project = withPhotographAtHand(disk->project(), opened.placeWarnings, progress, stop);
     opened.view = parseViewState(opened.project.view);
     opened.file = *std::move(disk);
     LoadedCity loaded = loadProjectCity(opened.project, file);
@@ -79,7 +81,7 @@ bool isProject(const std::vector<std::string>& files) {
 Result<OpenProject> openProject(const std::vector<std::string>& files, const ReadSettings& settings,
                                 Progress& progress, const std::stop_token& stop) {
     OpenProject opened;
-    auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress)
+    auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress, stop)
                                    : readCityFiles(files, settings, opened, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
     opened.zone = findNearestZone(loaded->read.city.frame.origin());

@@ -48,24 +48,12 @@ MapLayer::MapLayer(CityView& view, QObject* parent) : QObject(parent), view_(vie
 void MapLayer::showCity(const City& city) {
     if (city.context == context_) return;
     context_ = city.context;
+    whole_.reset();
     picture_.reset();
-    painting_.drop();
+    around_ = bounds(city);
+    around_.low -= aroundM;
+    around_.high += aroundM;
     show();
-    if (!context_) return;
-    Box2 around = bounds(city);
-    around.low -= aroundM;
-    around.high += aroundM;
-    using Made = std::shared_ptr<const GroundPicture>;
-    painting_.start<Made>(
-        tr("Painting the map"),
-        [context = context_, around](Progress&, const std::stop_token&) -> Result<Made> {
-            return std::make_shared<const GroundPicture>(paintContextPicture(*context, around));
-        },
-        [this](Result<Made> made) {
-            if (!made) return;
-            picture_ = *std::move(made);
-            show();
-        });
 }
 
 void MapLayer::setShown(bool shown) {
@@ -73,11 +61,33 @@ void MapLayer::setShown(bool shown) {
     show();
 }
 
+std::shared_ptr<const MapContext> MapLayer::wanted() const {
+    if (!context_ || shown_) return context_;
+    if (!context_->picture) return nullptr;
+    auto alone = std::make_shared<MapContext>();
+    alone->picture = context_->picture;
+    return alone;
+}
+
 void MapLayer::show() {
-    if (shown_ && picture_)
-        view_.showMap(*picture_);
-    else
-        view_.clearMap();
+    painting_.drop();
+    const auto& painted = shown_ ? whole_ : picture_;
+    painted&& wanted() ? view_.showMap(*painted) : view_.clearMap();
+    if (!painted && wanted()) paint();
+}
+
+void MapLayer::paint() {
+    using Made = std::shared_ptr<const GroundPicture>;
+    painting_.start<Made>(
+        tr("Painting the map"),
+        [context = wanted(), around = around_](Progress&, const std::stop_token&) -> Result<Made> {
+            return std::make_shared<const GroundPicture>(paintContextPicture(*context, around));
+        },
+        [this](Result<Made> made) {
+            if (!made) return;
+            (shown_ ? whole_ : picture_) = *std::move(made);
+            show();
+        });
 }
 
 }  // namespace noonmark

@@ -20,14 +20,20 @@ public:
 
     /// Paints the city's context if it is another one than before; takes it away if there is none.
     void showCity(const City& city);
+    /// Shows or hides streets, parks and water; an aerial picture stays.
     void setShown(bool shown);
 
 private:
     void show();
+    void paint();
+    /// What is drawn now: all of the context, its picture alone, or null.
+    [[nodiscard]] std::shared_ptr<const MapContext> wanted() const;
 
     CityView& view_;
     std::shared_ptr<const MapContext> context_;
-    std::shared_ptr<const GroundPicture> picture_;  ///< null until it is painted
+    Box2 around_;
+    std::shared_ptr<const GroundPicture> whole_;    ///< of all of the context; null until it is painted
+    std::shared_ptr<const GroundPicture> picture_;  ///< of its aerial picture alone
     bool shown_ = true;
     JobSlot painting_;
 };

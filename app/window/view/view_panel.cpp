@@ -16,6 +16,7 @@
 #include "app/window/view/hover_text.h"
 #include "app/window/view/view_picture.h"
 #include "app/window/view/visible_ground.h"
+#include "core/city/map_context.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -247,7 +248,9 @@ Region ViewPanel::visibleGround() const {
 
 void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
     PictureFrame frame{.title = title, .when = when, .legend = legend_->legend(), .note = legend_->note()};
-    if (city_) frame.credit = describeData(city_->loaded.read.attribution);
+    if (city_)
+        frame.credit =
+            describeData(joinAttribution(city_->loaded.read.attribution, city_->city().context.get()));
     const CameraPose pose = view_->pose();
     frame.headingDeg = pose.headingDeg;
     frame.fromAbove = pose.pitchDeg >= straightDownDeg;

@@ -16,6 +16,7 @@ namespace noonmark {
 enum class DatasetContent {
     vectors,     ///< footprints, regions, lots
     elevations,  ///< rasters of terrain
+    pictures,    ///< GeoTIFF and Erdas Imagine: aerial photographs and scanned maps
     maps,        ///< GeoTIFF only: rasters that Noonmark wrote
 };
 

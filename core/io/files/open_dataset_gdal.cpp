@@ -41,6 +41,7 @@ constexpr std::array elevationDrivers{"GTiff",
                                       "XYZ",
                                       "GPKG",
                                       static_cast<const char*>(nullptr)};
+constexpr std::array pictureDrivers{"GTiff", "HFA", static_cast<const char*>(nullptr)};
 constexpr std::array mapDrivers{"GTiff", static_cast<const char*>(nullptr)};
 
 Words driversOf(DatasetContent content) {
@@ -49,6 +50,8 @@ Words driversOf(DatasetContent content) {
             return vectorDrivers.data();
         case DatasetContent::elevations:
             return elevationDrivers.data();
+        case DatasetContent::pictures:
+            return pictureDrivers.data();
         case DatasetContent::maps:
             break;
     }
