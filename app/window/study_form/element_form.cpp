@@ -87,8 +87,8 @@ void ElementForm::makeFields() {
            "ground below the window"));
     plane_ =
         lengthFieldOf("planeHeight", 0, mostPlaneHeightM,
-                    tr("Height of the plane above the mean of the region's ground, or of the lines above "
-                       "that of the parcel's. The size of a plane's cells is that under \"How exactly\"."));
+                      tr("Height of the plane above the mean of the region's ground, or of the lines above "
+                         "that of the parcel's. The size of a plane's cells is that under \"How exactly\"."));
     proposed_ = new QCheckBox(tr("Proposed buildings only"));
     proposed_->setObjectName(QStringLiteral("proposedOnly"));
     proposed_->setToolTip(tr("The buildings that the displayed scenario builds or changes"));
