@@ -16,7 +16,7 @@
         <translation>Projizierte Schatten</translation>
     </message>
     <message>
-        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <source>Each building's shadow filled as polygons at every step: exact and fast on flat ground</source>
         <translation>Der Schatten jedes Gebäudes bei jedem Schritt als Polygon gefüllt: genau und schnell auf ebenem Boden</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>Horizontverfahren</translation>
     </message>
     <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
         <translation>Die Neigung des Horizonts jedes Messpunkts, Azimut für Azimut: ein Jahr in Augenblicken, auch auf Gelände und Dächern</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>Zielfehler</translation>
     </message>
     <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
         <translation>Mittlerer Fehler des Gesamtschattens einer Zelle, vom Zeitraum: die Azimutklassen sind so breit, wie er zulässt; der halbe Fehler dauert doppelt so lange</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>Quellen mit Strahlen</translation>
     </message>
     <message>
-        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <source>Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster</source>
         <translation>Embree findet die Schattenwerfer an den Intervallenden; sonst gefüllte Polygone, was schneller ist</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board's rule.</source>
         <translation>Was die Untersuchung beantwortet: Minuten im Schatten, die Änderung durch ein Szenario, eine Bewertung erwünschten und unerwünschten Schattens oder die Befunde nach der Regel einer Behörde.</translation>
     </message>
     <message>
@@ -511,6 +511,58 @@
     <message>
         <source>largest %1</source>
         <translation>größte %1</translation>
+    </message>
+    <message>
+        <source>Verdicts on windows</source>
+        <translation>Urteile über Fenster</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>Change of verdicts</source>
+        <translation>Änderung der Urteile</translation>
+    </message>
+    <message>
+        <source>from before to after</source>
+        <translation>von vorher zu nachher</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>grenzwertig</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>schlechter</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>besser</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>unverändert</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
     </message>
 </context>
 <context>
@@ -1284,7 +1336,7 @@ mit %2</translation>
         <translation> M Strahlen/s</translation>
     </message>
     <message>
-        <source>%1 occlusion rays divided by the engine&apos;s time</source>
+        <source>%1 occlusion rays divided by the engine's time</source>
         <translation>%1 Schattenstrahlen durch die Zeit des Verfahrens</translation>
     </message>
     <message>
@@ -1332,7 +1384,7 @@ mit %2</translation>
         <translation>%1 m² Schatten, Bewertung %2</translation>
     </message>
     <message>
-        <source>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</source>
+        <source>Shadow area over %1 sunlit minutes, and the month's contribution to the score</source>
         <translation>Schattenfläche in %1 besonnten Minuten und der Beitrag des Monats zur Bewertung</translation>
     </message>
     <message>
@@ -1348,7 +1400,7 @@ mit %2</translation>
         <translation>Schattenbewertung</translation>
     </message>
     <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <source>Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
         <translation>Summe über die Intervalle aus Gewicht × Anteil der besonnten Zeit im Schatten × Zellfläche. Über 0 überwiegt der erwünschte Schatten den unerwünschten</translation>
     </message>
     <message>
@@ -1640,7 +1692,7 @@ Zellen von %2 m</translation>
         <translation>Wie viele Minuten jede Stelle an einem mittleren Tag des Zeitraums im Schatten liegt, und die längste Zeit ohne Unterbrechung</translation>
     </message>
     <message>
-        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under "compare with"</source>
         <translation>Minuten Schatten, die das Szenario hinzufügt oder wegnimmt, gegen die Stadt unter „verglichen mit“</translation>
     </message>
     <message>
@@ -1648,7 +1700,7 @@ Zellen von %2 m</translation>
         <translation>Schatten nach Stunde und Monat gewichtet: im Sommer erwünscht, im Winter unerwünscht. Die Gewichte stehen im Feld Gewichte</translation>
     </message>
     <message>
-        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
+        <source>Pass or fail of parks and other places by a board's rule. Choose it in the panel Review</source>
         <translation>Parks und andere Orte nach der Regel einer Behörde: erfüllt oder nicht. Die Regel steht im Feld Prüfung</translation>
     </message>
     <message>
@@ -1782,7 +1834,7 @@ Vorgabe: %2</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
+        <source>Unit of the mesh's coordinates, which the file does not state</source>
         <translation>Einheit der Koordinaten des Modells, die in der Datei fehlt</translation>
     </message>
     <message>
@@ -1880,10 +1932,6 @@ Vorgabe: %2</translation>
     <message>
         <source>Views</source>
         <translation>Ansichten</translation>
-    </message>
-    <message>
-        <source>Camera, projection and moment, saved with Ctrl+Shift+V</source>
-        <translation>Kamera, Projektion und Zeitpunkt, gespeichert mit Strg+Umschalt+V</translation>
     </message>
     <message>
         <source>%1
@@ -1994,10 +2042,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>%1 Punkte, %2 Sonnenstände.</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>on facades</source>
         <translation>an Fassaden</translation>
     </message>
@@ -2028,6 +2072,102 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>To fit this lot: %1.</source>
         <translation>Damit er auf dieses Grundstück passt: %1.</translation>
+    </message>
+    <message>
+        <source>Aerial photograph</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>Pictures with a position</source>
+        <translation>Bilder mit Lage</translation>
+    </message>
+    <message>
+        <source>Save the tiles as a photograph</source>
+        <translation>Kacheln als Luftbild speichern</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif)</source>
+        <translation>GeoTIFF (*.tif)</translation>
+    </message>
+    <message>
+        <source>Points from file</source>
+        <translation>Punkte aus Datei</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Punkttabellen</translation>
+    </message>
+    <message>
+        <source>the tower is not twisted</source>
+        <translation>der Turm ist nicht in sich gedreht</translation>
+    </message>
+    <message>
+        <source>Use not stated</source>
+        <translation>Nutzung nicht angegeben</translation>
+    </message>
+    <message>
+        <source>From, above datum</source>
+        <translation>Ab, über Bezugsniveau</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Ab Höhe</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>Rücksprung</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehung</translation>
+    </message>
+    <message>
+        <source>Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %</source>
+        <translation>Verjüngung: um wie viel schmaler der Baukörper oben ist als unten, 0 bis 95 %</translation>
+    </message>
+    <message>
+        <source>Twist: clockwise turn from the bottom of the volume to its top, in proportion to the height; it must stay on the lot</source>
+        <translation>Verdrehung: von unten nach oben im Uhrzeigersinn, proportional zur Höhe; der Baukörper muss auf dem Grundstück bleiben</translation>
+    </message>
+    <message>
+        <source>%1, section box</source>
+        <translation>%1, Schnittbox</translation>
+    </message>
+    <message>
+        <source>Camera, projection, section box and moment, saved with Ctrl+Shift+V</source>
+        <translation>Kamera, Projektion, Schnittbox und Zeitpunkt, gespeichert mit Strg+Umschalt+V</translation>
+    </message>
+    <message>
+        <source>%1, floor %2   before: %3, after: %4</source>
+        <translation>%1, Geschoss %2   vorher: %3, nachher: %4</translation>
+    </message>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>auf Linien um ein Flurstück</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>an einzelnen Punkten</translation>
+    </message>
+    <message>
+        <source>%1, top %2</source>
+        <translation>%1, Oberkante %2</translation>
+    </message>
+    <message>
+        <source>%1 above datum</source>
+        <translation>%1 über Bezugsniveau</translation>
+    </message>
+    <message>
+        <source>%1 above ground</source>
+        <translation>%1 über Gelände</translation>
     </message>
 </context>
 <context>
@@ -2175,14 +2315,6 @@ Alle Seiten %2, Fläche %3</translation>
 <context>
     <name>noonmark::AccuracySection</name>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells</source>
-        <translation>Seite einer Zelle auf dem Boden, Meter, 0,25 bis 10. Halbe Größe: viermal so viele Zellen</translation>
-    </message>
-    <message>
         <source>As in the paper</source>
         <translation>Wie im Artikel</translation>
     </message>
@@ -2211,6 +2343,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>accuracy</source>
         <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Side of a cell on the ground. Half the size: four times the cells</source>
+        <translation>Seite einer Zelle auf dem Boden. Halb so groß: viermal so viele Zellen</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +2543,18 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>No live shadow. %1</source>
         <translation>Kein mitlaufender Schatten. %1</translation>
     </message>
+    <message>
+        <source>No live facades. %1</source>
+        <translation>Keine Live-Fassaden. %1</translation>
+    </message>
+    <message>
+        <source>Facades: %1 points while it moves</source>
+        <translation>Fassaden: %1 Punkte während der Bewegung</translation>
+    </message>
+    <message>
+        <source>Facades: %1 points</source>
+        <translation>Fassaden: %1 Punkte</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::EditTools</name>
@@ -2451,7 +2599,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Das ausgewählte Gebäude über den Boden ziehen</translation>
     </message>
     <message>
-        <source>Creates a lot from the selected building&apos;s outline</source>
+        <source>Creates a lot from the selected building's outline</source>
         <translation>Legt aus dem Umriss des ausgewählten Gebäudes ein Grundstück an</translation>
     </message>
     <message>
@@ -2467,7 +2615,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Das Gebäude über den Boden ziehen. Esc beendet das Werkzeug.</translation>
     </message>
     <message>
-        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <source>Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
         <translation>Die Ecken des Grundstücks anklicken. Umschalt: rechtwinklig zur letzten Seite. Doppelklick oder Eingabe beendet.</translation>
     </message>
     <message>
@@ -2477,6 +2625,18 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
         <translation>Ziehen Sie den Pfeil oder tippen Sie eine Höhe. Umschalttaste: nicht auf Geschosse einrasten. Eingabetaste baut, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve facades</source>
+        <translation>Live-&amp;Fassaden</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Shows the sunlight of a building's facades while it is designed or changed</source>
+        <translation>Zeigt die Besonnung der Fassaden eines Gebäudes, während es entworfen oder geändert wird</translation>
     </message>
 </context>
 <context>
@@ -2500,14 +2660,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>above the ground</source>
         <translation>über dem Gelände</translation>
-    </message>
-    <message>
-        <source>Heights of the file: elevations as those of the city, or metres above the ground below the window</source>
-        <translation>Höhen der Datei: Höhenlagen wie die der Stadt oder Meter über dem Gelände unter dem Fenster</translation>
-    </message>
-    <message>
-        <source>Height of the plane above the mean of the region&apos;s ground. The size of its cells is that under &quot;How exactly&quot;.</source>
-        <translation>Höhe der Ebene über dem mittleren Gelände des Gebiets. Die Größe ihrer Zellen ist die unter „Wie genau“.</translation>
     </message>
     <message>
         <source>all of the region</source>
@@ -2609,6 +2761,22 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
         <translation>Namen oder Kennungen von Gebäuden, durch Kommas getrennt. Leer: alle Gebäude</translation>
     </message>
+    <message>
+        <source>Heights of the file, in metres: elevations as those of the city, or above the ground below the window</source>
+        <translation>Höhen der Datei in Metern: Geländehöhen wie die der Stadt, oder über dem Boden unter dem Fenster</translation>
+    </message>
+    <message>
+        <source>Height of the plane above the mean of the region's ground, or of the lines above that of the parcel's. The size of a plane's cells is that under "How exactly".</source>
+        <translation>Höhe der Ebene über dem mittleren Boden des Gebiets, oder der Linien über dem des Flurstücks. Die Zellengröße einer Ebene steht unter „Wie genau“.</translation>
+    </message>
+    <message>
+        <source>Proposed buildings only</source>
+        <translation>Nur geplante Gebäude</translation>
+    </message>
+    <message>
+        <source>The buildings that the displayed scenario builds or changes</source>
+        <translation>Die Gebäude, die das angezeigte Szenario errichtet oder ändert</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ElementModel</name>
@@ -2647,6 +2815,17 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Continuous, min</source>
         <translation>Ununterbrochen, min</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementPicking</name>
+    <message>
+        <source>Click walls in the view to choose their faces.</source>
+        <translation>Klicken Sie in der Ansicht auf Wände, um ihre Flächen zu wählen.</translation>
+    </message>
+    <message>
+        <source>Click the ground, roofs or walls in the view to add points.</source>
+        <translation>Klicken Sie in der Ansicht auf Boden, Dächer oder Wände, um Punkte hinzuzufügen.</translation>
     </message>
 </context>
 <context>
@@ -2804,6 +2983,105 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Height: %1  (Enter)</source>
         <translation>Höhe: %1  (Eingabetaste)</translation>
     </message>
+    <message>
+        <source>Top above datum: %1  (Enter)</source>
+        <translation>Oberkante über Bezugsniveau: %1  (Eingabe)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FaceForm</name>
+    <message>
+        <source>all faces</source>
+        <translation>alle Flächen</translation>
+    </message>
+    <message>
+        <source>Single faces of buildings, with commas between them, by the beginning of their points' ids: way 12 wall 3. Empty: all faces</source>
+        <translation>Einzelne Flächen von Gebäuden, durch Kommas getrennt, nach dem Anfang der Kennungen ihrer Punkte: way 12 wall 3. Leer: alle Flächen</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Click walls in the view: each click adds a face or removes it. Press again to end</source>
+        <translation>Auf Wände in der Ansicht klicken: Jeder Klick fügt eine Fläche hinzu oder entfernt sie. Zum Beenden erneut drücken</translation>
+    </message>
+    <message>
+        <source>any direction</source>
+        <translation>jede Richtung</translation>
+    </message>
+    <message>
+        <source>north ± 45°</source>
+        <translation>Nord ± 45°</translation>
+    </message>
+    <message>
+        <source>east ± 45°</source>
+        <translation>Ost ± 45°</translation>
+    </message>
+    <message>
+        <source>south ± 45°</source>
+        <translation>Süd ± 45°</translation>
+    </message>
+    <message>
+        <source>west ± 45°</source>
+        <translation>West ± 45°</translation>
+    </message>
+    <message>
+        <source>other azimuths</source>
+        <translation>andere Azimute</translation>
+    </message>
+    <message>
+        <source>Only faces, or windows, that face this direction from true north</source>
+        <translation>Nur Flächen oder Fenster, die in diese Richtung weisen, von geografisch Nord aus</translation>
+    </message>
+    <message>
+        <source>The first azimuth, clockwise from true north</source>
+        <translation>Der erste Azimut, im Uhrzeigersinn von geografisch Nord</translation>
+    </message>
+    <message>
+        <source>The last azimuth, clockwise from true north</source>
+        <translation>Der letzte Azimut, im Uhrzeigersinn von geografisch Nord</translation>
+    </message>
+    <message>
+        <source>Only points from which a level line straight out from the wall meets this place, as the windows along a park</source>
+        <translation>Nur Punkte, von denen eine waagerechte Linie senkrecht zur Wand diesen Ort trifft, wie Fenster entlang eines Parks</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>How far away the place may be</source>
+        <translation>Wie weit der Ort entfernt sein darf</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Looking at</source>
+        <translation>Blick auf</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>faced place</source>
+        <translation>gegenüberliegender Ort</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>beliebig</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::FieldHelp</name>
@@ -2858,7 +3136,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Über Noonmark</translation>
     </message>
     <message>
-        <source>&amp;What&apos;s this?</source>
+        <source>&amp;What's this?</source>
         <translation>&amp;Was ist das?</translation>
     </message>
     <message>
@@ -2896,6 +3174,60 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LineForm</name>
+    <message>
+        <source>Parcel</source>
+        <translation>Flurstück</translation>
+    </message>
+    <message>
+        <source>Lines, m</source>
+        <translation>Linien, m</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>lot or file</source>
+        <translation>Grundstück oder Datei</translation>
+    </message>
+    <message>
+        <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
+        <translation>Das Flurstück, um das die Linien verlaufen: ein Baugrundstück, Gebiet oder Ort des Projekts mit Namen, oder der Pfad einer Polygondatei</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the parcel in metres, with commas: 5, 10</source>
+        <translation>Abstände der Linien vom Flurstück in Metern, mit Kommas: 5, 10</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Distance from point to point on a line</source>
+        <translation>Abstand von Punkt zu Punkt auf einer Linie</translation>
+    </message>
+    <message>
+        <source>parcel</source>
+        <translation>Flurstück</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LiveFacades</name>
+    <message>
+        <source>Live facades</source>
+        <translation>Live-Fassaden</translation>
     </message>
 </context>
 <context>
@@ -2948,7 +3280,7 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Straßen an %1</translation>
     </message>
     <message>
-        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel's line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
         <translation>Wie breit sind Straßen, Wasser oder Gleise auf jeder Seite? Regeln über Parzellen, wie in Japan, rücken die Parzellengrenze an ihnen nach außen. Eine Seite gilt für die äußersten Kanten, die bis auf 45 Grad zu ihr zeigen.</translation>
     </message>
 </context>
@@ -3005,7 +3337,7 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Von einem Geschoss bis 2000 m; oder am Pfeil des Turms ziehen oder eine Zahl über der Ansicht tippen</translation>
     </message>
     <message>
-        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
+        <source>Rotation clockwise about the tower's middle; it must stay on the lot</source>
         <translation>Drehung im Uhrzeigersinn um die Mitte des Turms; er muss auf dem Grundstück bleiben</translation>
     </message>
     <message>
@@ -3025,16 +3357,24 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Geschosshöhe</translation>
     </message>
     <message>
-        <source>Total height</source>
-        <translation>Gesamthöhe</translation>
-    </message>
-    <message>
         <source>Floor plate</source>
         <translation>Geschossplatte</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Taper, twist</source>
+        <translation>Verjüngung, Verdrehung</translation>
+    </message>
+    <message>
+        <source>Top above datum</source>
+        <translation>Oberkante über Bezugsniveau</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>Höhe über Gelände</translation>
     </message>
 </context>
 <context>
@@ -3052,7 +3392,7 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Name</translation>
     </message>
     <message>
-        <source>The project&apos;s lots</source>
+        <source>The project's lots</source>
         <translation>Die Grundstücke des Projekts</translation>
     </message>
     <message>
@@ -3100,6 +3440,14 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
     <message>
         <source>Sets the tower that is selected or being designed on this lot too, with its storeys, plate areas and setbacks, turned as the lot is</source>
         <translation>Setzt den gewählten oder gerade entworfenen Turm auch auf dieses Grundstück, mit seinen Geschossen, Geschossflächen und Rücksprüngen, gedreht wie das Grundstück</translation>
+    </message>
+    <message>
+        <source>Sunlight of its facades</source>
+        <translation>Besonnung der Fassaden</translation>
+    </message>
+    <message>
+        <source>Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study's form.</source>
+        <translation>Zeigt die Schattenstunden an den Fassaden des Turms, grob, während er sich ändert. Klicken Sie in der Ansicht auf andere Gebäude, um auch deren Fassaden zu sehen. Achsen und Geschosse sind die des Studienformulars.</translation>
     </message>
 </context>
 <context>
@@ -3429,7 +3777,7 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <translation>Anzahl der Tage, 1 bis 3660</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
+        <source>Wall-clock time at which each day's window begins, hours:minutes</source>
         <translation>Uhrzeit, zu der jeder Tag beginnt, Stunden:Minuten</translation>
     </message>
     <message>
@@ -3459,14 +3807,120 @@ Beim Öffnen einer Datei die der nächsten Stadt: nahe Grenzen prüfen.</transla
         <translation>Das Fenster endet so viele Stunden vor Sonnenuntergang</translation>
     </message>
     <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun's centre</source>
         <translation>Welcher Zeitpunkt als Sonnenauf- und -untergang gilt: die Höhe der Sonnenmitte</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
-Off: the sun&apos;s geometric position, as some rules require</source>
+Off: the sun's geometric position, as some rules require</source>
         <translation>Ein: die Luft hebt die Sonne nahe dem Horizont ein wenig (Refraktion).
 Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographActions</name>
+    <message>
+        <source>Aer&amp;ial photograph...</source>
+        <translation>Luf&amp;tbild ...</translation>
+    </message>
+    <message>
+        <source>An orthophoto or a scanned map with its position, drawn on the ground of the view, on maps and on sheets</source>
+        <translation>Ein Orthofoto oder eine gescannte Karte mit ihrer Lage, gezeichnet auf dem Boden der Ansicht, auf Karten und Blättern</translation>
+    </message>
+    <message>
+        <source>Aerial photo&amp;graph</source>
+        <translation>Luftb&amp;ild</translation>
+    </message>
+    <message>
+        <source>Shows or hides the aerial photograph</source>
+        <translation>Zeigt oder verbirgt das Luftbild</translation>
+    </message>
+    <message>
+        <source>%1 of %2 tiles are missing and stay empty</source>
+        <translation>%1 von %2 Kacheln fehlen und bleiben leer</translation>
+    </message>
+    <message>
+        <source>Reading the photograph</source>
+        <translation>Luftbild wird gelesen</translation>
+    </message>
+    <message>
+        <source>aerial photograph</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>remove aerial photograph</source>
+        <translation>Luftbild entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographDialog</name>
+    <message>
+        <source>Draw it</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Aerial photograph</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>(c) owner of the photograph, year</source>
+        <translation>(c) Eigentümer des Bildes, Jahr</translation>
+    </message>
+    <message>
+        <source>Whose photograph it is; printed on maps, sheets and pictures that show it</source>
+        <translation>Wem das Bild gehört; gedruckt auf Karten, Blättern und Bildern, die es zeigen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much it covers streets, parks and water below it</source>
+        <translation>Wie stark es Straßen, Parks und Wasser darunter überdeckt</translation>
+    </message>
+    <message>
+        <source>On the ground of the view, on maps and on sheets</source>
+        <translation>Auf dem Boden der Ansicht, auf Karten und Blättern</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Quellenangabe</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Choose file...</source>
+        <translation>Datei wählen ...</translation>
+    </message>
+    <message>
+        <source>A GeoTIFF or Erdas Imagine file with its position, of 8 bits per colour</source>
+        <translation>Ein GeoTIFF oder eine Erdas-Imagine-Datei mit Lage, 8 Bit je Farbe</translation>
+    </message>
+    <message>
+        <source>From tiles...</source>
+        <translation>Aus Kacheln ...</translation>
+    </message>
+    <message>
+        <source>Fetches tiles of the web's map scheme from an address that you state</source>
+        <translation>Holt Kacheln des Web-Kartenschemas von einer Adresse, die Sie angeben</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the photograph out of the project; its file stays</source>
+        <translation>Nimmt das Luftbild aus dem Projekt; seine Datei bleibt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
     </message>
 </context>
 <context>
@@ -3492,7 +3946,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Ecken auf dem Boden anklicken; Eingabe beendet, Esc bricht ab</translation>
     </message>
     <message>
-        <source>Creates a place from the selected building&apos;s outline</source>
+        <source>Creates a place from the selected building's outline</source>
         <translation>Legt aus dem Umriss des ausgewählten Gebäudes einen Ort an</translation>
     </message>
     <message>
@@ -3551,7 +4005,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Vorauswahl</translation>
     </message>
     <message>
-        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
+        <source>Tick the places that the proposal's shadow can reach at all</source>
         <translation>Die Orte ankreuzen, die der Schatten des Entwurfs überhaupt erreichen kann</translation>
     </message>
     <message>
@@ -3563,7 +4017,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>%1 von %2 Orten angekreuzt</translation>
     </message>
     <message>
-        <source>%1 of %2 places can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 places can be reached; the others' tooltips say why not</source>
         <translation>%1 von %2 Orten sind erreichbar; bei den anderen steht im Hinweis, warum nicht</translation>
     </message>
 </context>
@@ -3614,8 +4068,20 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation> (und %1 weitere)</translation>
     </message>
     <message>
-        <source>%1, %2 high. Another click moves it.</source>
-        <translation>%1, %2 hoch. Ein weiterer Klick verschiebt es.</translation>
+        <source>Floor to floor, 2 to 10 m, for lines at its floors; 0: not known</source>
+        <translation>Geschosshöhe, 2 bis 10 m, für Linien an den Decken; 0: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>Geschosshöhe</translation>
+    </message>
+    <message>
+        <source>%1, top %2. Another click moves it.</source>
+        <translation>%1, Oberkante %2. Ein weiterer Klick versetzt es.</translation>
     </message>
 </context>
 <context>
@@ -3633,8 +4099,12 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Fläche</translation>
     </message>
     <message>
-        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
+        <source>A smaller plate keeps the lot's shape, inset from all sides</source>
         <translation>Eine kleinere Platte behält die Form des Grundstücks, auf allen Seiten eingerückt</translation>
+    </message>
+    <message>
+        <source> sq ft</source>
+        <translation> sq ft</translation>
     </message>
 </context>
 <context>
@@ -3666,16 +4136,16 @@ Vertikaler Himmelslichtanteil: %1 %</translation>
         <translation>Den Boden, ein Dach oder eine Wand rechts anklicken und „Sonne und Himmel hier“ wählen.</translation>
     </message>
     <message>
-        <source>Before
-%1
+        <source>Before: %1
+%2
 
-Scenario
-%2</source>
-        <translation>Vorher
-%1
+After: %3
+%4</source>
+        <translation>Vorher: %1
+%2
 
-Szenario
-%2</translation>
+Nachher: %3
+%4</translation>
     </message>
 </context>
 <context>
@@ -3683,6 +4153,88 @@ Szenario
     <message>
         <source>Point</source>
         <translation>Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointListForm</name>
+    <message>
+        <source>Click points</source>
+        <translation>Punkte anklicken</translation>
+    </message>
+    <message>
+        <source>Click the ground, roofs or walls in the view: each click adds a point. Press again to end</source>
+        <translation>Auf Boden, Dächer oder Wände in der Ansicht klicken: Jeder Klick fügt einen Punkt hinzu. Zum Beenden erneut drücken</translation>
+    </message>
+    <message>
+        <source>Read CSV...</source>
+        <translation>CSV lesen...</translation>
+    </message>
+    <message>
+        <source>Replaces the list by a CSV file with columns id, lon, lat, height, facing</source>
+        <translation>Ersetzt die Liste durch eine CSV-Datei mit den Spalten id, lon, lat, height, facing</translation>
+    </message>
+    <message>
+        <source>One point a line: id, longitude, latitude (degrees), metres above the ground, azimuth that a wall faces. Without a height the point is on the ground or roof, without an azimuth it is level</source>
+        <translation>Ein Punkt je Zeile: Kennung, Länge, Breite (Grad), Meter über dem Boden, Azimut der Wand. Ohne Höhe liegt der Punkt auf Boden oder Dach, ohne Azimut ist er waagerecht</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointScenarios</name>
+    <message>
+        <source>The scenario before: what the other one is compared with</source>
+        <translation>Das Szenario vorher: womit das andere verglichen wird</translation>
+    </message>
+    <message>
+        <source>The scenario whose sun at the point is compared</source>
+        <translation>Das Szenario, dessen Sonne am Punkt verglichen wird</translation>
+    </message>
+    <message>
+        <source>The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
+        <translation>Sonne und Himmel des Punkts in jedem Szenario des Projekts. Kopieren (Strg+C) übernimmt die Tabelle</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Day, min</source>
+        <translation>Tag, min</translation>
+    </message>
+    <message>
+        <source>Year, h</source>
+        <translation>Jahr, h</translation>
+    </message>
+    <message>
+        <source>Change, h</source>
+        <translation>Änderung, h</translation>
+    </message>
+    <message>
+        <source>Sky view</source>
+        <translation>Himmelssicht</translation>
+    </message>
+    <message>
+        <source>VSC, %</source>
+        <translation>VSC, %</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>the baseline</source>
+        <translation>die Ausgangslage</translation>
+    </message>
+    <message>
+        <source>the displayed scenario</source>
+        <translation>das angezeigte Szenario</translation>
     </message>
 </context>
 <context>
@@ -3881,11 +4433,11 @@ Szenario
         <translation>&amp;Neues Szenario</translation>
     </message>
     <message>
-        <source>&amp;Save the study&apos;s region</source>
+        <source>&amp;Save the study's region</source>
         <translation>Untersuchungsgebiet &amp;speichern</translation>
     </message>
     <message>
-        <source>&amp;Save the study&apos;s period</source>
+        <source>&amp;Save the study's period</source>
         <translation>Untersuchungszeitraum &amp;speichern</translation>
     </message>
     <message>
@@ -3997,7 +4549,7 @@ Szenario
         <translation>die höchste</translation>
     </message>
     <message>
-        <source>if neighbours&apos; ground heights differ</source>
+        <source>if neighbours' ground heights differ</source>
         <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
     </message>
     <message>
@@ -4077,10 +4629,6 @@ Szenario
         <translation>Gelände aus Gebäudefüßen</translation>
     </message>
     <message>
-        <source>Meshes (OBJ, PLY, glTF)</source>
-        <translation>3D-Modelle (OBJ, PLY, glTF)</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>Achse nach oben</translation>
     </message>
@@ -4111,7 +4659,7 @@ As in the file: metres, unless the value or the field states otherwise.</source>
 Wie in der Datei: Meter, wenn Wert oder Feld nichts anderes sagen.</translation>
     </message>
     <message>
-        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
+        <source>If no terrain is read: derive it from the buildings' ground elevations.
 Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
         <translation>Wenn kein Gelände gelesen wird: aus den Bodenhöhen der Gebäude ableiten.
 Vorgabe: wenn mehr als eines von zwanzig Nachbarpaaren um mehr als 1 m abweicht.</translation>
@@ -4147,26 +4695,30 @@ Leer: den höchsten vorhandenen.</translation>
         <translation>Objekte weiter von der Mitte der Daten werden mit Hinweis ausgelassen; Meter, 100 bis 200000</translation>
     </message>
     <message>
-        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
+        <source>Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360</source>
         <translation>Richtung der Nordachse des Modells, Grad im Uhrzeigersinn von geografisch Nord, -360 bis 360</translation>
     </message>
     <message>
-        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
+        <source>Geographic location of the mesh's origin. Required for a mesh opened alone.
 Off: at the origin of the city from the other files.</source>
         <translation>Geografische Lage des Modellursprungs. Nötig, wenn ein Modell allein geöffnet wird.
 Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     </message>
     <message>
-        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
+        <source>Longitude of the mesh's origin, degrees, east positive, -180 to 180</source>
         <translation>Länge des Modellursprungs, Grad, Ost positiv, -180 bis 180</translation>
     </message>
     <message>
-        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
+        <source>Latitude of the mesh's origin, degrees, north positive, -90 to 90</source>
         <translation>Breite des Modellursprungs, Grad, Nord positiv, -90 bis 90</translation>
     </message>
     <message>
-        <source>Places the mesh&apos;s origin at the middle of the open city</source>
+        <source>Places the mesh's origin at the middle of the open city</source>
         <translation>Setzt den Ursprung des Modells in die Mitte der offenen Stadt</translation>
+    </message>
+    <message>
+        <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
+        <translation>Netze (OBJ, PLY, glTF, IFC, DXF)</translation>
     </message>
 </context>
 <context>
@@ -4599,10 +5151,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Ctrl+Shift+V</translation>
     </message>
     <message>
-        <source>Camera, projection, and date and time if a moment is shown, under a name in the project</source>
-        <translation>Kamera, Projektion und, wenn ein Zeitpunkt gezeigt wird, Datum und Uhrzeit, unter einem Namen im Projekt</translation>
-    </message>
-    <message>
         <source>No view is saved yet</source>
         <translation>Noch keine Ansicht gespeichert</translation>
     </message>
@@ -4615,8 +5163,12 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Ansicht %1 speichern</translation>
     </message>
     <message>
-        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
+        <source>Saved as '%1' in the project. F2 in the project's list renames it.</source>
         <translation>Im Projekt als „%1“ gespeichert. F2 in der Projektliste benennt sie um.</translation>
+    </message>
+    <message>
+        <source>Camera, projection, section box, and date and time if a moment is shown, under a name in the project</source>
+        <translation>Kamera, Projektion, Schnittbox und, wenn ein Zeitpunkt gezeigt wird, Datum und Uhrzeit unter einem Namen im Projekt</translation>
     </message>
 </context>
 <context>
@@ -4789,7 +5341,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Ein Gebäude nach Name oder Id, eine Straße, ein Ort, ein Grundstück oder eine Position</translation>
     </message>
     <message>
-        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
+        <source>Nothing is called "%1". Buildings without a name are found by their id.</source>
         <translation>Nichts heißt „%1“. Gebäude ohne Namen findet man an ihrer Id.</translation>
     </message>
 </context>
@@ -4874,10 +5426,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>3D-Modell einfügen ...</translation>
     </message>
     <message>
-        <source>Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground</source>
-        <translation>Fügt ein Gebäude aus OBJ, PLY, glTF oder CityJSON ein, durch einen Klick auf den Boden gesetzt</translation>
-    </message>
-    <message>
         <source>Demolish</source>
         <translation>Abreißen</translation>
     </message>
@@ -4910,20 +5458,12 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Das Gebäude über den Boden ziehen; Esc beendet das Werkzeug</translation>
     </message>
     <message>
-        <source>Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply</source>
-        <translation>Über dem Boden, 0,1 bis 2000 m; oder am Pfeil des Gebäudes ziehen. Eingabe übernimmt</translation>
-    </message>
-    <message>
         <source>Clockwise about its middle. Press Enter to apply</source>
         <translation>Im Uhrzeigersinn um seine Mitte. Eingabe übernimmt</translation>
     </message>
     <message>
         <source>Negative: west, south. Press Enter to apply</source>
         <translation>Negativ: nach Westen, Süden. Eingabe übernimmt</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
     </message>
     <message>
         <source>Move east</source>
@@ -4969,6 +5509,22 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Click a building in the view to select it.</source>
         <translation>Ein Gebäude in der Ansicht anklicken, um es auszuwählen.</translation>
     </message>
+    <message>
+        <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
+        <translation>Fügt ein Gebäude aus OBJ, PLY, glTF, IFC, DXF oder CityJSON hinzu, platziert durch einen Klick auf den Boden</translation>
+    </message>
+    <message>
+        <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
+        <translation>0,1 bis 2000 m über Gelände; Ansicht &gt; Höhen über Bezugsniveau zeigt sie als absolute Höhe. Oder den Pfeil am Gebäude ziehen. Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Top above datum</source>
+        <translation>Oberkante über Bezugsniveau</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>Höhe über Gelände</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SetbackTable</name>
@@ -4977,20 +5533,20 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>From height</source>
-        <translation>Ab Höhe</translation>
-    </message>
-    <message>
-        <source>Inset</source>
-        <translation>Rücksprung</translation>
-    </message>
-    <message>
-        <source>Above each height the walls are set back by the inset, from bottom to top</source>
-        <translation>Über jeder Höhe springen die Wände um den Wert zurück, von unten nach oben</translation>
-    </message>
-    <message>
         <source>Add setback</source>
         <translation>Rücksprung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Above each height the walls are set back by the inset, from bottom to top; taper and twist are those of the volume above it</source>
+        <translation>Über jeder Höhe springen die Wände um den Rücksprung zurück, von unten nach oben; Verjüngung und Verdrehung gelten für den Baukörper darüber</translation>
+    </message>
+    <message>
+        <source>Height from which the walls are set back</source>
+        <translation>Höhe, ab der die Wände zurückspringen</translation>
+    </message>
+    <message>
+        <source>How far every wall is set back, from the top of the volume below</source>
+        <translation>Wie weit jede Wand zurückspringt, von der Oberkante des Baukörpers darunter</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5943,52 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
+    <name>noonmark::TileDialog</name>
+    <message>
+        <source>Aerial photograph from tiles</source>
+        <translation>Luftbild aus Kacheln</translation>
+    </message>
+    <message>
+        <source>Address of the tiles, with {z} for the zoom, {x} and {y} for the tile</source>
+        <translation>Adresse der Kacheln, mit {z} für die Zoomstufe, {x} und {y} für die Kachel</translation>
+    </message>
+    <message>
+        <source>Whose tiles they are, as their owner asks for; printed wherever they are drawn</source>
+        <translation>Wem die Kacheln gehören, wie es ihr Eigentümer verlangt; gedruckt, wo immer sie gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Nothing is fetched before the button is pressed. Tiles of zoom %1: %2. Ask their owner whether you may store and print them.</source>
+        <translation>Vor dem Knopfdruck wird nichts geholt. Kacheln der Zoomstufe %1: %2. Fragen Sie ihren Eigentümer, ob Sie sie speichern und drucken dürfen.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Quellenangabe</translation>
+    </message>
+    <message>
+        <source>Fetch tiles</source>
+        <translation>Kacheln holen</translation>
+    </message>
+    <message>
+        <source>Fetches the tiles over the city from this address</source>
+        <translation>Holt die Kacheln über der Stadt von dieser Adresse</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TileFetch</name>
+    <message>
+        <source>%1 is no picture of a tile</source>
+        <translation>%1 ist kein Bild einer Kachel</translation>
+    </message>
+    <message>
+        <source>The server has no tile of this place</source>
+        <translation>Der Server hat keine Kachel dieses Ortes</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TimeDisplay</name>
     <message>
         <source>&amp;Play the sun</source>
@@ -5562,10 +6164,107 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::TowerDisplay</name>
+    <message>
+        <source>Store&amp;y lines</source>
+        <translation>Geschoss&amp;linien</translation>
+    </message>
+    <message>
+        <source>Lines at the floors of proposed towers, and of imported buildings whose storey height is known</source>
+        <translation>Linien an den Geschossdecken geplanter Türme und importierter Gebäude mit bekannter Geschosshöhe</translation>
+    </message>
+    <message>
+        <source>&amp;Heights above datum</source>
+        <translation>Höhen über Bez&amp;ugsniveau</translation>
+    </message>
+    <message>
+        <source>Heights of buildings above the vertical zero of the project's terrain instead of above the ground under each building, as shown and as typed</source>
+        <translation>Gebäudehöhen über dem Höhennullpunkt des Projektgeländes statt über dem Gelände unter jedem Gebäude, angezeigt und eingegeben</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TowerEditing</name>
     <message>
         <source>Build %1</source>
         <translation>%1 bauen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::UseTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Nutzung</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Geschosse</translation>
+    </message>
+    <message>
+        <source>What the storeys are used for, from the ground floor up: retail 2, offices 10, homes the rest</source>
+        <translation>Wofür die Geschosse genutzt werden, vom Erdgeschoss aufwärts: Handel 2, Büros 10, Wohnungen der Rest</translation>
+    </message>
+    <message>
+        <source>Add use</source>
+        <translation>Nutzung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds a use for the storeys above the others</source>
+        <translation>Fügt eine Nutzung für die Geschosse über den anderen hinzu</translation>
+    </message>
+    <message>
+        <source>Removes the selected use, or the last one</source>
+        <translation>Entfernt die gewählte Nutzung oder die letzte</translation>
+    </message>
+    <message>
+        <source>Retail</source>
+        <translation>Handel</translation>
+    </message>
+    <message>
+        <source>Offices</source>
+        <translation>Büros</translation>
+    </message>
+    <message>
+        <source>Homes</source>
+        <translation>Wohnungen</translation>
+    </message>
+    <message>
+        <source>Hotel</source>
+        <translation>Hotel</translation>
+    </message>
+    <message>
+        <source>Community</source>
+        <translation>Gemeinbedarf</translation>
+    </message>
+    <message>
+        <source>Parking</source>
+        <translation>Parken</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>A use of the list, or any other text</source>
+        <translation>Eine Nutzung der Liste oder ein beliebiger Text</translation>
+    </message>
+    <message>
+        <source>the rest</source>
+        <translation>der Rest</translation>
+    </message>
+    <message>
+        <source>How many storeys; 0: all storeys above, for the last use</source>
+        <translation>Wie viele Geschosse; 0: alle Geschosse darüber, für die letzte Nutzung</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::VerdictLinks</name>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1: %2 verglichen mit %3</translation>
     </message>
 </context>
 <context>
@@ -5774,7 +6473,7 @@ vom Jahr ebenso viele Wochen</translation>
         <translation>Bewerten</translation>
     </message>
     <message>
-        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
+        <source>Shadow of the displayed scenario over the study's region and period, weighted by this table: by month and as a map</source>
         <translation>Schatten des angezeigten Szenarios im Gebiet und Zeitraum der Untersuchung, mit dieser Tabelle gewichtet: nach Monat und als Karte</translation>
     </message>
     <message>
@@ -5913,7 +6612,7 @@ Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnen
         <translation>Nach Regel</translation>
     </message>
     <message>
-        <source>The day and the hours of a review board&apos;s rule</source>
+        <source>The day and the hours of a review board's rule</source>
         <translation>Der Tag und die Stunden aus der Regel einer Behörde</translation>
     </message>
     <message>
@@ -5970,7 +6669,7 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <translation>Um das Gebäude</translation>
     </message>
     <message>
-        <source>The selected building&apos;s surroundings, as far as four times its height.
+        <source>The selected building's surroundings, as far as four times its height.
 Click a building first.</source>
         <translation>Die Umgebung des gewählten Gebäudes, bis zum Vierfachen seiner Höhe.
 Zuerst ein Gebäude anklicken.</translation>
@@ -5996,6 +6695,35 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::WindowPanel</name>
+    <message>
+        <source>Verdicts after</source>
+        <translation>Urteile nachher</translation>
+    </message>
+    <message>
+        <source>Verdicts before</source>
+        <translation>Urteile vorher</translation>
+    </message>
+    <message>
+        <source>Changed verdicts</source>
+        <translation>Geänderte Urteile</translation>
+    </message>
+    <message>
+        <source>No verdicts</source>
+        <translation>Keine Urteile</translation>
+    </message>
+    <message>
+        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
+A click on a tile selects its row, a click on a row frames its window.</source>
+        <translation>Was die 3D-Ansicht auf den Wänden zeigt: eine Kachel je Fenster in der Farbe seines Urteils.
+Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr Fenster.</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In der Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WindowSession</name>
     <message>
         <source>Review</source>
@@ -6012,6 +6740,14 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Writing the review</source>
         <translation>Prüfung wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Zeit wird geschätzt</translation>
+    </message>
+    <message>
+        <source>%1 windows: %2</source>
+        <translation>%1 Fenster: %2</translation>
     </message>
 </context>
 <context>

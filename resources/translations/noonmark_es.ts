@@ -16,7 +16,7 @@
         <translation>Sombras proyectadas</translation>
     </message>
     <message>
-        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <source>Each building's shadow filled as polygons at every step: exact and fast on flat ground</source>
         <translation>La sombra de cada edificio rellenada como polígonos en cada paso: exacto y rápido en suelo llano</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>Barrido de horizontes</translation>
     </message>
     <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
         <translation>La pendiente del horizonte de cada receptor, acimut a acimut: un año en un momento, también en terreno y cubiertas</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>Error objetivo</translation>
     </message>
     <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
         <translation>Error medio de la sombra total de una celda, del periodo: los intervalos de acimut son tan anchos como permite; la mitad tarda el doble</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>Orígenes por rayos</translation>
     </message>
     <message>
-        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <source>Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster</source>
         <translation>Embree halla los obstáculos en los extremos del intervalo; si no, polígonos rellenos, más rápido</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board's rule.</source>
         <translation>Qué responde el estudio: minutos de sombra, el cambio que causa un escenario, una puntuación de sombra deseada y no deseada, o los dictámenes según la norma de una autoridad.</translation>
     </message>
     <message>
@@ -511,6 +511,58 @@
     <message>
         <source>largest %1</source>
         <translation>mayor %1</translation>
+    </message>
+    <message>
+        <source>Verdicts on windows</source>
+        <translation>Veredictos de las ventanas</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>Change of verdicts</source>
+        <translation>Cambio de los veredictos</translation>
+    </message>
+    <message>
+        <source>from before to after</source>
+        <translation>de antes a después</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>cumple</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>en el límite</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>no cumple</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>no aplicable</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>peor</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>mejor</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>igual</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>sin comparar</translation>
     </message>
 </context>
 <context>
@@ -1284,7 +1336,7 @@ con %2</translation>
         <translation> M rayos/s</translation>
     </message>
     <message>
-        <source>%1 occlusion rays divided by the engine&apos;s time</source>
+        <source>%1 occlusion rays divided by the engine's time</source>
         <translation>%1 rayos de oclusión divididos por el tiempo del motor</translation>
     </message>
     <message>
@@ -1332,7 +1384,7 @@ con %2</translation>
         <translation>%1 m² de sombra, puntuación %2</translation>
     </message>
     <message>
-        <source>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</source>
+        <source>Shadow area over %1 sunlit minutes, and the month's contribution to the score</source>
         <translation>Área de sombra en %1 minutos de sol y la aportación del mes a la puntuación</translation>
     </message>
     <message>
@@ -1348,7 +1400,7 @@ con %2</translation>
         <translation>Puntuación de sombra</translation>
     </message>
     <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <source>Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
         <translation>Suma en los intervalos de peso × parte del tiempo de sol en sombra × área de celda. Por encima de 0, la sombra deseada supera a la no deseada</translation>
     </message>
     <message>
@@ -1640,7 +1692,7 @@ celdas de %2 m</translation>
         <translation>Cuántos minutos está cada punto en sombra en un día medio del periodo, y el tramo más largo sin interrupción</translation>
     </message>
     <message>
-        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under "compare with"</source>
         <translation>Minutos de sombra que el escenario añade o quita frente a la ciudad elegida en «comparar con»</translation>
     </message>
     <message>
@@ -1648,7 +1700,7 @@ celdas de %2 m</translation>
         <translation>Sombra ponderada por hora y mes: deseada en verano, no deseada en invierno. Elija los pesos en el panel Pesos</translation>
     </message>
     <message>
-        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
+        <source>Pass or fail of parks and other places by a board's rule. Choose it in the panel Review</source>
         <translation>Parques y otros lugares según la norma de una autoridad: cumplen o no. Elíjala en el panel Evaluación</translation>
     </message>
     <message>
@@ -1782,7 +1834,7 @@ Por defecto: %2</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
+        <source>Unit of the mesh's coordinates, which the file does not state</source>
         <translation>Unidad de las coordenadas de la malla, que el archivo no indica</translation>
     </message>
     <message>
@@ -1811,7 +1863,7 @@ Por defecto: %2</translation>
     </message>
     <message>
         <source>d MMMM</source>
-        <translation>d &apos;de&apos; MMMM</translation>
+        <translation>d 'de' MMMM</translation>
     </message>
     <message>
         <source>d MMM yyyy</source>
@@ -1819,7 +1871,7 @@ Por defecto: %2</translation>
     </message>
     <message>
         <source>d MMMM yyyy</source>
-        <translation>d &apos;de&apos; MMMM &apos;de&apos; yyyy</translation>
+        <translation>d 'de' MMMM 'de' yyyy</translation>
     </message>
     <message>
         <source>%1, %2
@@ -1880,10 +1932,6 @@ Por defecto: %2</translation>
     <message>
         <source>Views</source>
         <translation>Vistas</translation>
-    </message>
-    <message>
-        <source>Camera, projection and moment, saved with Ctrl+Shift+V</source>
-        <translation>Cámara, proyección y momento, guardados con Ctrl+Mayús+V</translation>
     </message>
     <message>
         <source>%1
@@ -1994,10 +2042,6 @@ Todos los lados %2, área %3</translation>
         <translation>%1 puntos, %2 posiciones del sol.</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>on facades</source>
         <translation>en fachadas</translation>
     </message>
@@ -2028,6 +2072,102 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>To fit this lot: %1.</source>
         <translation>Para que quepa en este solar: %1.</translation>
+    </message>
+    <message>
+        <source>Aerial photograph</source>
+        <translation>Fotografía aérea</translation>
+    </message>
+    <message>
+        <source>Pictures with a position</source>
+        <translation>Imágenes con posición</translation>
+    </message>
+    <message>
+        <source>Save the tiles as a photograph</source>
+        <translation>Guardar las teselas como fotografía</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif)</source>
+        <translation>GeoTIFF (*.tif)</translation>
+    </message>
+    <message>
+        <source>Points from file</source>
+        <translation>Puntos de un archivo</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tablas de puntos</translation>
+    </message>
+    <message>
+        <source>the tower is not twisted</source>
+        <translation>la torre no tiene torsión</translation>
+    </message>
+    <message>
+        <source>Use not stated</source>
+        <translation>Uso no indicado</translation>
+    </message>
+    <message>
+        <source>From, above datum</source>
+        <translation>Desde, sobre el datum</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Desde la altura</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>Retranqueo</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Estrechamiento</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsión</translation>
+    </message>
+    <message>
+        <source>Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %</source>
+        <translation>Estrechamiento: cuánto más estrecho es el volumen arriba que abajo, de 0 a 95 %</translation>
+    </message>
+    <message>
+        <source>Twist: clockwise turn from the bottom of the volume to its top, in proportion to the height; it must stay on the lot</source>
+        <translation>Torsión: giro en sentido horario desde la base del volumen hasta su parte superior, proporcional a la altura; debe quedar dentro de la parcela</translation>
+    </message>
+    <message>
+        <source>%1, section box</source>
+        <translation>%1, caja de corte</translation>
+    </message>
+    <message>
+        <source>Camera, projection, section box and moment, saved with Ctrl+Shift+V</source>
+        <translation>Cámara, proyección, caja de corte y momento, guardados con Ctrl+Mayús+V</translation>
+    </message>
+    <message>
+        <source>%1, floor %2   before: %3, after: %4</source>
+        <translation>%1, planta %2   antes: %3, después: %4</translation>
+    </message>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>en líneas alrededor de una parcela</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>en puntos concretos</translation>
+    </message>
+    <message>
+        <source>%1, top %2</source>
+        <translation>%1, cota superior %2</translation>
+    </message>
+    <message>
+        <source>%1 above datum</source>
+        <translation>%1 sobre el datum</translation>
+    </message>
+    <message>
+        <source>%1 above ground</source>
+        <translation>%1 sobre el terreno</translation>
     </message>
 </context>
 <context>
@@ -2175,14 +2315,6 @@ Todos los lados %2, área %3</translation>
 <context>
     <name>noonmark::AccuracySection</name>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells</source>
-        <translation>Lado de una celda en el suelo, metros, 0,25 a 10. La mitad: cuatro veces más celdas</translation>
-    </message>
-    <message>
         <source>As in the paper</source>
         <translation>Como en el artículo</translation>
     </message>
@@ -2211,6 +2343,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>accuracy</source>
         <translation>precisión</translation>
+    </message>
+    <message>
+        <source>Side of a cell on the ground. Half the size: four times the cells</source>
+        <translation>Lado de una celda sobre el suelo. La mitad del tamaño: cuatro veces más celdas</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +2543,18 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>No live shadow. %1</source>
         <translation>Sin sombra en vivo. %1</translation>
     </message>
+    <message>
+        <source>No live facades. %1</source>
+        <translation>Sin fachadas en vivo. %1</translation>
+    </message>
+    <message>
+        <source>Facades: %1 points while it moves</source>
+        <translation>Fachadas: %1 puntos mientras se mueve</translation>
+    </message>
+    <message>
+        <source>Facades: %1 points</source>
+        <translation>Fachadas: %1 puntos</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::EditTools</name>
@@ -2451,7 +2599,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Arrastre el edificio seleccionado sobre el suelo</translation>
     </message>
     <message>
-        <source>Creates a lot from the selected building&apos;s outline</source>
+        <source>Creates a lot from the selected building's outline</source>
         <translation>Crea una parcela con el contorno del edificio seleccionado</translation>
     </message>
     <message>
@@ -2467,7 +2615,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Arrastre el edificio sobre el suelo. Esc termina.</translation>
     </message>
     <message>
-        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <source>Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
         <translation>Haga clic en las esquinas de la parcela. Mayús: en ángulo recto con el último lado. Doble clic o Intro termina.</translation>
     </message>
     <message>
@@ -2477,6 +2625,18 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
         <translation>Arrastre la flecha o escriba una altura. Mayús: sin ajustar a plantas. Intro construye, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve facades</source>
+        <translation>Fachadas en &amp;vivo</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Shows the sunlight of a building's facades while it is designed or changed</source>
+        <translation>Muestra el soleamiento de las fachadas de un edificio mientras se diseña o modifica</translation>
     </message>
 </context>
 <context>
@@ -2500,14 +2660,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>above the ground</source>
         <translation>sobre el terreno</translation>
-    </message>
-    <message>
-        <source>Heights of the file: elevations as those of the city, or metres above the ground below the window</source>
-        <translation>Alturas del archivo: cotas como las de la ciudad, o metros sobre el terreno bajo la ventana</translation>
-    </message>
-    <message>
-        <source>Height of the plane above the mean of the region&apos;s ground. The size of its cells is that under &quot;How exactly&quot;.</source>
-        <translation>Altura del plano sobre la media del terreno de la región. El tamaño de sus celdas es el de «Con qué precisión».</translation>
     </message>
     <message>
         <source>all of the region</source>
@@ -2609,6 +2761,22 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
         <translation>Nombres o identificadores de edificios, separados por comas. Vacío: todos los edificios</translation>
     </message>
+    <message>
+        <source>Heights of the file, in metres: elevations as those of the city, or above the ground below the window</source>
+        <translation>Alturas del archivo, en metros: cotas como las de la ciudad, o sobre el suelo bajo la ventana</translation>
+    </message>
+    <message>
+        <source>Height of the plane above the mean of the region's ground, or of the lines above that of the parcel's. The size of a plane's cells is that under "How exactly".</source>
+        <translation>Altura del plano sobre el terreno medio de la región, o de las líneas sobre el de la parcela. El tamaño de las celdas de un plano es el de «Con qué precisión».</translation>
+    </message>
+    <message>
+        <source>Proposed buildings only</source>
+        <translation>Solo edificios propuestos</translation>
+    </message>
+    <message>
+        <source>The buildings that the displayed scenario builds or changes</source>
+        <translation>Los edificios que el escenario mostrado construye o modifica</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ElementModel</name>
@@ -2647,6 +2815,17 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Continuous, min</source>
         <translation>Continuo, min</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementPicking</name>
+    <message>
+        <source>Click walls in the view to choose their faces.</source>
+        <translation>Haga clic en las paredes de la vista para elegir sus caras.</translation>
+    </message>
+    <message>
+        <source>Click the ground, roofs or walls in the view to add points.</source>
+        <translation>Haga clic en el suelo, las cubiertas o las paredes de la vista para añadir puntos.</translation>
     </message>
 </context>
 <context>
@@ -2804,6 +2983,105 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Height: %1  (Enter)</source>
         <translation>Altura: %1  (Intro)</translation>
     </message>
+    <message>
+        <source>Top above datum: %1  (Enter)</source>
+        <translation>Cota superior sobre el datum: %1  (Intro)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FaceForm</name>
+    <message>
+        <source>all faces</source>
+        <translation>todas las caras</translation>
+    </message>
+    <message>
+        <source>Single faces of buildings, with commas between them, by the beginning of their points' ids: way 12 wall 3. Empty: all faces</source>
+        <translation>Caras concretas de edificios, separadas por comas, por el comienzo de los id de sus puntos: way 12 wall 3. Vacío: todas las caras</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Elegir</translation>
+    </message>
+    <message>
+        <source>Click walls in the view: each click adds a face or removes it. Press again to end</source>
+        <translation>Haga clic en las paredes de la vista: cada clic añade o quita una cara. Pulse de nuevo para terminar</translation>
+    </message>
+    <message>
+        <source>any direction</source>
+        <translation>cualquier dirección</translation>
+    </message>
+    <message>
+        <source>north ± 45°</source>
+        <translation>norte ± 45°</translation>
+    </message>
+    <message>
+        <source>east ± 45°</source>
+        <translation>este ± 45°</translation>
+    </message>
+    <message>
+        <source>south ± 45°</source>
+        <translation>sur ± 45°</translation>
+    </message>
+    <message>
+        <source>west ± 45°</source>
+        <translation>oeste ± 45°</translation>
+    </message>
+    <message>
+        <source>other azimuths</source>
+        <translation>otros acimutes</translation>
+    </message>
+    <message>
+        <source>Only faces, or windows, that face this direction from true north</source>
+        <translation>Solo caras o ventanas orientadas en esta dirección desde el norte geográfico</translation>
+    </message>
+    <message>
+        <source>The first azimuth, clockwise from true north</source>
+        <translation>El primer acimut, en sentido horario desde el norte geográfico</translation>
+    </message>
+    <message>
+        <source>The last azimuth, clockwise from true north</source>
+        <translation>El último acimut, en sentido horario desde el norte geográfico</translation>
+    </message>
+    <message>
+        <source>Only points from which a level line straight out from the wall meets this place, as the windows along a park</source>
+        <translation>Solo puntos desde los que una línea horizontal perpendicular a la pared alcanza este lugar, como las ventanas frente a un parque</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>How far away the place may be</source>
+        <translation>A qué distancia puede estar el lugar</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Caras</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Looking at</source>
+        <translation>Con vistas a</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>caras</translation>
+    </message>
+    <message>
+        <source>faced place</source>
+        <translation>lugar al que mira</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>cualquier cosa</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::FieldHelp</name>
@@ -2858,7 +3136,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Acerca de Noonmark</translation>
     </message>
     <message>
-        <source>&amp;What&apos;s this?</source>
+        <source>&amp;What's this?</source>
         <translation>¿&amp;Qué es esto?</translation>
     </message>
     <message>
@@ -2896,6 +3174,60 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LineForm</name>
+    <message>
+        <source>Parcel</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Lines, m</source>
+        <translation>Líneas, m</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>lot or file</source>
+        <translation>solar o archivo</translation>
+    </message>
+    <message>
+        <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
+        <translation>La parcela que rodean las líneas: un solar, una región o un lugar del proyecto por su nombre, o la ruta de un archivo de polígonos</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the parcel in metres, with commas: 5, 10</source>
+        <translation>Distancias de las líneas a la parcela en metros, separadas por comas: 5, 10</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Distance from point to point on a line</source>
+        <translation>Distancia de punto a punto en una línea</translation>
+    </message>
+    <message>
+        <source>parcel</source>
+        <translation>parcela</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>separación</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>líneas</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LiveFacades</name>
+    <message>
+        <source>Live facades</source>
+        <translation>Fachadas en vivo</translation>
     </message>
 </context>
 <context>
@@ -2948,7 +3280,7 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Calles junto a %1</translation>
     </message>
     <message>
-        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel's line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
         <translation>¿Qué ancho tienen las calles, el agua o las vías en cada lado? Las normas sobre parcelas, como en Japón, desplazan hacia fuera la línea de la parcela. Un lado vale para los bordes exteriores orientados hacia él con menos de 45 grados.</translation>
     </message>
 </context>
@@ -3005,7 +3337,7 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>De una planta a 2000 m; o arrastre la flecha de la torre, o escriba un número sobre la vista</translation>
     </message>
     <message>
-        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
+        <source>Rotation clockwise about the tower's middle; it must stay on the lot</source>
         <translation>Giro en sentido horario sobre el centro de la torre; debe quedar en la parcela</translation>
     </message>
     <message>
@@ -3025,16 +3357,24 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Altura de planta</translation>
     </message>
     <message>
-        <source>Total height</source>
-        <translation>Altura total</translation>
-    </message>
-    <message>
         <source>Floor plate</source>
         <translation>Planta tipo</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Taper, twist</source>
+        <translation>Estrechamiento, torsión</translation>
+    </message>
+    <message>
+        <source>Top above datum</source>
+        <translation>Cota superior sobre el datum</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>Altura sobre el terreno</translation>
     </message>
 </context>
 <context>
@@ -3052,7 +3392,7 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>The project&apos;s lots</source>
+        <source>The project's lots</source>
         <translation>Las parcelas del proyecto</translation>
     </message>
     <message>
@@ -3100,6 +3440,14 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Sets the tower that is selected or being designed on this lot too, with its storeys, plate areas and setbacks, turned as the lot is</source>
         <translation>Coloca también en este solar la torre seleccionada o en diseño, con sus plantas, superficies de planta y retranqueos, girada como el solar</translation>
+    </message>
+    <message>
+        <source>Sunlight of its facades</source>
+        <translation>Soleamiento de sus fachadas</translation>
+    </message>
+    <message>
+        <source>Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study's form.</source>
+        <translation>Muestra las horas de sombra en las fachadas de la torre, de forma aproximada mientras cambia. Haga clic en otros edificios de la vista para ver también sus fachadas. Los vanos y plantas son los del formulario del estudio.</translation>
     </message>
 </context>
 <context>
@@ -3429,7 +3777,7 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Número de días, 1 a 3660</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
+        <source>Wall-clock time at which each day's window begins, hours:minutes</source>
         <translation>Hora a la que empieza cada día, horas:minutos</translation>
     </message>
     <message>
@@ -3459,14 +3807,120 @@ Al abrir un archivo se toma la de la ciudad más cercana: compruébela cerca de 
         <translation>La franja termina estas horas antes del ocaso</translation>
     </message>
     <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun's centre</source>
         <translation>Qué momento cuenta como amanecer y ocaso: la altura del centro del sol</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
-Off: the sun&apos;s geometric position, as some rules require</source>
+Off: the sun's geometric position, as some rules require</source>
         <translation>Sí: el aire eleva un poco el sol cerca del horizonte (refracción).
 No: la posición geométrica del sol, como exigen algunas normas</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographActions</name>
+    <message>
+        <source>Aer&amp;ial photograph...</source>
+        <translation>&amp;Fotografía aérea...</translation>
+    </message>
+    <message>
+        <source>An orthophoto or a scanned map with its position, drawn on the ground of the view, on maps and on sheets</source>
+        <translation>Una ortofoto o un mapa escaneado con su posición, dibujados sobre el suelo de la vista, en mapas y en láminas</translation>
+    </message>
+    <message>
+        <source>Aerial photo&amp;graph</source>
+        <translation>&amp;Fotografía aérea</translation>
+    </message>
+    <message>
+        <source>Shows or hides the aerial photograph</source>
+        <translation>Muestra u oculta la fotografía aérea</translation>
+    </message>
+    <message>
+        <source>%1 of %2 tiles are missing and stay empty</source>
+        <translation>Faltan %1 de %2 teselas y quedan vacías</translation>
+    </message>
+    <message>
+        <source>Reading the photograph</source>
+        <translation>Leyendo la fotografía</translation>
+    </message>
+    <message>
+        <source>aerial photograph</source>
+        <translation>fotografía aérea</translation>
+    </message>
+    <message>
+        <source>remove aerial photograph</source>
+        <translation>quitar fotografía aérea</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographDialog</name>
+    <message>
+        <source>Draw it</source>
+        <translation>Dibujarla</translation>
+    </message>
+    <message>
+        <source>Aerial photograph</source>
+        <translation>Fotografía aérea</translation>
+    </message>
+    <message>
+        <source>(c) owner of the photograph, year</source>
+        <translation>(c) propietario de la fotografía, año</translation>
+    </message>
+    <message>
+        <source>Whose photograph it is; printed on maps, sheets and pictures that show it</source>
+        <translation>De quién es la fotografía; se imprime en mapas, láminas e imágenes que la muestran</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much it covers streets, parks and water below it</source>
+        <translation>Cuánto cubre las calles, los parques y el agua que hay debajo</translation>
+    </message>
+    <message>
+        <source>On the ground of the view, on maps and on sheets</source>
+        <translation>Sobre el suelo de la vista, en mapas y en láminas</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Atribución</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>Choose file...</source>
+        <translation>Elegir archivo...</translation>
+    </message>
+    <message>
+        <source>A GeoTIFF or Erdas Imagine file with its position, of 8 bits per colour</source>
+        <translation>Un archivo GeoTIFF o Erdas Imagine con su posición, de 8 bits por color</translation>
+    </message>
+    <message>
+        <source>From tiles...</source>
+        <translation>Desde teselas...</translation>
+    </message>
+    <message>
+        <source>Fetches tiles of the web's map scheme from an address that you state</source>
+        <translation>Descarga teselas del esquema de mapas web desde una dirección que usted indica</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Takes the photograph out of the project; its file stays</source>
+        <translation>Quita la fotografía del proyecto; su archivo permanece</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
     </message>
 </context>
 <context>
@@ -3492,7 +3946,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Haga clic en las esquinas sobre el suelo; Intro termina, Esc cancela</translation>
     </message>
     <message>
-        <source>Creates a place from the selected building&apos;s outline</source>
+        <source>Creates a place from the selected building's outline</source>
         <translation>Crea un lugar con el contorno del edificio seleccionado</translation>
     </message>
     <message>
@@ -3551,7 +4005,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Cribar</translation>
     </message>
     <message>
-        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
+        <source>Tick the places that the proposal's shadow can reach at all</source>
         <translation>Marcar los lugares que la sombra de la propuesta puede alcanzar</translation>
     </message>
     <message>
@@ -3563,7 +4017,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>%1 de %2 lugares marcados</translation>
     </message>
     <message>
-        <source>%1 of %2 places can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 places can be reached; the others' tooltips say why not</source>
         <translation>%1 de %2 lugares son alcanzables; la ayuda emergente de los demás dice por qué no</translation>
     </message>
 </context>
@@ -3614,8 +4068,20 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation> (y %1 más)</translation>
     </message>
     <message>
-        <source>%1, %2 high. Another click moves it.</source>
-        <translation>%1, %2 de altura. Otro clic lo mueve.</translation>
+        <source>Floor to floor, 2 to 10 m, for lines at its floors; 0: not known</source>
+        <translation>De suelo a suelo, 2 a 10 m, para las líneas de sus forjados; 0: desconocida</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocida</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>Altura de planta</translation>
+    </message>
+    <message>
+        <source>%1, top %2. Another click moves it.</source>
+        <translation>%1, cota superior %2. Otro clic lo mueve.</translation>
     </message>
 </context>
 <context>
@@ -3633,8 +4099,12 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Área</translation>
     </message>
     <message>
-        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
+        <source>A smaller plate keeps the lot's shape, inset from all sides</source>
         <translation>Una planta menor conserva la forma de la parcela, retirada por todos los lados</translation>
+    </message>
+    <message>
+        <source> sq ft</source>
+        <translation> ft²</translation>
     </message>
 </context>
 <context>
@@ -3666,16 +4136,16 @@ Componente vertical del cielo: %1 %</translation>
         <translation>Haga clic derecho en el suelo, una cubierta o un muro y elija «Sol y cielo aquí».</translation>
     </message>
     <message>
-        <source>Before
-%1
+        <source>Before: %1
+%2
 
-Scenario
-%2</source>
-        <translation>Antes
-%1
+After: %3
+%4</source>
+        <translation>Antes: %1
+%2
 
-Escenario
-%2</translation>
+Después: %3
+%4</translation>
     </message>
 </context>
 <context>
@@ -3683,6 +4153,88 @@ Escenario
     <message>
         <source>Point</source>
         <translation>Punto</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointListForm</name>
+    <message>
+        <source>Click points</source>
+        <translation>Marcar puntos</translation>
+    </message>
+    <message>
+        <source>Click the ground, roofs or walls in the view: each click adds a point. Press again to end</source>
+        <translation>Haga clic en el suelo, las cubiertas o las paredes de la vista: cada clic añade un punto. Pulse de nuevo para terminar</translation>
+    </message>
+    <message>
+        <source>Read CSV...</source>
+        <translation>Leer CSV...</translation>
+    </message>
+    <message>
+        <source>Replaces the list by a CSV file with columns id, lon, lat, height, facing</source>
+        <translation>Sustituye la lista por un archivo CSV con las columnas id, lon, lat, height, facing</translation>
+    </message>
+    <message>
+        <source>One point a line: id, longitude, latitude (degrees), metres above the ground, azimuth that a wall faces. Without a height the point is on the ground or roof, without an azimuth it is level</source>
+        <translation>Un punto por línea: id, longitud, latitud (grados), metros sobre el suelo, acimut al que mira la pared. Sin altura, el punto está en el suelo o la cubierta; sin acimut, es horizontal</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointScenarios</name>
+    <message>
+        <source>The scenario before: what the other one is compared with</source>
+        <translation>El escenario anterior: con el que se compara el otro</translation>
+    </message>
+    <message>
+        <source>The scenario whose sun at the point is compared</source>
+        <translation>El escenario cuyo sol en el punto se compara</translation>
+    </message>
+    <message>
+        <source>The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
+        <translation>Sol y cielo del punto en cada escenario del proyecto. Copiar (Ctrl+C) toma la tabla</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>Day, min</source>
+        <translation>Día, min</translation>
+    </message>
+    <message>
+        <source>Year, h</source>
+        <translation>Año, h</translation>
+    </message>
+    <message>
+        <source>Change, h</source>
+        <translation>Cambio, h</translation>
+    </message>
+    <message>
+        <source>Sky view</source>
+        <translation>Vista del cielo</translation>
+    </message>
+    <message>
+        <source>VSC, %</source>
+        <translation>VSC, %</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>the baseline</source>
+        <translation>el escenario de referencia</translation>
+    </message>
+    <message>
+        <source>the displayed scenario</source>
+        <translation>el escenario mostrado</translation>
     </message>
 </context>
 <context>
@@ -3881,11 +4433,11 @@ Escenario
         <translation>&amp;Nuevo escenario</translation>
     </message>
     <message>
-        <source>&amp;Save the study&apos;s region</source>
+        <source>&amp;Save the study's region</source>
         <translation>&amp;Guardar la zona del estudio</translation>
     </message>
     <message>
-        <source>&amp;Save the study&apos;s period</source>
+        <source>&amp;Save the study's period</source>
         <translation>&amp;Guardar el periodo del estudio</translation>
     </message>
     <message>
@@ -3997,7 +4549,7 @@ Escenario
         <translation>el más alto</translation>
     </message>
     <message>
-        <source>if neighbours&apos; ground heights differ</source>
+        <source>if neighbours' ground heights differ</source>
         <translation>si difiere la cota de los vecinos</translation>
     </message>
     <message>
@@ -4077,10 +4629,6 @@ Escenario
         <translation>Terreno según bases de edificios</translation>
     </message>
     <message>
-        <source>Meshes (OBJ, PLY, glTF)</source>
-        <translation>Mallas (OBJ, PLY, glTF)</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>Eje vertical</translation>
     </message>
@@ -4111,7 +4659,7 @@ As in the file: metres, unless the value or the field states otherwise.</source>
 Como en el archivo: metros, salvo que el valor o el campo indiquen otra.</translation>
     </message>
     <message>
-        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
+        <source>If no terrain is read: derive it from the buildings' ground elevations.
 Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
         <translation>Si no se lee terreno: obtenerlo de las cotas del suelo de los edificios.
 Por defecto: si más de uno de cada veinte pares de vecinos difiere en más de 1 m.</translation>
@@ -4147,26 +4695,30 @@ Vacío: el más alto disponible.</translation>
         <translation>Los objetos más alejados del centro de los datos se omiten, con un aviso; metros, 100 a 200000</translation>
     </message>
     <message>
-        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
+        <source>Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360</source>
         <translation>Dirección del eje norte de la malla, grados en sentido horario desde el norte verdadero, -360 a 360</translation>
     </message>
     <message>
-        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
+        <source>Geographic location of the mesh's origin. Required for a mesh opened alone.
 Off: at the origin of the city from the other files.</source>
         <translation>Ubicación geográfica del origen de la malla. Necesaria si la malla se abre sola.
 No: en el origen de la ciudad de los demás archivos.</translation>
     </message>
     <message>
-        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
+        <source>Longitude of the mesh's origin, degrees, east positive, -180 to 180</source>
         <translation>Longitud del origen de la malla, grados, este positivo, -180 a 180</translation>
     </message>
     <message>
-        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
+        <source>Latitude of the mesh's origin, degrees, north positive, -90 to 90</source>
         <translation>Latitud del origen de la malla, grados, norte positivo, -90 a 90</translation>
     </message>
     <message>
-        <source>Places the mesh&apos;s origin at the middle of the open city</source>
+        <source>Places the mesh's origin at the middle of the open city</source>
         <translation>Sitúa el origen de la malla en el centro de la ciudad abierta</translation>
+    </message>
+    <message>
+        <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
+        <translation>Mallas (OBJ, PLY, glTF, IFC, DXF)</translation>
     </message>
 </context>
 <context>
@@ -4599,10 +5151,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Ctrl+Shift+V</translation>
     </message>
     <message>
-        <source>Camera, projection, and date and time if a moment is shown, under a name in the project</source>
-        <translation>Cámara, proyección y, si se muestra un momento, fecha y hora, con un nombre en el proyecto</translation>
-    </message>
-    <message>
         <source>No view is saved yet</source>
         <translation>Aún no hay vistas guardadas</translation>
     </message>
@@ -4615,8 +5163,12 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>guardar la vista %1</translation>
     </message>
     <message>
-        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
+        <source>Saved as '%1' in the project. F2 in the project's list renames it.</source>
         <translation>Guardada como «%1» en el proyecto. F2 en la lista del proyecto cambia el nombre.</translation>
+    </message>
+    <message>
+        <source>Camera, projection, section box, and date and time if a moment is shown, under a name in the project</source>
+        <translation>Cámara, proyección, caja de corte y, si se muestra un momento, fecha y hora, con un nombre en el proyecto</translation>
     </message>
 </context>
 <context>
@@ -4789,7 +5341,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Un edificio por nombre o id, una calle, un lugar, una parcela o una posición</translation>
     </message>
     <message>
-        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
+        <source>Nothing is called "%1". Buildings without a name are found by their id.</source>
         <translation>Nada se llama «%1». Los edificios sin nombre se encuentran por su id.</translation>
     </message>
 </context>
@@ -4874,10 +5426,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Importar malla...</translation>
     </message>
     <message>
-        <source>Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground</source>
-        <translation>Añade un edificio desde OBJ, PLY, glTF o CityJSON, colocado con un clic en el suelo</translation>
-    </message>
-    <message>
         <source>Demolish</source>
         <translation>Derribar</translation>
     </message>
@@ -4910,20 +5458,12 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Arrastre el edificio sobre el suelo; Esc termina</translation>
     </message>
     <message>
-        <source>Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply</source>
-        <translation>Sobre el suelo, 0,1 a 2000 m; o arrastre la flecha del edificio. Pulse Intro para aplicar</translation>
-    </message>
-    <message>
         <source>Clockwise about its middle. Press Enter to apply</source>
         <translation>En sentido horario sobre su centro. Pulse Intro para aplicar</translation>
     </message>
     <message>
         <source>Negative: west, south. Press Enter to apply</source>
         <translation>Negativo: oeste, sur. Pulse Intro para aplicar</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Altura</translation>
     </message>
     <message>
         <source>Move east</source>
@@ -4969,6 +5509,22 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Click a building in the view to select it.</source>
         <translation>Haga clic en un edificio de la vista para seleccionarlo.</translation>
     </message>
+    <message>
+        <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
+        <translation>Añade un edificio de OBJ, PLY, glTF, IFC, DXF o CityJSON, colocado con un clic en el suelo</translation>
+    </message>
+    <message>
+        <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
+        <translation>De 0,1 a 2000 m sobre el terreno; Ver &gt; Alturas sobre el datum la muestra como cota. O arrastre la flecha del edificio. Pulse Intro para aplicar</translation>
+    </message>
+    <message>
+        <source>Top above datum</source>
+        <translation>Cota superior sobre el datum</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>Altura sobre el terreno</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SetbackTable</name>
@@ -4977,20 +5533,20 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>From height</source>
-        <translation>Desde altura</translation>
-    </message>
-    <message>
-        <source>Inset</source>
-        <translation>Retranqueo</translation>
-    </message>
-    <message>
-        <source>Above each height the walls are set back by the inset, from bottom to top</source>
-        <translation>Por encima de cada altura los muros se retiran esa distancia, de abajo arriba</translation>
-    </message>
-    <message>
         <source>Add setback</source>
         <translation>Añadir retranqueo</translation>
+    </message>
+    <message>
+        <source>Above each height the walls are set back by the inset, from bottom to top; taper and twist are those of the volume above it</source>
+        <translation>Por encima de cada altura los muros se retranquean, de abajo arriba; el estrechamiento y la torsión son los del volumen superior</translation>
+    </message>
+    <message>
+        <source>Height from which the walls are set back</source>
+        <translation>Altura desde la que se retranquean los muros</translation>
+    </message>
+    <message>
+        <source>How far every wall is set back, from the top of the volume below</source>
+        <translation>Cuánto se retranquea cada muro, desde la parte superior del volumen inferior</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5943,52 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     </message>
 </context>
 <context>
+    <name>noonmark::TileDialog</name>
+    <message>
+        <source>Aerial photograph from tiles</source>
+        <translation>Fotografía aérea desde teselas</translation>
+    </message>
+    <message>
+        <source>Address of the tiles, with {z} for the zoom, {x} and {y} for the tile</source>
+        <translation>Dirección de las teselas, con {z} para el nivel, {x} e {y} para la tesela</translation>
+    </message>
+    <message>
+        <source>Whose tiles they are, as their owner asks for; printed wherever they are drawn</source>
+        <translation>De quién son las teselas, como pide su propietario; se imprime donde se dibujen</translation>
+    </message>
+    <message>
+        <source>Nothing is fetched before the button is pressed. Tiles of zoom %1: %2. Ask their owner whether you may store and print them.</source>
+        <translation>No se descarga nada antes de pulsar el botón. Teselas del nivel %1: %2. Pregunte a su propietario si puede guardarlas e imprimirlas.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Atribución</translation>
+    </message>
+    <message>
+        <source>Fetch tiles</source>
+        <translation>Descargar teselas</translation>
+    </message>
+    <message>
+        <source>Fetches the tiles over the city from this address</source>
+        <translation>Descarga de esta dirección las teselas sobre la ciudad</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TileFetch</name>
+    <message>
+        <source>%1 is no picture of a tile</source>
+        <translation>%1 no es la imagen de una tesela</translation>
+    </message>
+    <message>
+        <source>The server has no tile of this place</source>
+        <translation>El servidor no tiene ninguna tesela de este lugar</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TimeDisplay</name>
     <message>
         <source>&amp;Play the sun</source>
@@ -5562,10 +6164,107 @@ del año, otras tantas semanas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::TowerDisplay</name>
+    <message>
+        <source>Store&amp;y lines</source>
+        <translation>Líneas de &amp;forjado</translation>
+    </message>
+    <message>
+        <source>Lines at the floors of proposed towers, and of imported buildings whose storey height is known</source>
+        <translation>Líneas en los forjados de las torres propuestas y de los edificios importados cuya altura de planta se conoce</translation>
+    </message>
+    <message>
+        <source>&amp;Heights above datum</source>
+        <translation>Alt&amp;uras sobre el datum</translation>
+    </message>
+    <message>
+        <source>Heights of buildings above the vertical zero of the project's terrain instead of above the ground under each building, as shown and as typed</source>
+        <translation>Alturas de los edificios sobre el cero vertical del terreno del proyecto en lugar de sobre el suelo bajo cada edificio, al mostrarlas y al escribirlas</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TowerEditing</name>
     <message>
         <source>Build %1</source>
         <translation>Construir %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::UseTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Plantas</translation>
+    </message>
+    <message>
+        <source>What the storeys are used for, from the ground floor up: retail 2, offices 10, homes the rest</source>
+        <translation>Para qué se usan las plantas, desde la planta baja: comercio 2, oficinas 10, viviendas el resto</translation>
+    </message>
+    <message>
+        <source>Add use</source>
+        <translation>Añadir uso</translation>
+    </message>
+    <message>
+        <source>Adds a use for the storeys above the others</source>
+        <translation>Añade un uso para las plantas por encima de las demás</translation>
+    </message>
+    <message>
+        <source>Removes the selected use, or the last one</source>
+        <translation>Quita el uso seleccionado o el último</translation>
+    </message>
+    <message>
+        <source>Retail</source>
+        <translation>Comercio</translation>
+    </message>
+    <message>
+        <source>Offices</source>
+        <translation>Oficinas</translation>
+    </message>
+    <message>
+        <source>Homes</source>
+        <translation>Viviendas</translation>
+    </message>
+    <message>
+        <source>Hotel</source>
+        <translation>Hotel</translation>
+    </message>
+    <message>
+        <source>Community</source>
+        <translation>Equipamiento</translation>
+    </message>
+    <message>
+        <source>Parking</source>
+        <translation>Aparcamiento</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>Instalaciones</translation>
+    </message>
+    <message>
+        <source>A use of the list, or any other text</source>
+        <translation>Un uso de la lista o cualquier otro texto</translation>
+    </message>
+    <message>
+        <source>the rest</source>
+        <translation>el resto</translation>
+    </message>
+    <message>
+        <source>How many storeys; 0: all storeys above, for the last use</source>
+        <translation>Cuántas plantas; 0: todas las superiores, para el último uso</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::VerdictLinks</name>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1: %2 comparado con %3</translation>
     </message>
 </context>
 <context>
@@ -5774,7 +6473,7 @@ del año, otras tantas semanas</translation>
         <translation>Calcular puntuación</translation>
     </message>
     <message>
-        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
+        <source>Shadow of the displayed scenario over the study's region and period, weighted by this table: by month and as a map</source>
         <translation>Sombra del escenario mostrado en la zona y el periodo del estudio, ponderada con esta tabla: por mes y como mapa</translation>
     </message>
     <message>
@@ -5913,7 +6612,7 @@ Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</
         <translation>Según norma</translation>
     </message>
     <message>
-        <source>The day and the hours of a review board&apos;s rule</source>
+        <source>The day and the hours of a review board's rule</source>
         <translation>El día y las horas de la norma de una autoridad</translation>
     </message>
     <message>
@@ -5970,7 +6669,7 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Es
         <translation>En torno al edificio</translation>
     </message>
     <message>
-        <source>The selected building&apos;s surroundings, as far as four times its height.
+        <source>The selected building's surroundings, as far as four times its height.
 Click a building first.</source>
         <translation>El entorno del edificio seleccionado, hasta cuatro veces su altura.
 Haga clic antes en un edificio.</translation>
@@ -5996,6 +6695,35 @@ Haga clic antes en un edificio.</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::WindowPanel</name>
+    <message>
+        <source>Verdicts after</source>
+        <translation>Veredictos después</translation>
+    </message>
+    <message>
+        <source>Verdicts before</source>
+        <translation>Veredictos antes</translation>
+    </message>
+    <message>
+        <source>Changed verdicts</source>
+        <translation>Veredictos que cambian</translation>
+    </message>
+    <message>
+        <source>No verdicts</source>
+        <translation>Ningún veredicto</translation>
+    </message>
+    <message>
+        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
+A click on a tile selects its row, a click on a row frames its window.</source>
+        <translation>Lo que la vista 3D muestra en los muros: una tesela por ventana con el color de su veredicto.
+Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventana.</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>En la vista</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WindowSession</name>
     <message>
         <source>Review</source>
@@ -6012,6 +6740,14 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Writing the review</source>
         <translation>Escribiendo la revisión</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Estimando el tiempo</translation>
+    </message>
+    <message>
+        <source>%1 windows: %2</source>
+        <translation>%1 ventanas: %2</translation>
     </message>
 </context>
 <context>

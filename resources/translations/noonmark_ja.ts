@@ -16,7 +16,7 @@
         <translation>投影した影</translation>
     </message>
     <message>
-        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <source>Each building's shadow filled as polygons at every step: exact and fast on flat ground</source>
         <translation>各ステップで各建物の影を多角形として塗る: 平らな地面で厳密かつ高速</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>地平線掃引</translation>
     </message>
     <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
         <translation>各測定点の地平線の傾きを方位ごとに: 1 年も短時間、地形や屋根でも</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>目標誤差</translation>
     </message>
     <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
         <translation>セルの累計日影の平均誤差 (期間に対する割合): 方位の刻みはこれが許す幅になります。半分にすると時間は 2 倍</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>レイで遮蔽物を探す</translation>
     </message>
     <message>
-        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <source>Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster</source>
         <translation>区間の両端の遮蔽物を Embree で探す。なしなら多角形の塗りで、より速い</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board's rule.</source>
         <translation>検討の内容: 日影の分、シナリオによる変化、望ましい影と望ましくない影のスコア、または審査機関の規定による判定。</translation>
     </message>
     <message>
@@ -511,6 +511,58 @@
     <message>
         <source>largest %1</source>
         <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>Verdicts on windows</source>
+        <translation>窓の判定</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>後</translation>
+    </message>
+    <message>
+        <source>Change of verdicts</source>
+        <translation>判定の変化</translation>
+    </message>
+    <message>
+        <source>from before to after</source>
+        <translation>前から後へ</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>適合</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>境界</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>不適合</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>対象外</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>悪化</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>改善</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>変化なし</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>比較なし</translation>
     </message>
 </context>
 <context>
@@ -1284,7 +1336,7 @@ with %2</source>
         <translation> M レイ/秒</translation>
     </message>
     <message>
-        <source>%1 occlusion rays divided by the engine&apos;s time</source>
+        <source>%1 occlusion rays divided by the engine's time</source>
         <translation>遮蔽レイ %1 本をエンジンの時間で割った値</translation>
     </message>
     <message>
@@ -1332,7 +1384,7 @@ with %2</source>
         <translation>日影 %1 m², スコア %2</translation>
     </message>
     <message>
-        <source>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</source>
+        <source>Shadow area over %1 sunlit minutes, and the month's contribution to the score</source>
         <translation>日照 %1 分間の日影面積と、その月のスコアへの寄与</translation>
     </message>
     <message>
@@ -1348,7 +1400,7 @@ with %2</source>
         <translation>日影スコア</translation>
     </message>
     <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <source>Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
         <translation>区間ごとの 重み × 日照時間のうち影の割合 × セル面積 の合計。0 より大きいと望ましい影が上回る</translation>
     </message>
     <message>
@@ -1640,7 +1692,7 @@ cells of %2 m</source>
         <translation>期間の平均的な 1 日に各地点が日影になる分数と、途切れない最長時間</translation>
     </message>
     <message>
-        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under "compare with"</source>
         <translation>「比較対象」で選んだ都市に対し、シナリオが増減させる日影の分</translation>
     </message>
     <message>
@@ -1648,7 +1700,7 @@ cells of %2 m</source>
         <translation>時刻と月で重み付けした影: 夏は望ましく、冬は望ましくない。重みは「重み」パネルで選択</translation>
     </message>
     <message>
-        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
+        <source>Pass or fail of parks and other places by a board's rule. Choose it in the panel Review</source>
         <translation>公園などの場所が審査機関の規定に適合するか。規定は「審査」パネルで選択</translation>
     </message>
     <message>
@@ -1782,7 +1834,7 @@ Default: %2</source>
         <translation>Z</translation>
     </message>
     <message>
-        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
+        <source>Unit of the mesh's coordinates, which the file does not state</source>
         <translation>ファイルに書かれていないメッシュ座標の単位</translation>
     </message>
     <message>
@@ -1880,10 +1932,6 @@ Default: %2</source>
     <message>
         <source>Views</source>
         <translation>表示</translation>
-    </message>
-    <message>
-        <source>Camera, projection and moment, saved with Ctrl+Shift+V</source>
-        <translation>カメラ・投影・日時。Ctrl+Shift+V で保存します</translation>
     </message>
     <message>
         <source>%1
@@ -1994,10 +2042,6 @@ All sides %2, area %3</source>
         <translation>%1点、太陽の位置%2。</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>on facades</source>
         <translation>ファサード</translation>
     </message>
@@ -2028,6 +2072,102 @@ All sides %2, area %3</source>
     <message>
         <source>To fit this lot: %1.</source>
         <translation>この敷地に合わせるための変更: %1。</translation>
+    </message>
+    <message>
+        <source>Aerial photograph</source>
+        <translation>航空写真</translation>
+    </message>
+    <message>
+        <source>Pictures with a position</source>
+        <translation>位置情報を持つ画像</translation>
+    </message>
+    <message>
+        <source>Save the tiles as a photograph</source>
+        <translation>タイルを写真として保存</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif)</source>
+        <translation>GeoTIFF (*.tif)</translation>
+    </message>
+    <message>
+        <source>Points from file</source>
+        <translation>ファイルから点を読み込む</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>点の表</translation>
+    </message>
+    <message>
+        <source>the tower is not twisted</source>
+        <translation>タワーにねじれなし</translation>
+    </message>
+    <message>
+        <source>Use not stated</source>
+        <translation>用途の指定なし</translation>
+    </message>
+    <message>
+        <source>From, above datum</source>
+        <translation>開始(基準面から)</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>開始高さ</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>後退</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>先細り</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>ねじれ</translation>
+    </message>
+    <message>
+        <source>Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %</source>
+        <translation>先細り: ボリュームの上端が下端よりどれだけ細いか、0~95 %</translation>
+    </message>
+    <message>
+        <source>Twist: clockwise turn from the bottom of the volume to its top, in proportion to the height; it must stay on the lot</source>
+        <translation>ねじれ: ボリュームの下端から上端までの時計回りの回転、高さに比例。敷地内に収まること</translation>
+    </message>
+    <message>
+        <source>%1, section box</source>
+        <translation>%1、断面ボックス</translation>
+    </message>
+    <message>
+        <source>Camera, projection, section box and moment, saved with Ctrl+Shift+V</source>
+        <translation>カメラ、投影、断面ボックス、時点。Ctrl+Shift+V で保存</translation>
+    </message>
+    <message>
+        <source>%1, floor %2   before: %3, after: %4</source>
+        <translation>%1、%2階   前：%3、後：%4</translation>
+    </message>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>敷地まわりの線上</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>個別の点</translation>
+    </message>
+    <message>
+        <source>%1, top %2</source>
+        <translation>%1、上端 %2</translation>
+    </message>
+    <message>
+        <source>%1 above datum</source>
+        <translation>基準面から %1</translation>
+    </message>
+    <message>
+        <source>%1 above ground</source>
+        <translation>地盤から %1</translation>
     </message>
 </context>
 <context>
@@ -2175,14 +2315,6 @@ All sides %2, area %3</source>
 <context>
     <name>noonmark::AccuracySection</name>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>Side of a cell on the ground, metres, 0.25 to 10. Half the size: four times the cells</source>
-        <translation>地面のセルの一辺、メートル、0.25 から 10。半分にするとセルは 4 倍</translation>
-    </message>
-    <message>
         <source>As in the paper</source>
         <translation>論文の通り</translation>
     </message>
@@ -2211,6 +2343,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>accuracy</source>
         <translation>精度</translation>
+    </message>
+    <message>
+        <source>Side of a cell on the ground. Half the size: four times the cells</source>
+        <translation>地面のセルの一辺。半分にするとセル数は4倍になります</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +2543,18 @@ as published. Approximate: the legend states the measured error</source>
         <source>No live shadow. %1</source>
         <translation>ライブ日影なし。%1</translation>
     </message>
+    <message>
+        <source>No live facades. %1</source>
+        <translation>ライブファサードはありません。%1</translation>
+    </message>
+    <message>
+        <source>Facades: %1 points while it moves</source>
+        <translation>ファサード: 移動中は %1 点</translation>
+    </message>
+    <message>
+        <source>Facades: %1 points</source>
+        <translation>ファサード: %1 点</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::EditTools</name>
@@ -2451,7 +2599,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>選択した建物を地面の上でドラッグ</translation>
     </message>
     <message>
-        <source>Creates a lot from the selected building&apos;s outline</source>
+        <source>Creates a lot from the selected building's outline</source>
         <translation>選択した建物の外形から敷地を作る</translation>
     </message>
     <message>
@@ -2467,7 +2615,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>建物を地面の上でドラッグ。Esc で終了。</translation>
     </message>
     <message>
-        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <source>Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
         <translation>敷地の角をクリック。Shift: 直前の辺に直角。ダブルクリックか Enter で終了。</translation>
     </message>
     <message>
@@ -2477,6 +2625,18 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc cancels.</source>
         <translation>矢印をドラッグするか、高さを入力します。Shift: 階に揃えない。Enter で建設、Esc で取り消し。</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve facades</source>
+        <translation>ライブファサード(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Shows the sunlight of a building's facades while it is designed or changed</source>
+        <translation>設計・変更中の建物のファサードの日照を表示します</translation>
     </message>
 </context>
 <context>
@@ -2500,14 +2660,6 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>above the ground</source>
         <translation>地盤からの高さ</translation>
-    </message>
-    <message>
-        <source>Heights of the file: elevations as those of the city, or metres above the ground below the window</source>
-        <translation>ファイルの高さ: 都市と同じ標高、または窓の下の地盤からのメートル</translation>
-    </message>
-    <message>
-        <source>Height of the plane above the mean of the region&apos;s ground. The size of its cells is that under &quot;How exactly&quot;.</source>
-        <translation>領域の平均地盤面からの水平面の高さ。セルの大きさは「精度」で指定したものです。</translation>
     </message>
     <message>
         <source>all of the region</source>
@@ -2609,6 +2761,22 @@ as published. Approximate: the legend states the measured error</source>
         <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
         <translation>建物の名前または ID をコンマで区切って入力。空欄ならすべての建物</translation>
     </message>
+    <message>
+        <source>Heights of the file, in metres: elevations as those of the city, or above the ground below the window</source>
+        <translation>ファイルの高さ(メートル): 都市と同じ標高、または窓の下の地面からの高さ</translation>
+    </message>
+    <message>
+        <source>Height of the plane above the mean of the region's ground, or of the lines above that of the parcel's. The size of a plane's cells is that under "How exactly".</source>
+        <translation>領域の平均地盤面からの面の高さ、または敷地の平均地盤面からの線の高さ。面のセルの大きさは「精度」で指定します。</translation>
+    </message>
+    <message>
+        <source>Proposed buildings only</source>
+        <translation>計画建物のみ</translation>
+    </message>
+    <message>
+        <source>The buildings that the displayed scenario builds or changes</source>
+        <translation>表示中のシナリオが新築または変更する建物</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ElementModel</name>
@@ -2647,6 +2815,17 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Continuous, min</source>
         <translation>連続、分</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementPicking</name>
+    <message>
+        <source>Click walls in the view to choose their faces.</source>
+        <translation>ビューの壁をクリックして面を選びます。</translation>
+    </message>
+    <message>
+        <source>Click the ground, roofs or walls in the view to add points.</source>
+        <translation>ビューの地面・屋根・壁をクリックして点を追加します。</translation>
     </message>
 </context>
 <context>
@@ -2804,6 +2983,105 @@ as published. Approximate: the legend states the measured error</source>
         <source>Height: %1  (Enter)</source>
         <translation>高さ: %1  (Enter)</translation>
     </message>
+    <message>
+        <source>Top above datum: %1  (Enter)</source>
+        <translation>上端(基準面から): %1  (Enter)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FaceForm</name>
+    <message>
+        <source>all faces</source>
+        <translation>すべての面</translation>
+    </message>
+    <message>
+        <source>Single faces of buildings, with commas between them, by the beginning of their points' ids: way 12 wall 3. Empty: all faces</source>
+        <translation>建物の個々の面(コンマ区切り)。点の ID の先頭部分で指定します: way 12 wall 3。空欄: すべての面</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>Click walls in the view: each click adds a face or removes it. Press again to end</source>
+        <translation>ビューの壁をクリックするたびに面を追加または除外します。もう一度押すと終了します</translation>
+    </message>
+    <message>
+        <source>any direction</source>
+        <translation>すべての方位</translation>
+    </message>
+    <message>
+        <source>north ± 45°</source>
+        <translation>北 ± 45°</translation>
+    </message>
+    <message>
+        <source>east ± 45°</source>
+        <translation>東 ± 45°</translation>
+    </message>
+    <message>
+        <source>south ± 45°</source>
+        <translation>南 ± 45°</translation>
+    </message>
+    <message>
+        <source>west ± 45°</source>
+        <translation>西 ± 45°</translation>
+    </message>
+    <message>
+        <source>other azimuths</source>
+        <translation>その他の方位角</translation>
+    </message>
+    <message>
+        <source>Only faces, or windows, that face this direction from true north</source>
+        <translation>真北を基準にこの方位を向く面または窓だけ</translation>
+    </message>
+    <message>
+        <source>The first azimuth, clockwise from true north</source>
+        <translation>最初の方位角(真北から時計回り)</translation>
+    </message>
+    <message>
+        <source>The last azimuth, clockwise from true north</source>
+        <translation>最後の方位角(真北から時計回り)</translation>
+    </message>
+    <message>
+        <source>Only points from which a level line straight out from the wall meets this place, as the windows along a park</source>
+        <translation>壁から垂直に出る水平線がこの場所に達する点だけ(公園沿いの窓など)</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>How far away the place may be</source>
+        <translation>場所までの最大距離</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Looking at</source>
+        <translation>面する場所</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>faced place</source>
+        <translation>面する場所</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>方位</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>指定なし</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::FieldHelp</name>
@@ -2858,7 +3136,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>Noonmark について</translation>
     </message>
     <message>
-        <source>&amp;What&apos;s this?</source>
+        <source>&amp;What's this?</source>
         <translation>これは何?(&amp;W)</translation>
     </message>
     <message>
@@ -2896,6 +3174,60 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LineForm</name>
+    <message>
+        <source>Parcel</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>Lines, m</source>
+        <translation>線、m</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>lot or file</source>
+        <translation>敷地またはファイル</translation>
+    </message>
+    <message>
+        <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
+        <translation>線が囲む敷地: プロジェクトの敷地・領域・場所の名前、またはポリゴンファイルのパス</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the parcel in metres, with commas: 5, 10</source>
+        <translation>敷地から線までの距離(メートル、コンマ区切り): 5, 10</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Distance from point to point on a line</source>
+        <translation>線上の点の間隔</translation>
+    </message>
+    <message>
+        <source>parcel</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>線</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LiveFacades</name>
+    <message>
+        <source>Live facades</source>
+        <translation>ライブファサード</translation>
     </message>
 </context>
 <context>
@@ -2948,7 +3280,7 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>%1 に接する道路</translation>
     </message>
     <message>
-        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel's line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
         <translation>各辺に接する道路、水面、線路の幅はいくらですか? 日本の日影規制のような敷地の規定では、敷地境界線をその分外側へ移します。各方位は、その方向から 45 度以内を向く最も外側の辺に適用されます。</translation>
     </message>
 </context>
@@ -3005,7 +3337,7 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>1 階分から 2000 m。塔の矢印をドラッグするか、表示の上で数字を入力しても可</translation>
     </message>
     <message>
-        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
+        <source>Rotation clockwise about the tower's middle; it must stay on the lot</source>
         <translation>塔の中心まわりの時計回りの回転。敷地からはみ出せません</translation>
     </message>
     <message>
@@ -3025,16 +3357,24 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>階高</translation>
     </message>
     <message>
-        <source>Total height</source>
-        <translation>全高</translation>
-    </message>
-    <message>
         <source>Floor plate</source>
         <translation>基準階面積</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>回転</translation>
+    </message>
+    <message>
+        <source>Taper, twist</source>
+        <translation>先細り・ねじれ</translation>
+    </message>
+    <message>
+        <source>Top above datum</source>
+        <translation>上端(基準面から)</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>地盤からの高さ</translation>
     </message>
 </context>
 <context>
@@ -3052,7 +3392,7 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>The project&apos;s lots</source>
+        <source>The project's lots</source>
         <translation>プロジェクトの敷地</translation>
     </message>
     <message>
@@ -3100,6 +3440,14 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Sets the tower that is selected or being designed on this lot too, with its storeys, plate areas and setbacks, turned as the lot is</source>
         <translation>選択中または設計中のタワーを、階数・床面積・セットバックを保ち、敷地の向きに合わせてこの敷地にも置きます</translation>
+    </message>
+    <message>
+        <source>Sunlight of its facades</source>
+        <translation>ファサードの日照</translation>
+    </message>
+    <message>
+        <source>Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study's form.</source>
+        <translation>タワーのファサードの日影時間を表示します(変更中は粗く)。ビューで他の建物をクリックすると、そのファサードも表示します。スパンと階高は検討フォームの値です。</translation>
     </message>
 </context>
 <context>
@@ -3429,7 +3777,7 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>日数、1 から 3660</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
+        <source>Wall-clock time at which each day's window begins, hours:minutes</source>
         <translation>毎日の開始時刻、時:分</translation>
     </message>
     <message>
@@ -3459,14 +3807,120 @@ Set to that of the nearest city when a file is opened: check it near borders.</s
         <translation>日没のこの時間前に終わる</translation>
     </message>
     <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun's centre</source>
         <translation>日の出・日没とみなす時点: 太陽中心の高度</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
-Off: the sun&apos;s geometric position, as some rules require</source>
+Off: the sun's geometric position, as some rules require</source>
         <translation>オン: 大気が地平線近くの太陽を少し持ち上げます (大気差)。
 オフ: 太陽の幾何学的位置。これを求める規定もあります</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographActions</name>
+    <message>
+        <source>Aer&amp;ial photograph...</source>
+        <translation>航空写真(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>An orthophoto or a scanned map with its position, drawn on the ground of the view, on maps and on sheets</source>
+        <translation>位置情報を持つオルソ画像や地図画像を、表示の地面、地図、図面に描きます</translation>
+    </message>
+    <message>
+        <source>Aerial photo&amp;graph</source>
+        <translation>航空写真(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Shows or hides the aerial photograph</source>
+        <translation>航空写真を表示または非表示にします</translation>
+    </message>
+    <message>
+        <source>%1 of %2 tiles are missing and stay empty</source>
+        <translation>%2 枚中 %1 枚のタイルがなく、空白のままです</translation>
+    </message>
+    <message>
+        <source>Reading the photograph</source>
+        <translation>航空写真を読み込み中</translation>
+    </message>
+    <message>
+        <source>aerial photograph</source>
+        <translation>航空写真</translation>
+    </message>
+    <message>
+        <source>remove aerial photograph</source>
+        <translation>航空写真を削除</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographDialog</name>
+    <message>
+        <source>Draw it</source>
+        <translation>描画する</translation>
+    </message>
+    <message>
+        <source>Aerial photograph</source>
+        <translation>航空写真</translation>
+    </message>
+    <message>
+        <source>(c) owner of the photograph, year</source>
+        <translation>(c) 写真の所有者、年</translation>
+    </message>
+    <message>
+        <source>Whose photograph it is; printed on maps, sheets and pictures that show it</source>
+        <translation>写真の権利者。写真を含む地図、図面、画像に印刷されます</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much it covers streets, parks and water below it</source>
+        <translation>下の道路、公園、水面をどれだけ覆うか</translation>
+    </message>
+    <message>
+        <source>On the ground of the view, on maps and on sheets</source>
+        <translation>表示の地面、地図、図面に</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>出典</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Choose file...</source>
+        <translation>ファイルを選択...</translation>
+    </message>
+    <message>
+        <source>A GeoTIFF or Erdas Imagine file with its position, of 8 bits per colour</source>
+        <translation>位置情報を持つ GeoTIFF または Erdas Imagine ファイル(1色8ビット)</translation>
+    </message>
+    <message>
+        <source>From tiles...</source>
+        <translation>タイルから...</translation>
+    </message>
+    <message>
+        <source>Fetches tiles of the web's map scheme from an address that you state</source>
+        <translation>指定したアドレスからウェブ地図形式のタイルを取得します</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Takes the photograph out of the project; its file stays</source>
+        <translation>写真をプロジェクトから外します。ファイルは残ります</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
     </message>
 </context>
 <context>
@@ -3492,7 +3946,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>地面の角をクリック。Enter で終了、Esc で中止</translation>
     </message>
     <message>
-        <source>Creates a place from the selected building&apos;s outline</source>
+        <source>Creates a place from the selected building's outline</source>
         <translation>選択した建物の外形から場所を作る</translation>
     </message>
     <message>
@@ -3551,7 +4005,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>絞り込み</translation>
     </message>
     <message>
-        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
+        <source>Tick the places that the proposal's shadow can reach at all</source>
         <translation>計画案の影が届きうる場所を選ぶ</translation>
     </message>
     <message>
@@ -3563,7 +4017,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>%2 か所中 %1 か所を選択</translation>
     </message>
     <message>
-        <source>%1 of %2 places can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 places can be reached; the others' tooltips say why not</source>
         <translation>%2 か所中 %1 か所に影が届きえます。他の理由はツールチップに</translation>
     </message>
 </context>
@@ -3614,8 +4068,20 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation> (ほか %1 件)</translation>
     </message>
     <message>
-        <source>%1, %2 high. Another click moves it.</source>
-        <translation>%1、高さ %2。もう一度クリックすると移動。</translation>
+        <source>Floor to floor, 2 to 10 m, for lines at its floors; 0: not known</source>
+        <translation>階高、2~10 m(階の線に使う)。0: 不明</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>%1, top %2. Another click moves it.</source>
+        <translation>%1、上端 %2。もう一度クリックすると移動します。</translation>
     </message>
 </context>
 <context>
@@ -3633,8 +4099,12 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>面積</translation>
     </message>
     <message>
-        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
+        <source>A smaller plate keeps the lot's shape, inset from all sides</source>
         <translation>小さい階は敷地の形を保ち、全辺で後退します</translation>
+    </message>
+    <message>
+        <source> sq ft</source>
+        <translation> 平方フィート</translation>
     </message>
 </context>
 <context>
@@ -3666,16 +4136,16 @@ Vertical sky component: %1 %</source>
         <translation>地面、屋根、壁を右クリックし、「ここの太陽と天空」を選んでください。</translation>
     </message>
     <message>
-        <source>Before
-%1
+        <source>Before: %1
+%2
 
-Scenario
-%2</source>
-        <translation>変更前
-%1
+After: %3
+%4</source>
+        <translation>変更前: %1
+%2
 
-シナリオ
-%2</translation>
+変更後: %3
+%4</translation>
     </message>
 </context>
 <context>
@@ -3683,6 +4153,88 @@ Scenario
     <message>
         <source>Point</source>
         <translation>点</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointListForm</name>
+    <message>
+        <source>Click points</source>
+        <translation>点をクリック</translation>
+    </message>
+    <message>
+        <source>Click the ground, roofs or walls in the view: each click adds a point. Press again to end</source>
+        <translation>ビューの地面・屋根・壁をクリックするたびに点を追加します。もう一度押すと終了します</translation>
+    </message>
+    <message>
+        <source>Read CSV...</source>
+        <translation>CSV を読み込む...</translation>
+    </message>
+    <message>
+        <source>Replaces the list by a CSV file with columns id, lon, lat, height, facing</source>
+        <translation>列 id, lon, lat, height, facing を持つ CSV ファイルで一覧を置き換えます</translation>
+    </message>
+    <message>
+        <source>One point a line: id, longitude, latitude (degrees), metres above the ground, azimuth that a wall faces. Without a height the point is on the ground or roof, without an azimuth it is level</source>
+        <translation>1行に1点: ID、経度、緯度(度)、地上高(m)、壁の向く方位角。高さがなければ地面または屋根の上、方位角がなければ水平面です</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PointScenarios</name>
+    <message>
+        <source>The scenario before: what the other one is compared with</source>
+        <translation>変更前のシナリオ: 比較の基準</translation>
+    </message>
+    <message>
+        <source>The scenario whose sun at the point is compared</source>
+        <translation>この点の日照を比較するシナリオ</translation>
+    </message>
+    <message>
+        <source>The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
+        <translation>プロジェクトの全シナリオにおけるこの点の日照と天空。コピー (Ctrl+C) で表を取得できます</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>Day, min</source>
+        <translation>1日、分</translation>
+    </message>
+    <message>
+        <source>Year, h</source>
+        <translation>1年、時間</translation>
+    </message>
+    <message>
+        <source>Change, h</source>
+        <translation>変化、時間</translation>
+    </message>
+    <message>
+        <source>Sky view</source>
+        <translation>天空率</translation>
+    </message>
+    <message>
+        <source>VSC, %</source>
+        <translation>VSC、%</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>変更前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>変更後</translation>
+    </message>
+    <message>
+        <source>the baseline</source>
+        <translation>比較基準</translation>
+    </message>
+    <message>
+        <source>the displayed scenario</source>
+        <translation>表示中のシナリオ</translation>
     </message>
 </context>
 <context>
@@ -3881,11 +4433,11 @@ Scenario
         <translation>新しいシナリオ(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Save the study&apos;s region</source>
+        <source>&amp;Save the study's region</source>
         <translation>検討範囲を保存(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Save the study&apos;s period</source>
+        <source>&amp;Save the study's period</source>
         <translation>検討期間を保存(&amp;S)</translation>
     </message>
     <message>
@@ -3997,7 +4549,7 @@ Scenario
         <translation>最も高いもの</translation>
     </message>
     <message>
-        <source>if neighbours&apos; ground heights differ</source>
+        <source>if neighbours' ground heights differ</source>
         <translation>隣接する地盤高が異なる場合</translation>
     </message>
     <message>
@@ -4077,10 +4629,6 @@ Scenario
         <translation>建物の基部から地形</translation>
     </message>
     <message>
-        <source>Meshes (OBJ, PLY, glTF)</source>
-        <translation>メッシュ (OBJ, PLY, glTF)</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>上向きの軸</translation>
     </message>
@@ -4111,7 +4659,7 @@ As in the file: metres, unless the value or the field states otherwise.</source>
 ファイルの通り: 値や項目に指定がなければメートル。</translation>
     </message>
     <message>
-        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
+        <source>If no terrain is read: derive it from the buildings' ground elevations.
 Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
         <translation>地形を読み込まない場合、建物の地盤高から作ります。
 既定: 隣り合う組の 20 分の 1 以上で 1 m を超える差があるとき。</translation>
@@ -4147,26 +4695,30 @@ Empty: the highest available.</source>
         <translation>データの中央からこれより遠いものは警告を出して除きます。メートル、100 から 200000</translation>
     </message>
     <message>
-        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
+        <source>Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360</source>
         <translation>メッシュの北軸の向き、真北から時計回りの度、-360 から 360</translation>
     </message>
     <message>
-        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
+        <source>Geographic location of the mesh's origin. Required for a mesh opened alone.
 Off: at the origin of the city from the other files.</source>
         <translation>メッシュ原点の地理的位置。メッシュだけを開くとき必要です。
 オフ: 他のファイルの都市の原点。</translation>
     </message>
     <message>
-        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
+        <source>Longitude of the mesh's origin, degrees, east positive, -180 to 180</source>
         <translation>メッシュ原点の経度、度、東が正、-180 から 180</translation>
     </message>
     <message>
-        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
+        <source>Latitude of the mesh's origin, degrees, north positive, -90 to 90</source>
         <translation>メッシュ原点の緯度、度、北が正、-90 から 90</translation>
     </message>
     <message>
-        <source>Places the mesh&apos;s origin at the middle of the open city</source>
+        <source>Places the mesh's origin at the middle of the open city</source>
         <translation>メッシュ原点を開いている都市の中央に置く</translation>
+    </message>
+    <message>
+        <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
+        <translation>メッシュ(OBJ、PLY、glTF、IFC、DXF)</translation>
     </message>
 </context>
 <context>
@@ -4599,10 +5151,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>Ctrl+Shift+V</translation>
     </message>
     <message>
-        <source>Camera, projection, and date and time if a moment is shown, under a name in the project</source>
-        <translation>カメラ、投影、時点を表示中なら日時も、名前を付けてプロジェクトに保存します</translation>
-    </message>
-    <message>
         <source>No view is saved yet</source>
         <translation>保存した表示はまだありません</translation>
     </message>
@@ -4615,8 +5163,12 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>表示 %1 を保存</translation>
     </message>
     <message>
-        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
+        <source>Saved as '%1' in the project. F2 in the project's list renames it.</source>
         <translation>プロジェクトに「%1」として保存しました。プロジェクトの一覧で F2 を押すと名前を変えられます。</translation>
+    </message>
+    <message>
+        <source>Camera, projection, section box, and date and time if a moment is shown, under a name in the project</source>
+        <translation>カメラ、投影、断面ボックス、時点を表示中なら日時も、名前を付けてプロジェクトに保存します</translation>
     </message>
 </context>
 <context>
@@ -4789,7 +5341,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>名称や ID による建物、道路、場所, 敷地、位置</translation>
     </message>
     <message>
-        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
+        <source>Nothing is called "%1". Buildings without a name are found by their id.</source>
         <translation>「%1」はありません。名称のない建物は ID で検索できます。</translation>
     </message>
 </context>
@@ -4874,10 +5426,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>メッシュを読み込む...</translation>
     </message>
     <message>
-        <source>Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground</source>
-        <translation>OBJ、PLY、glTF、CityJSON の建物を地面のクリック位置に加える</translation>
-    </message>
-    <message>
         <source>Demolish</source>
         <translation>除却</translation>
     </message>
@@ -4910,20 +5458,12 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>建物を地面の上でドラッグ。Esc で終了</translation>
     </message>
     <message>
-        <source>Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply</source>
-        <translation>地上から 0.1 から 2000 m。建物の矢印をドラッグしても可。Enter で適用</translation>
-    </message>
-    <message>
         <source>Clockwise about its middle. Press Enter to apply</source>
         <translation>中心まわりに時計回り。Enter で適用</translation>
     </message>
     <message>
         <source>Negative: west, south. Press Enter to apply</source>
         <translation>負: 西、南。Enter で適用</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高さ</translation>
     </message>
     <message>
         <source>Move east</source>
@@ -4969,6 +5509,22 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Click a building in the view to select it.</source>
         <translation>表示の建物をクリックして選択。</translation>
     </message>
+    <message>
+        <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
+        <translation>OBJ、PLY、glTF、IFC、DXF、CityJSON から建物を追加し、地面のクリックで配置する</translation>
+    </message>
+    <message>
+        <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
+        <translation>地盤から 0.1~2000 m。表示 &gt; 基準面からの高さ で標高として示す。または建物の矢印をドラッグ。Enter で適用</translation>
+    </message>
+    <message>
+        <source>Top above datum</source>
+        <translation>上端(基準面から)</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>地盤からの高さ</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SetbackTable</name>
@@ -4977,20 +5533,20 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>削除</translation>
     </message>
     <message>
-        <source>From height</source>
-        <translation>この高さから</translation>
-    </message>
-    <message>
-        <source>Inset</source>
-        <translation>後退</translation>
-    </message>
-    <message>
-        <source>Above each height the walls are set back by the inset, from bottom to top</source>
-        <translation>各高さより上で壁がその分後退します。下から順に</translation>
-    </message>
-    <message>
         <source>Add setback</source>
         <translation>セットバックを追加</translation>
+    </message>
+    <message>
+        <source>Above each height the walls are set back by the inset, from bottom to top; taper and twist are those of the volume above it</source>
+        <translation>各高さより上で壁が後退する(下から上へ)。先細りとねじれはその上のボリュームのもの</translation>
+    </message>
+    <message>
+        <source>Height from which the walls are set back</source>
+        <translation>壁が後退し始める高さ</translation>
+    </message>
+    <message>
+        <source>How far every wall is set back, from the top of the volume below</source>
+        <translation>下のボリュームの上端から各壁が後退する距離</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5943,52 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
+    <name>noonmark::TileDialog</name>
+    <message>
+        <source>Aerial photograph from tiles</source>
+        <translation>タイルから航空写真</translation>
+    </message>
+    <message>
+        <source>Address of the tiles, with {z} for the zoom, {x} and {y} for the tile</source>
+        <translation>タイルのアドレス。{z} はズーム、{x} と {y} はタイル</translation>
+    </message>
+    <message>
+        <source>Whose tiles they are, as their owner asks for; printed wherever they are drawn</source>
+        <translation>所有者が求めるとおりのタイルの出典。描かれる所すべてに印刷されます</translation>
+    </message>
+    <message>
+        <source>Nothing is fetched before the button is pressed. Tiles of zoom %1: %2. Ask their owner whether you may store and print them.</source>
+        <translation>ボタンを押すまで何も取得しません。ズーム %1 のタイル: %2。保存と印刷が許されるか所有者に確認してください。</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>出典</translation>
+    </message>
+    <message>
+        <source>Fetch tiles</source>
+        <translation>タイルを取得</translation>
+    </message>
+    <message>
+        <source>Fetches the tiles over the city from this address</source>
+        <translation>このアドレスから都市のタイルを取得します</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TileFetch</name>
+    <message>
+        <source>%1 is no picture of a tile</source>
+        <translation>%1 はタイルの画像ではありません</translation>
+    </message>
+    <message>
+        <source>The server has no tile of this place</source>
+        <translation>サーバーにこの場所のタイルがありません</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TimeDisplay</name>
     <message>
         <source>&amp;Play the sun</source>
@@ -5562,10 +6164,107 @@ of the year, as many weeks</source>
     </message>
 </context>
 <context>
+    <name>noonmark::TowerDisplay</name>
+    <message>
+        <source>Store&amp;y lines</source>
+        <translation>階の線(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Lines at the floors of proposed towers, and of imported buildings whose storey height is known</source>
+        <translation>計画タワーと、階高がわかる読み込み建物の各階の線</translation>
+    </message>
+    <message>
+        <source>&amp;Heights above datum</source>
+        <translation>基準面からの高さ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Heights of buildings above the vertical zero of the project's terrain instead of above the ground under each building, as shown and as typed</source>
+        <translation>建物の高さを、各建物の地盤からではなく、プロジェクトの地形の鉛直基準から表示・入力する</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TowerEditing</name>
     <message>
         <source>Build %1</source>
         <translation>%1 を建設</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::UseTable</name>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>階数</translation>
+    </message>
+    <message>
+        <source>What the storeys are used for, from the ground floor up: retail 2, offices 10, homes the rest</source>
+        <translation>階の用途、1階から上へ: 店舗2、オフィス10、残りは住宅</translation>
+    </message>
+    <message>
+        <source>Add use</source>
+        <translation>用途を追加</translation>
+    </message>
+    <message>
+        <source>Adds a use for the storeys above the others</source>
+        <translation>ほかの用途より上の階の用途を追加する</translation>
+    </message>
+    <message>
+        <source>Removes the selected use, or the last one</source>
+        <translation>選択した用途、または最後の用途を削除する</translation>
+    </message>
+    <message>
+        <source>Retail</source>
+        <translation>店舗</translation>
+    </message>
+    <message>
+        <source>Offices</source>
+        <translation>オフィス</translation>
+    </message>
+    <message>
+        <source>Homes</source>
+        <translation>住宅</translation>
+    </message>
+    <message>
+        <source>Hotel</source>
+        <translation>ホテル</translation>
+    </message>
+    <message>
+        <source>Community</source>
+        <translation>公共施設</translation>
+    </message>
+    <message>
+        <source>Parking</source>
+        <translation>駐車場</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>機械室</translation>
+    </message>
+    <message>
+        <source>A use of the list, or any other text</source>
+        <translation>一覧の用途、またはほかの任意の文字</translation>
+    </message>
+    <message>
+        <source>the rest</source>
+        <translation>残り</translation>
+    </message>
+    <message>
+        <source>How many storeys; 0: all storeys above, for the last use</source>
+        <translation>階数。0: それより上のすべての階(最後の用途)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::VerdictLinks</name>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1：%2を%3と比較</translation>
     </message>
 </context>
 <context>
@@ -5774,7 +6473,7 @@ of the year, as many weeks</source>
         <translation>スコアを計算</translation>
     </message>
     <message>
-        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
+        <source>Shadow of the displayed scenario over the study's region and period, weighted by this table: by month and as a map</source>
         <translation>表示中のシナリオの検討範囲・期間の影をこの表で重み付け: 月別と図</translation>
     </message>
     <message>
@@ -5913,7 +6612,7 @@ Facades, windows and planes are measured at points, each with its hours of sun.<
         <translation>規定の通り</translation>
     </message>
     <message>
-        <source>The day and the hours of a review board&apos;s rule</source>
+        <source>The day and the hours of a review board's rule</source>
         <translation>審査機関の規定の日と時間帯</translation>
     </message>
     <message>
@@ -5970,7 +6669,7 @@ Double click, Enter or right click finishes, Backspace removes the last corner, 
         <translation>建物の周り</translation>
     </message>
     <message>
-        <source>The selected building&apos;s surroundings, as far as four times its height.
+        <source>The selected building's surroundings, as far as four times its height.
 Click a building first.</source>
         <translation>選択した建物の周り、高さの 4 倍まで。
 先に建物をクリックしてください。</translation>
@@ -5996,6 +6695,35 @@ Click a building first.</source>
     </message>
 </context>
 <context>
+    <name>noonmark::WindowPanel</name>
+    <message>
+        <source>Verdicts after</source>
+        <translation>後の判定</translation>
+    </message>
+    <message>
+        <source>Verdicts before</source>
+        <translation>前の判定</translation>
+    </message>
+    <message>
+        <source>Changed verdicts</source>
+        <translation>変化した判定</translation>
+    </message>
+    <message>
+        <source>No verdicts</source>
+        <translation>判定なし</translation>
+    </message>
+    <message>
+        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
+A click on a tile selects its row, a click on a row frames its window.</source>
+        <translation>3Dビューの壁面に表示するもの：窓ごとに判定の色のタイル。
+タイルをクリックするとその行が選ばれ、行をクリックするとその窓が表示されます。</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>ビューの表示</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WindowSession</name>
     <message>
         <source>Review</source>
@@ -6012,6 +6740,14 @@ Click a building first.</source>
     <message>
         <source>Writing the review</source>
         <translation>審査を書き出しています</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>所要時間を見積もっています</translation>
+    </message>
+    <message>
+        <source>%1 windows: %2</source>
+        <translation>窓%1か所：%2</translation>
     </message>
 </context>
 <context>

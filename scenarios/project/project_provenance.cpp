@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/city/map_context.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/text/region_text.h"

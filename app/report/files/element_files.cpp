@@ -3,6 +3,7 @@
 #include "app/report/book/element_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
+#include "core/study/elements/element_cityjson.h"
 #include "core/study/elements/element_gltf.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/region_text.h"
@@ -10,6 +11,12 @@
 namespace noonmark {
 
 namespace {
+
+constexpr const char* cityJsonName = "elements.city.json";
+
+bool hasElevations(ElementPlaces places) {
+    return places == ElementPlaces::facades || places == ElementPlaces::windows;
+}
 
 bool needsRegionFile(const ElementStudy& study) {
     const std::string& known = study.provenance.region;
@@ -20,7 +27,7 @@ bool needsRegionFile(const ElementStudy& study) {
 
 std::vector<std::string> elementFileNames(ElementPlaces places) {
     std::vector<std::string> names{"elements.csv", "elements.gpkg", "elements.glb", "study.json"};
-    if (places != ElementPlaces::plane) names.emplace_back("elements.pdf");
+    if (hasElevations(places)) names.emplace_back("elements.pdf");
     return names;
 }
 
@@ -30,11 +37,13 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
                                                              const OutputRules& rules) {
     std::vector<std::string> names = elementFileNames(study.elements.places);
     if (needsRegionFile(study)) names.emplace_back(regionFileName);
-    if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
     const ElementMap map = makeElementMap(study);
+    const auto cityJson = copyCityJsonOf(study, map);
+    if (cityJson) names.emplace_back(cityJsonName);
+    if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
     const ElementTable table = makeElementTable(map, study.city, sourceValues(study.provenance));
     QByteArray pdf;
-    if (study.elements.places != ElementPlaces::plane) {
+    if (hasElevations(study.elements.places)) {
         auto printed = printBook(makeElementBook(study, map, settings));
         if (!printed) return tl::make_unexpected(printed.error());
         pdf = *std::move(printed);
@@ -45,6 +54,7 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
               [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
     files.add("elements.glb", textContent(toGlb(map)));
     if (!pdf.isEmpty()) files.add("elements.pdf", textContent(pdf.toStdString()));
+    if (cityJson) files.add(cityJsonName, textContent(*cityJson));
     files.addLast("study.json",
                   [&](const OutputFolder::Durations& seconds) { return elementStudyJson(study, seconds); });
     if (needsRegionFile(study))

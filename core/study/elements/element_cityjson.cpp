@@ -246,4 +246,18 @@ Result<CityJsonWithHours> addHoursToCityJson(const std::filesystem::path& file, 
                        [&] { return copyWithHours(file, crs, city, map, stop); });
 }
 
+std::optional<std::string> copyCityJsonOf(const ElementStudy& study, const ElementMap& map,
+                                          const std::stop_token& stop) {
+    const Provenance& provenance = study.provenance;
+    if (provenance.inputs.size() != 1) return std::nullopt;
+    const InputFile& input = provenance.inputs.front();
+    const std::string extension = input.path.extension().string();
+    if (extension != ".json" && extension != ".jsonl") return std::nullopt;
+    const auto now = describeInputFile(input.path);
+    if (!now || now->sha256 != input.sha256) return std::nullopt;
+    const std::string crs = provenance.reading ? provenance.reading->crs.value_or("") : "";
+    auto copy = addHoursToCityJson(input.path, crs, study.city, map, stop);
+    return copy ? std::optional(std::move(copy->text)) : std::nullopt;
+}
+
 }  // namespace noonmark

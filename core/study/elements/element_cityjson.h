@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -27,5 +28,10 @@ struct CityJsonWithHours {
 Result<CityJsonWithHours> addHoursToCityJson(const std::filesystem::path& file, const std::string& crs,
                                              const City& city, const ElementMap& map,
                                              const std::stop_token& stop);
+
+/// The same for the city of a study, if it was read from one CityJSON file (.json, .jsonl) that is still the
+/// same and has marked surfaces with points. None otherwise, or if the work was stopped.
+std::optional<std::string> copyCityJsonOf(const ElementStudy& study, const ElementMap& map,
+                                          const std::stop_token& stop = {});
 
 }  // namespace noonmark
