@@ -68,7 +68,7 @@ TEST(PlacingPanels, FieldsStayUnderTheCursorWhateverIsSaid) {
     panel.begin(QStringLiteral("t.obj"));
     panel.showWarnings({});
     const auto before = places();
-    panel.showPlaced(40);
+    panel.showPlaced(40, 0);
     EXPECT_EQ(places(), before);
     panel.begin(QStringLiteral("a tower with a rather long name of its file, twice.obj"));
     EXPECT_EQ(places(), before);

@@ -51,7 +51,8 @@ FacadeSettings coarsened(FacadeSettings facades, double areaM2, std::size_t poin
 
 Result<FacadeAnswer> measure(FacadeScene scene, const FacadeSettings& facades, const SunSteps& sun,
                              Progress& progress, const std::stop_token& stop) {
-    ElementStudy study{.city = std::move(scene.city)};
+    ElementStudy study;
+    study.city = std::move(scene.city);
     auto receivers = placeOnFacades(study.city, scene.measured, facades, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
     study.receivers = *std::move(receivers);

@@ -67,7 +67,6 @@ private:
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     void showFacades();
     [[nodiscard]] const ElementMap* shownElements() const;
-    [[nodiscard]] bool showsElements() const;
     [[nodiscard]] const GroundAnswer* ground() const;
     void showNothing();
     void showMoment();

@@ -22,12 +22,12 @@ Json markedBox() {
     return maker.document();
 }
 
-struct Measured {
+struct MeasuredBox {
     ElementStudy study;
     ElementMap map;
 };
 
-Measured measure(const std::filesystem::path& file) {
+MeasuredBox measure(const std::filesystem::path& file) {
     NoProgress quiet;
     const City city = readCity({file}, {}, quiet, {}).value().city;
     StudySettings settings;
@@ -72,7 +72,7 @@ TEST(ElementCityJson, IsNotWrittenForAChangedFile) {
     const TemporaryFolder folder;
     const auto file = folder.file("box.city.json", markedBox().dump());
     const auto [study, map] = measure(file);
-    folder.file("box.city.json", markedBox().dump() + "\n");
+    ASSERT_EQ(folder.file("box.city.json", markedBox().dump() + "\n"), file);
     EXPECT_FALSE(copyCityJsonOf(study, map));
 }
 
