@@ -55,7 +55,7 @@ FaceForm::FaceForm(QWidget* parent) : QWidget(parent) {
     makeFields();
     placeFields();
     connectFields();
-    show({});
+    setPlaces({});
 }
 
 void FaceForm::makeFields() {
@@ -86,7 +86,6 @@ void FaceForm::makeFields() {
     within_ = numberField(1, FaceChoice::mostWithinM, 0, 10, tr(" m"));
     within_->setObjectName(QStringLiteral("facingWithin"));
     within_->setToolTip(tr("How far away the place may be"));
-    setPlaces({});
 }
 
 void FaceForm::placeFields() {
