@@ -3082,6 +3082,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>anything</source>
         <translation>beliebig</translation>
     </message>
+    <message>
+        <source>azimuths</source>
+        <translation>Azimute</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::FieldHelp</name>

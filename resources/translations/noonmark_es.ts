@@ -3082,6 +3082,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>anything</source>
         <translation>cualquier cosa</translation>
     </message>
+    <message>
+        <source>azimuths</source>
+        <translation>acimutes</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::FieldHelp</name>
@@ -6167,7 +6171,7 @@ del año, otras tantas semanas</translation>
     <name>noonmark::TowerDisplay</name>
     <message>
         <source>Store&amp;y lines</source>
-        <translation>Líneas de &amp;forjado</translation>
+        <translation>Líneas de forjado</translation>
     </message>
     <message>
         <source>Lines at the floors of proposed towers, and of imported buildings whose storey height is known</source>

@@ -3082,6 +3082,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>anything</source>
         <translation>指定なし</translation>
     </message>
+    <message>
+        <source>azimuths</source>
+        <translation>方位角</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::FieldHelp</name>

@@ -200,7 +200,8 @@ TEST_F(Descriptions, BashCompletesCommandsAndOptions) {
 
 TEST_F(Descriptions, BashCompletesWhatAnOptionTakes) {
     EXPECT_THAT(bashOffers({"study", "--receivers", ""}),
-                testing::UnorderedElementsAre("ground", "roofs", "both", "facades", "windows", "plane"));
+                testing::UnorderedElementsAre("ground", "roofs", "both", "facades", "windows", "plane",
+                                              "lines", "points"));
     EXPECT_THAT(bashOffers({"study", "--receivers", "=", "ro"}), ElementsAre("roofs"))
         << "--receivers=ro, as bash splits it";
     EXPECT_THAT(bashOffers({"study", "--engine", "hor"}), ElementsAre("horizon"));

@@ -65,7 +65,7 @@ TEST_F(LengthFieldTest, CellsOfAStudyAreInFeetWhereTheUnitsAreFeet) {
     settings.receivers.cellM = 3.048;
     section.show(settings);
     const auto* cell = section.findChild<QDoubleSpinBox*>(QStringLiteral("cell"));
-    EXPECT_EQ(cell->text().toStdString(), "10'");
+    EXPECT_EQ(cell->text().toStdString(), "10' 0\"");
     EXPECT_EQ(cell->value(), 3.048);
 }
 

@@ -79,7 +79,7 @@ void FaceForm::makeFields() {
     place_ = new QComboBox;
     place_->setObjectName(QStringLiteral("facingPlace"));
     place_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    place_->setMinimumContentsLength(10);
+    place_->setMinimumContentsLength(6);
     place_->setToolTip(
         tr("Only points from which a level line straight out from the wall meets this place, as the windows "
            "along a park"));
@@ -134,7 +134,7 @@ void FaceForm::takeDirection(int chosen) {
 
 void FaceForm::takeRange() {
     faces_.facing = AzimuthRange{from_->value(), to_->value()};
-    Q_EMIT edited(faces_, tr("direction"));
+    Q_EMIT edited(faces_, tr("azimuths"));
 }
 
 void FaceForm::showRange() {

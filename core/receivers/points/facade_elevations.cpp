@@ -75,12 +75,16 @@ public:
         std::vector<bool> isShown(faces_.size(), true);
         std::vector<const SideWindow*> left;
         for (const SideWindow& window : windows_) left.push_back(&window);
+        bool onlyTheirWalls = false;  // the walls of the windows that are left
+        bool coverEachOther = false;  // walls that cross, as those of a twisted tower
         while (!left.empty()) {
-            const bool isLast = int(layers.size()) + 1 == mostLayers;
+            const bool isLast = int(layers.size()) + 1 == mostLayers || coverEachOther;
             std::vector<const SideWindow*> covered;
             FacadeElevation layer = drawLayer(isShown, left, isLast, covered);
             // Nearer walls may cover all: then the windows are seen only without them.
             if (!layer.windows.empty()) layers.push_back(std::move(layer));
+            coverEachOther = onlyTheirWalls && covered.size() == left.size();
+            onlyTheirWalls = true;
             isShown.assign(faces_.size(), false);
             for (const SideWindow* window : covered)
                 if (window->face) isShown[*window->face] = true;
