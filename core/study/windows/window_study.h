@@ -66,7 +66,7 @@ struct WindowForecast {
 using AnnounceWindows = std::function<void(const WindowForecast&)>;
 
 /// Prepares the review and measures 64 of its windows, evenly chosen, so that the forecast holds for the
-/// city and the machine: docs/benchmarks.md states its error. Errors as of runWindowReview().
+/// city and the machine: its error was not measured. Errors as of runWindowReview().
 Result<WindowForecast> forecastWindowReview(const Rule& rule, const City& baseline, const City& scenario,
                                             const WindowReviewSettings& settings, Progress& progress,
                                             const std::stop_token& stop);
