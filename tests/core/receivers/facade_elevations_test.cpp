@@ -113,5 +113,34 @@ TEST(FacadeElevations, RoofWindowsHaveNoneAndWindowsWithoutWallsHave) {
     EXPECT_EQ(sides[0].low, glm::dvec2(3, 4));
 }
 
+// Two walls that cross in plan, as those of a twisted tower: the western half of the one and the eastern half
+// of the other lie in front, and each hides a window of the other. Two windows without a wall make the side
+// face due south.
+TEST(FacadeElevations, WindowsOfWallsThatCoverEachOtherAreDrawn) {
+    const TriangleMesh walls{.vertices = {{-20, -1, 0},
+                                          {20, 1, 0},
+                                          {20, 1, 10},
+                                          {-20, -1, 10},
+                                          {-20, 1, 0},
+                                          {20, -1, 0},
+                                          {20, -1, 10},
+                                          {-20, 1, 10}},
+                             .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+    Building building;
+    building.parts.push_back({.footprint = {rectangle(-20, -1, 20, 1), {}},
+                              .topM = 10,
+                              .mesh = std::make_shared<const TriangleMesh>(walls)});
+    const double length = std::hypot(40, 2);
+    const PaneSize size{{-0.5, -0.5}, {0.5, 0.5}};
+    const std::vector<ElevationPane> panes{{{16, 0.8, 5}, {2 / length, -40 / length, 0}, size},
+                                           {{-16, 0.8, 5}, {-2 / length, -40 / length, 0}, size},
+                                           {{30, 0, 5}, {0, -1, 0}, size},
+                                           {{32, 0, 5}, {0, -1, 0}, size}};
+    std::set<std::size_t> drawn;
+    for (const FacadeElevation& side : drawElevations(&building, panes))
+        for (const ElevationWindow& window : side.windows) drawn.insert(window.pane);
+    EXPECT_EQ(drawn.size(), panes.size());
+}
+
 }  // namespace
 }  // namespace noonmark
