@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QStandardPaths>
+#include <cstdio>
+#include <cstdlib>
 
 #include "app/window/frame/appearance.h"
 #include "app/window/looks/language.h"
@@ -15,5 +17,8 @@ int main(int argc, char** argv) {
     // Tests expect English, whatever the system speaks.
     noonmark::applyLanguage(noonmark::Language::english, application);
     ::testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
+    const int result = RUN_ALL_TESTS();
+    // Threads of Qt may still run, and crash where libraries are unloaded beneath them.
+    std::fflush(nullptr);
+    std::_Exit(result);
 }
