@@ -23,7 +23,7 @@ public:
     static Result<ShadedStepFinder> over(const City& city, const SunSteps& sun, By by,
                                          const std::stop_token& stop = {});
 
-    /// By horizons some 0.2 ms, and 5 ns a step, a point in Midtown.
+    /// By horizons some 0.1 ms a point in Midtown, and a few ns a step.
     [[nodiscard]] ShadedSteps find(const SkyPoint& point) const;
 
 private:
