@@ -10,6 +10,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/files/warp_words.h"
 #include "core/io/pictures/read_ground_raster.h"
 #include "core/io/terrain/raster_place.h"
 
@@ -140,27 +141,9 @@ struct Watch {
 
 DatasetPointer warp(GDALDataset& colours, const std::string& crs, const Frame& frame, const Grid& grid,
                     Watch& watch) {
-    const auto number = [](double value) { return fmt::format("{:.6f}", value); };
-    char** words = listOf({"-of",
-                           "MEM",
-                           "-s_srs",
-                           crs,
-                           "-t_srs",
-                           frame.projString(),
-                           "-te",
-                           number(grid.westM),
-                           number(grid.southM),
-                           number(grid.eastM()),
-                           number(grid.northM()),
-                           "-ts",
-                           std::to_string(grid.columns),
-                           std::to_string(grid.rows),
-                           "-r",
-                           "bilinear",
-                           "-dstalpha",
-                           "-novshift",
-                           "-wm",
-                           "256"});
+    Words asked = makeWarpWords(crs, frame.projString(), grid);
+    asked.insert(asked.end(), {"-r", "bilinear", "-dstalpha"});
+    char** words = listOf(asked);
     GDALWarpAppOptions* options = GDALWarpAppOptionsNew(words, nullptr);
     CSLDestroy(words);
     GDALWarpAppOptionsSetProgress(options, &Watch::report, &watch);

@@ -13,6 +13,7 @@
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/earth_drop.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/files/warp_words.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/read_part.h"
@@ -184,33 +185,10 @@ using Options = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptions
 
 Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALProgressFunc report,
                     void* reportTo, const std::string& target) {
-    const auto number = [](double value) { return fmt::format("{:.6f}", value); };
     constexpr double offM = 0.05;  // tolerance for the position of a cell when GDAL resamples
-    std::vector<std::string> words{"-of",
-                                   "MEM",
-                                   "-s_srs",
-                                   source.crs,
-                                   "-t_srs",
-                                   target,
-                                   "-te",
-                                   number(grid.westM),
-                                   number(grid.southM),
-                                   number(grid.eastM()),
-                                   number(grid.northM()),
-                                   "-ts",
-                                   std::to_string(grid.columns),
-                                   std::to_string(grid.rows),
-                                   "-r",
-                                   coarser ? "average" : "bilinear",
-                                   "-ot",
-                                   "Float32",
-                                   "-dstnodata",
-                                   "nan",
-                                   "-novshift",
-                                   "-et",
-                                   number(std::min(0.125, offM / grid.cellM)),
-                                   "-wm",
-                                   "256"};
+    std::vector<std::string> words = makeWarpWords(source.crs, target, grid);
+    words.insert(words.end(), {"-r", coarser ? "average" : "bilinear", "-ot", "Float32", "-dstnodata", "nan",
+                               "-et", fmt::format("{:.6f}", std::min(0.125, offM / grid.cellM))});
     if (!source.noData.empty()) words.insert(words.end(), {"-srcnodata", source.noData});
     char** list = nullptr;
     for (const std::string& word : words) list = CSLAddString(list, word.c_str());
