@@ -16,7 +16,7 @@
         <translation>Projizierte Schatten</translation>
     </message>
     <message>
-        <source>Each building's shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
         <translation>Der Schatten jedes Gebäudes bei jedem Schritt als Polygon gefüllt: genau und schnell auf ebenem Boden</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>Horizontverfahren</translation>
     </message>
     <message>
-        <source>The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
         <translation>Die Neigung des Horizonts jedes Messpunkts, Azimut für Azimut: ein Jahr in Augenblicken, auch auf Gelände und Dächern</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>Zielfehler</translation>
     </message>
     <message>
-        <source>Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
         <translation>Mittlerer Fehler des Gesamtschattens einer Zelle, vom Zeitraum: die Azimutklassen sind so breit, wie er zulässt; der halbe Fehler dauert doppelt so lange</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>Quellen mit Strahlen</translation>
     </message>
     <message>
-        <source>Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster</source>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
         <translation>Embree findet die Schattenwerfer an den Intervallenden; sonst gefüllte Polygone, was schneller ist</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board's rule.</source>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
         <translation>Was die Untersuchung beantwortet: Minuten im Schatten, die Änderung durch ein Szenario, eine Bewertung erwünschten und unerwünschten Schattens oder die Befunde nach der Regel einer Behörde.</translation>
     </message>
     <message>
@@ -576,20 +576,6 @@
         <translation>Als andere Stadt öffn&amp;en</translation>
     </message>
     <message>
-        <source>%1 places were read</source>
-        <translation>%1 Orte wurden eingelesen</translation>
-    </message>
-    <message>
-        <source>; %1 replace earlier ones</source>
-        <translation>; %1 ersetzen frühere</translation>
-    </message>
-    <message>
-        <source>
-%1 more kinds of notes</source>
-        <translation>
-%1 weitere Arten von Hinweisen</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
@@ -642,20 +628,12 @@
         <translation>jedes Pixel</translation>
     </message>
     <message>
-        <source>a sample every %1 pixels</source>
-        <translation>ein Wert je %1 Pixel</translation>
-    </message>
-    <message>
         <source>%1, %2 m</source>
         <translation>%1, %2 m</translation>
     </message>
     <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 days; %3</source>
-        <translation>%1 von %2 Tagen; %3</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -854,16 +832,8 @@
         <translation>diesem Zeitpunkt</translation>
     </message>
     <message>
-        <source>all %1 steps</source>
-        <translation>allen %1 Schritten</translation>
-    </message>
-    <message>
         <source>With the proposal: exact at %1</source>
         <translation>Mit dem Entwurf: genau zu %1</translation>
-    </message>
-    <message>
-        <source>With the proposal: exact at %1 of %2 steps</source>
-        <translation>Mit dem Entwurf: genau zu %1 von %2 Schritten</translation>
     </message>
     <message>
         <source>With the proposal: %1, within 0.25° of azimuth</source>
@@ -872,14 +842,6 @@
     <message>
         <source>%1; continuous shadow follows</source>
         <translation>%1; Dauerschatten folgt</translation>
-    </message>
-    <message>
-        <source>1 storey</source>
-        <translation>1 Geschoss</translation>
-    </message>
-    <message>
-        <source>%1 storeys</source>
-        <translation>%1 Geschosse</translation>
     </message>
     <message>
         <source>west</source>
@@ -952,10 +914,6 @@
     <message>
         <source>The existing city, from which every scenario starts</source>
         <translation>Der Bestand, mit dem jedes Szenario beginnt</translation>
-    </message>
-    <message>
-        <source>%1 buildings</source>
-        <translation>%1 Gebäude</translation>
     </message>
     <message>
         <source>Terrain of %1 × %2 points</source>
@@ -1336,10 +1294,6 @@ mit %2</translation>
         <translation> M Strahlen/s</translation>
     </message>
     <message>
-        <source>%1 occlusion rays divided by the engine's time</source>
-        <translation>%1 Schattenstrahlen durch die Zeit des Verfahrens</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -1358,10 +1312,6 @@ mit %2</translation>
     <message>
         <source>Steps of the sun</source>
         <translation>Sonnenstände</translation>
-    </message>
-    <message>
-        <source>Positions of the sun above the horizon; %1 below it were left out</source>
-        <translation>Sonnenstände über dem Horizont; %1 darunter wurden ausgelassen</translation>
     </message>
     <message>
         <source>Sunlit time</source>
@@ -1384,10 +1334,6 @@ mit %2</translation>
         <translation>%1 m² Schatten, Bewertung %2</translation>
     </message>
     <message>
-        <source>Shadow area over %1 sunlit minutes, and the month's contribution to the score</source>
-        <translation>Schattenfläche in %1 besonnten Minuten und der Beitrag des Monats zur Bewertung</translation>
-    </message>
-    <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
     </message>
@@ -1400,7 +1346,7 @@ mit %2</translation>
         <translation>Schattenbewertung</translation>
     </message>
     <message>
-        <source>Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
         <translation>Summe über die Intervalle aus Gewicht × Anteil der besonnten Zeit im Schatten × Zellfläche. Über 0 überwiegt der erwünschte Schatten den unerwünschten</translation>
     </message>
     <message>
@@ -1580,10 +1526,6 @@ Zellen von %2 m</translation>
         <translation>%1 Millionen</translation>
     </message>
     <message>
-        <source>%1 cells, %2 positions of the sun.</source>
-        <translation>%1 Zellen, %2 Sonnenstände.</translation>
-    </message>
-    <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
     </message>
@@ -1692,7 +1634,7 @@ Zellen von %2 m</translation>
         <translation>Wie viele Minuten jede Stelle an einem mittleren Tag des Zeitraums im Schatten liegt, und die längste Zeit ohne Unterbrechung</translation>
     </message>
     <message>
-        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under "compare with"</source>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
         <translation>Minuten Schatten, die das Szenario hinzufügt oder wegnimmt, gegen die Stadt unter „verglichen mit“</translation>
     </message>
     <message>
@@ -1700,7 +1642,7 @@ Zellen von %2 m</translation>
         <translation>Schatten nach Stunde und Monat gewichtet: im Sommer erwünscht, im Winter unerwünscht. Die Gewichte stehen im Feld Gewichte</translation>
     </message>
     <message>
-        <source>Pass or fail of parks and other places by a board's rule. Choose it in the panel Review</source>
+        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
         <translation>Parks und andere Orte nach der Regel einer Behörde: erfüllt oder nicht. Die Regel steht im Feld Prüfung</translation>
     </message>
     <message>
@@ -1834,7 +1776,7 @@ Vorgabe: %2</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>Unit of the mesh's coordinates, which the file does not state</source>
+        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
         <translation>Einheit der Koordinaten des Modells, die in der Datei fehlt</translation>
     </message>
     <message>
@@ -1882,12 +1824,6 @@ Vorgabe: %2</translation>
     <message>
         <source>%1 %2, %3 %4</source>
         <translation>%1 %2, %3 %4</translation>
-    </message>
-    <message>
-        <source>%1
-%2 × %3, %4, %5 cells</source>
-        <translation>%1
-%2 × %3, %4, %5 Zellen</translation>
     </message>
     <message>
         <source>%1   height %2   x %3 m, y %4 m</source>
@@ -2034,14 +1970,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Fassaden und Punkte</translation>
     </message>
     <message>
-        <source>%1 windows: %2. Compared with before, %3 get worse and %4 better</source>
-        <translation>%1 Fenster: %2. Gegenüber vorher werden %3 schlechter und %4 besser</translation>
-    </message>
-    <message>
-        <source>%1 points, %2 positions of the sun.</source>
-        <translation>%1 Punkte, %2 Sonnenstände.</translation>
-    </message>
-    <message>
         <source>on facades</source>
         <translation>an Fassaden</translation>
     </message>
@@ -2168,6 +2096,142 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>%1 above ground</source>
         <translation>%1 über Gelände</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more kind(s) of notes</source>
+        <translation>
+            <numerusform>%1 weitere Art von Hinweisen</numerusform>
+            <numerusform>%1 weitere Arten von Hinweisen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s) were read</source>
+        <translation>
+            <numerusform>%1 Ort wurde eingelesen</numerusform>
+            <numerusform>%1 Orte wurden eingelesen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 replace(s) earlier ones</source>
+        <translation>
+            <numerusform>; %1 ersetzt einen früheren</numerusform>
+            <numerusform>; %1 ersetzen frühere</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a sample every %1 pixel(s)</source>
+        <translation>
+            <numerusform>ein Wert je %1 Pixel</numerusform>
+            <numerusform>ein Wert je %1 Pixel</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 day(s); %3</source>
+        <translation>
+            <numerusform>%1 von %2 Tag; %3</numerusform>
+            <numerusform>%1 von %2 Tagen; %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %1 step(s)</source>
+        <translation>
+            <numerusform>dem %1 Schritt</numerusform>
+            <numerusform>allen %1 Schritten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With the proposal: exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>Mit dem Entwurf: genau zu %1 von %2 Schritt</numerusform>
+            <numerusform>Mit dem Entwurf: genau zu %1 von %2 Schritten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 storey(s)</source>
+        <translation>
+            <numerusform>%1 Geschoss</numerusform>
+            <numerusform>%1 Geschosse</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s)</source>
+        <translation>
+            <numerusform>%1 Gebäude</numerusform>
+            <numerusform>%1 Gebäude</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 occlusion ray(s) divided by the engine&apos;s time</source>
+        <translation>
+            <numerusform>%1 Schattenstrahl durch die Zeit des Verfahrens</numerusform>
+            <numerusform>%1 Schattenstrahlen durch die Zeit des Verfahrens</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Positions of the sun above the horizon; %1 below it was/were left out</source>
+        <translation>
+            <numerusform>Sonnenstände über dem Horizont; %1 darunter wurde ausgelassen</numerusform>
+            <numerusform>Sonnenstände über dem Horizont; %1 darunter wurden ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>Schattenfläche in %1 besonnten Minute und der Beitrag des Monats zur Bewertung</numerusform>
+            <numerusform>Schattenfläche in %1 besonnten Minuten und der Beitrag des Monats zur Bewertung</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2</source>
+        <translation>
+            <numerusform>%1 Fenster: %2</numerusform>
+            <numerusform>%1 Fenster: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2.</source>
+        <translation>
+            <numerusform>%1 Fenster: %2.</numerusform>
+            <numerusform>%1 Fenster: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Compared with before, %1 get(s) worse and %2 better</source>
+        <translation>
+            <numerusform>Gegenüber vorher wird %1 schlechter und %2 besser</numerusform>
+            <numerusform>Gegenüber vorher werden %1 schlechter und %2 besser</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%2 × %3, %4, %5 cell(s)</source>
+        <translation>
+            <numerusform>%1
+%2 × %3, %4, %5 Zelle</numerusform>
+            <numerusform>%1
+%2 × %3, %4, %5 Zellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 Punkt</numerusform>
+            <numerusform>%1 Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s)</source>
+        <translation>
+            <numerusform>%1 Zelle</numerusform>
+            <numerusform>%1 Zellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 position(s) of the sun</source>
+        <translation>
+            <numerusform>%1 Sonnenstand</numerusform>
+            <numerusform>%1 Sonnenstände</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2547,13 +2611,19 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>No live facades. %1</source>
         <translation>Keine Live-Fassaden. %1</translation>
     </message>
-    <message>
-        <source>Facades: %1 points while it moves</source>
-        <translation>Fassaden: %1 Punkte während der Bewegung</translation>
+    <message numerus="yes">
+        <source>Facades: %1 point(s) while it moves</source>
+        <translation>
+            <numerusform>Fassaden: %1 Punkt während der Bewegung</numerusform>
+            <numerusform>Fassaden: %1 Punkte während der Bewegung</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Facades: %1 points</source>
-        <translation>Fassaden: %1 Punkte</translation>
+    <message numerus="yes">
+        <source>Facades: %1 point(s)</source>
+        <translation>
+            <numerusform>Fassaden: %1 Punkt</numerusform>
+            <numerusform>Fassaden: %1 Punkte</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2599,7 +2669,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Das ausgewählte Gebäude über den Boden ziehen</translation>
     </message>
     <message>
-        <source>Creates a lot from the selected building's outline</source>
+        <source>Creates a lot from the selected building&apos;s outline</source>
         <translation>Legt aus dem Umriss des ausgewählten Gebäudes ein Grundstück an</translation>
     </message>
     <message>
@@ -2615,7 +2685,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Das Gebäude über den Boden ziehen. Esc beendet das Werkzeug.</translation>
     </message>
     <message>
-        <source>Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
         <translation>Die Ecken des Grundstücks anklicken. Umschalt: rechtwinklig zur letzten Seite. Doppelklick oder Eingabe beendet.</translation>
     </message>
     <message>
@@ -2635,7 +2705,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Shift+F</translation>
     </message>
     <message>
-        <source>Shows the sunlight of a building's facades while it is designed or changed</source>
+        <source>Shows the sunlight of a building&apos;s facades while it is designed or changed</source>
         <translation>Zeigt die Besonnung der Fassaden eines Gebäudes, während es entworfen oder geändert wird</translation>
     </message>
 </context>
@@ -2766,7 +2836,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Höhen der Datei in Metern: Geländehöhen wie die der Stadt, oder über dem Boden unter dem Fenster</translation>
     </message>
     <message>
-        <source>Height of the plane above the mean of the region's ground, or of the lines above that of the parcel's. The size of a plane's cells is that under "How exactly".</source>
+        <source>Height of the plane above the mean of the region&apos;s ground, or of the lines above that of the parcel&apos;s. The size of a plane&apos;s cells is that under &quot;How exactly&quot;.</source>
         <translation>Höhe der Ebene über dem mittleren Boden des Gebiets, oder der Linien über dem des Flurstücks. Die Zellengröße einer Ebene steht unter „Wie genau“.</translation>
     </message>
     <message>
@@ -2862,13 +2932,19 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>No points measured</source>
         <translation>Keine Punkte gemessen</translation>
     </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 Punkt</numerusform>
+            <numerusform>%1 Punkte</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 of %2 points</source>
-        <translation>%1 von %2 Punkten</translation>
+    <message numerus="yes">
+        <source>%1 of %2 point(s)</source>
+        <translation>
+            <numerusform>%1 von %2 Punkt</numerusform>
+            <numerusform>%1 von %2 Punkten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2995,7 +3071,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>alle Flächen</translation>
     </message>
     <message>
-        <source>Single faces of buildings, with commas between them, by the beginning of their points' ids: way 12 wall 3. Empty: all faces</source>
+        <source>Single faces of buildings, with commas between them, by the beginning of their points&apos; ids: way 12 wall 3. Empty: all faces</source>
         <translation>Einzelne Flächen von Gebäuden, durch Kommas getrennt, nach dem Anfang der Kennungen ihrer Punkte: way 12 wall 3. Leer: alle Flächen</translation>
     </message>
     <message>
@@ -3140,7 +3216,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Über Noonmark</translation>
     </message>
     <message>
-        <source>&amp;What's this?</source>
+        <source>&amp;What&apos;s this?</source>
         <translation>&amp;Was ist das?</translation>
     </message>
     <message>
@@ -3284,7 +3360,7 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Straßen an %1</translation>
     </message>
     <message>
-        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel's line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
         <translation>Wie breit sind Straßen, Wasser oder Gleise auf jeder Seite? Regeln über Parzellen, wie in Japan, rücken die Parzellengrenze an ihnen nach außen. Eine Seite gilt für die äußersten Kanten, die bis auf 45 Grad zu ihr zeigen.</translation>
     </message>
 </context>
@@ -3341,7 +3417,7 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Von einem Geschoss bis 2000 m; oder am Pfeil des Turms ziehen oder eine Zahl über der Ansicht tippen</translation>
     </message>
     <message>
-        <source>Rotation clockwise about the tower's middle; it must stay on the lot</source>
+        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
         <translation>Drehung im Uhrzeigersinn um die Mitte des Turms; er muss auf dem Grundstück bleiben</translation>
     </message>
     <message>
@@ -3396,7 +3472,7 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Name</translation>
     </message>
     <message>
-        <source>The project's lots</source>
+        <source>The project&apos;s lots</source>
         <translation>Die Grundstücke des Projekts</translation>
     </message>
     <message>
@@ -3450,7 +3526,7 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <translation>Besonnung der Fassaden</translation>
     </message>
     <message>
-        <source>Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study's form.</source>
+        <source>Shows the hours of shadow on the tower&apos;s facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study&apos;s form.</source>
         <translation>Zeigt die Schattenstunden an den Fassaden des Turms, grob, während er sich ändert. Klicken Sie in der Ansicht auf andere Gebäude, um auch deren Fassaden zu sehen. Achsen und Geschosse sind die des Studienformulars.</translation>
     </message>
 </context>
@@ -3476,16 +3552,15 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <translation>Diese Meldung schließen</translation>
     </message>
     <message>
-        <source>1 more line</source>
-        <translation>1 weitere Zeile</translation>
-    </message>
-    <message>
-        <source>%1 more lines</source>
-        <translation>%1 weitere Zeilen</translation>
-    </message>
-    <message>
         <source>Less</source>
         <translation>Weniger</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more line(s)</source>
+        <translation>
+            <numerusform>%1 weitere Zeile</numerusform>
+            <numerusform>%1 weitere Zeilen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3532,9 +3607,12 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <source>Movie</source>
         <translation>Film</translation>
     </message>
-    <message>
-        <source>Movie of %1 frames saved as %2</source>
-        <translation>Film mit %1 Bildern gespeichert als %2</translation>
+    <message numerus="yes">
+        <source>Movie of %1 frame(s) saved as %2</source>
+        <translation>
+            <numerusform>Film mit %1 Bild gespeichert als %2</numerusform>
+            <numerusform>Film mit %1 Bildern gespeichert als %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3781,7 +3859,7 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <translation>Anzahl der Tage, 1 bis 3660</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day's window begins, hours:minutes</source>
+        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
         <translation>Uhrzeit, zu der jeder Tag beginnt, Stunden:Minuten</translation>
     </message>
     <message>
@@ -3811,12 +3889,12 @@ Beim Öffnen einer Datei die der nächsten Stadt: nahe Grenzen prüfen.</transla
         <translation>Das Fenster endet so viele Stunden vor Sonnenuntergang</translation>
     </message>
     <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun's centre</source>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
         <translation>Welcher Zeitpunkt als Sonnenauf- und -untergang gilt: die Höhe der Sonnenmitte</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
-Off: the sun's geometric position, as some rules require</source>
+Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>Ein: die Luft hebt die Sonne nahe dem Horizont ein wenig (Refraktion).
 Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translation>
     </message>
@@ -3840,10 +3918,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Zeigt oder verbirgt das Luftbild</translation>
     </message>
     <message>
-        <source>%1 of %2 tiles are missing and stay empty</source>
-        <translation>%1 von %2 Kacheln fehlen und bleiben leer</translation>
-    </message>
-    <message>
         <source>Reading the photograph</source>
         <translation>Luftbild wird gelesen</translation>
     </message>
@@ -3854,6 +3928,13 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>remove aerial photograph</source>
         <translation>Luftbild entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 tile(s) are missing and stay empty</source>
+        <translation>
+            <numerusform>%1 von %2 Kachel fehlt und bleibt leer</numerusform>
+            <numerusform>%1 von %2 Kacheln fehlen und bleiben leer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3911,7 +3992,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Aus Kacheln ...</translation>
     </message>
     <message>
-        <source>Fetches tiles of the web's map scheme from an address that you state</source>
+        <source>Fetches tiles of the web&apos;s map scheme from an address that you state</source>
         <translation>Holt Kacheln des Web-Kartenschemas von einer Adresse, die Sie angeben</translation>
     </message>
     <message>
@@ -3950,7 +4031,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Ecken auf dem Boden anklicken; Eingabe beendet, Esc bricht ab</translation>
     </message>
     <message>
-        <source>Creates a place from the selected building's outline</source>
+        <source>Creates a place from the selected building&apos;s outline</source>
         <translation>Legt aus dem Umriss des ausgewählten Gebäudes einen Ort an</translation>
     </message>
     <message>
@@ -4009,20 +4090,26 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Vorauswahl</translation>
     </message>
     <message>
-        <source>Tick the places that the proposal's shadow can reach at all</source>
+        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
         <translation>Die Orte ankreuzen, die der Schatten des Entwurfs überhaupt erreichen kann</translation>
     </message>
     <message>
         <source>%1, %2%3</source>
         <translation>%1, %2%3</translation>
     </message>
-    <message>
-        <source>%1 of %2 places ticked</source>
-        <translation>%1 von %2 Orten angekreuzt</translation>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) ticked</source>
+        <translation>
+            <numerusform>%1 von %2 Ort angekreuzt</numerusform>
+            <numerusform>%1 von %2 Orten angekreuzt</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 of %2 places can be reached; the others' tooltips say why not</source>
-        <translation>%1 von %2 Orten sind erreichbar; bei den anderen steht im Hinweis, warum nicht</translation>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <translation>
+            <numerusform>%1 von %2 Ort ist erreichbar; bei den anderen steht im Hinweis, warum nicht</numerusform>
+            <numerusform>%1 von %2 Orten sind erreichbar; bei den anderen steht im Hinweis, warum nicht</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4103,7 +4190,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Fläche</translation>
     </message>
     <message>
-        <source>A smaller plate keeps the lot's shape, inset from all sides</source>
+        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
         <translation>Eine kleinere Platte behält die Form des Grundstücks, auf allen Seiten eingerückt</translation>
     </message>
     <message>
@@ -4197,7 +4284,7 @@ Nachher: %3
         <translation>Das Szenario, dessen Sonne am Punkt verglichen wird</translation>
     </message>
     <message>
-        <source>The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
+        <source>The point&apos;s sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
         <translation>Sonne und Himmel des Punkts in jedem Szenario des Projekts. Kopieren (Strg+C) übernimmt die Tabelle</translation>
     </message>
     <message>
@@ -4437,11 +4524,11 @@ Nachher: %3
         <translation>&amp;Neues Szenario</translation>
     </message>
     <message>
-        <source>&amp;Save the study's region</source>
+        <source>&amp;Save the study&apos;s region</source>
         <translation>Untersuchungsgebiet &amp;speichern</translation>
     </message>
     <message>
-        <source>&amp;Save the study's period</source>
+        <source>&amp;Save the study&apos;s period</source>
         <translation>Untersuchungszeitraum &amp;speichern</translation>
     </message>
     <message>
@@ -4553,7 +4640,7 @@ Nachher: %3
         <translation>die höchste</translation>
     </message>
     <message>
-        <source>if neighbours' ground heights differ</source>
+        <source>if neighbours&apos; ground heights differ</source>
         <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
     </message>
     <message>
@@ -4663,7 +4750,7 @@ As in the file: metres, unless the value or the field states otherwise.</source>
 Wie in der Datei: Meter, wenn Wert oder Feld nichts anderes sagen.</translation>
     </message>
     <message>
-        <source>If no terrain is read: derive it from the buildings' ground elevations.
+        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
 Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
         <translation>Wenn kein Gelände gelesen wird: aus den Bodenhöhen der Gebäude ableiten.
 Vorgabe: wenn mehr als eines von zwanzig Nachbarpaaren um mehr als 1 m abweicht.</translation>
@@ -4699,25 +4786,25 @@ Leer: den höchsten vorhandenen.</translation>
         <translation>Objekte weiter von der Mitte der Daten werden mit Hinweis ausgelassen; Meter, 100 bis 200000</translation>
     </message>
     <message>
-        <source>Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360</source>
+        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
         <translation>Richtung der Nordachse des Modells, Grad im Uhrzeigersinn von geografisch Nord, -360 bis 360</translation>
     </message>
     <message>
-        <source>Geographic location of the mesh's origin. Required for a mesh opened alone.
+        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
 Off: at the origin of the city from the other files.</source>
         <translation>Geografische Lage des Modellursprungs. Nötig, wenn ein Modell allein geöffnet wird.
 Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     </message>
     <message>
-        <source>Longitude of the mesh's origin, degrees, east positive, -180 to 180</source>
+        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
         <translation>Länge des Modellursprungs, Grad, Ost positiv, -180 bis 180</translation>
     </message>
     <message>
-        <source>Latitude of the mesh's origin, degrees, north positive, -90 to 90</source>
+        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
         <translation>Breite des Modellursprungs, Grad, Nord positiv, -90 bis 90</translation>
     </message>
     <message>
-        <source>Places the mesh's origin at the middle of the open city</source>
+        <source>Places the mesh&apos;s origin at the middle of the open city</source>
         <translation>Setzt den Ursprung des Modells in die Mitte der offenen Stadt</translation>
     </message>
     <message>
@@ -4849,10 +4936,6 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <translation>%1 verglichen mit %2</translation>
     </message>
     <message>
-        <source>All %1 scenarios measured</source>
-        <translation>Alle %1 gemessenen Szenarien</translation>
-    </message>
-    <message>
         <source>Review: sheets, tables and drawings</source>
         <translation>Prüfung: Blätter, Tabellen und Zeichnungen</translation>
     </message>
@@ -4879,6 +4962,13 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     <message>
         <source>Points of %1</source>
         <translation>Punkte von %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 scenario(s) measured</source>
+        <translation>
+            <numerusform>Das %1 gemessene Szenario</numerusform>
+            <numerusform>Alle %1 gemessenen Szenarien</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5167,7 +5257,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Ansicht %1 speichern</translation>
     </message>
     <message>
-        <source>Saved as '%1' in the project. F2 in the project's list renames it.</source>
+        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
         <translation>Im Projekt als „%1“ gespeichert. F2 in der Projektliste benennt sie um.</translation>
     </message>
     <message>
@@ -5345,7 +5435,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Ein Gebäude nach Name oder Id, eine Straße, ein Ort, ein Grundstück oder eine Position</translation>
     </message>
     <message>
-        <source>Nothing is called "%1". Buildings without a name are found by their id.</source>
+        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
         <translation>Nichts heißt „%1“. Gebäude ohne Namen findet man an ihrer Id.</translation>
     </message>
 </context>
@@ -6182,7 +6272,7 @@ vom Jahr ebenso viele Wochen</translation>
         <translation>Höhen über Bez&amp;ugsniveau</translation>
     </message>
     <message>
-        <source>Heights of buildings above the vertical zero of the project's terrain instead of above the ground under each building, as shown and as typed</source>
+        <source>Heights of buildings above the vertical zero of the project&apos;s terrain instead of above the ground under each building, as shown and as typed</source>
         <translation>Gebäudehöhen über dem Höhennullpunkt des Projektgeländes statt über dem Gelände unter jedem Gebäude, angezeigt und eingegeben</translation>
     </message>
 </context>
@@ -6477,7 +6567,7 @@ vom Jahr ebenso viele Wochen</translation>
         <translation>Bewerten</translation>
     </message>
     <message>
-        <source>Shadow of the displayed scenario over the study's region and period, weighted by this table: by month and as a map</source>
+        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
         <translation>Schatten des angezeigten Szenarios im Gebiet und Zeitraum der Untersuchung, mit dieser Tabelle gewichtet: nach Monat und als Karte</translation>
     </message>
     <message>
@@ -6616,7 +6706,7 @@ Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnen
         <translation>Nach Regel</translation>
     </message>
     <message>
-        <source>The day and the hours of a review board's rule</source>
+        <source>The day and the hours of a review board&apos;s rule</source>
         <translation>Der Tag und die Stunden aus der Regel einer Behörde</translation>
     </message>
     <message>
@@ -6673,7 +6763,7 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
         <translation>Um das Gebäude</translation>
     </message>
     <message>
-        <source>The selected building's surroundings, as far as four times its height.
+        <source>The selected building&apos;s surroundings, as far as four times its height.
 Click a building first.</source>
         <translation>Die Umgebung des gewählten Gebäudes, bis zum Vierfachen seiner Höhe.
 Zuerst ein Gebäude anklicken.</translation>
@@ -6748,10 +6838,6 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>Estimating</source>
         <translation>Zeit wird geschätzt</translation>
-    </message>
-    <message>
-        <source>%1 windows: %2</source>
-        <translation>%1 Fenster: %2</translation>
     </message>
 </context>
 <context>

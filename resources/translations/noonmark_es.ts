@@ -16,7 +16,7 @@
         <translation>Sombras proyectadas</translation>
     </message>
     <message>
-        <source>Each building's shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
         <translation>La sombra de cada edificio rellenada como polígonos en cada paso: exacto y rápido en suelo llano</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>Barrido de horizontes</translation>
     </message>
     <message>
-        <source>The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
         <translation>La pendiente del horizonte de cada receptor, acimut a acimut: un año en un momento, también en terreno y cubiertas</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>Error objetivo</translation>
     </message>
     <message>
-        <source>Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
         <translation>Error medio de la sombra total de una celda, del periodo: los intervalos de acimut son tan anchos como permite; la mitad tarda el doble</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>Orígenes por rayos</translation>
     </message>
     <message>
-        <source>Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster</source>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
         <translation>Embree halla los obstáculos en los extremos del intervalo; si no, polígonos rellenos, más rápido</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board's rule.</source>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
         <translation>Qué responde el estudio: minutos de sombra, el cambio que causa un escenario, una puntuación de sombra deseada y no deseada, o los dictámenes según la norma de una autoridad.</translation>
     </message>
     <message>
@@ -576,20 +576,6 @@
         <translation>Abrir c&amp;omo otra ciudad</translation>
     </message>
     <message>
-        <source>%1 places were read</source>
-        <translation>Se han leído %1 lugares</translation>
-    </message>
-    <message>
-        <source>; %1 replace earlier ones</source>
-        <translation>; %1 sustituyen a otros anteriores</translation>
-    </message>
-    <message>
-        <source>
-%1 more kinds of notes</source>
-        <translation>
-%1 clases más de avisos</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>medida</translation>
     </message>
@@ -642,20 +628,12 @@
         <translation>cada píxel</translation>
     </message>
     <message>
-        <source>a sample every %1 pixels</source>
-        <translation>una muestra cada %1 píxeles</translation>
-    </message>
-    <message>
         <source>%1, %2 m</source>
         <translation>%1, %2 m</translation>
     </message>
     <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 days; %3</source>
-        <translation>%1 de %2 días; %3</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -854,16 +832,8 @@
         <translation>este momento</translation>
     </message>
     <message>
-        <source>all %1 steps</source>
-        <translation>los %1 pasos</translation>
-    </message>
-    <message>
         <source>With the proposal: exact at %1</source>
         <translation>Con la propuesta: exacto en %1</translation>
-    </message>
-    <message>
-        <source>With the proposal: exact at %1 of %2 steps</source>
-        <translation>Con la propuesta: exacto en %1 de %2 pasos</translation>
     </message>
     <message>
         <source>With the proposal: %1, within 0.25° of azimuth</source>
@@ -872,14 +842,6 @@
     <message>
         <source>%1; continuous shadow follows</source>
         <translation>%1; la sombra continua viene después</translation>
-    </message>
-    <message>
-        <source>1 storey</source>
-        <translation>1 planta</translation>
-    </message>
-    <message>
-        <source>%1 storeys</source>
-        <translation>%1 plantas</translation>
     </message>
     <message>
         <source>west</source>
@@ -952,10 +914,6 @@
     <message>
         <source>The existing city, from which every scenario starts</source>
         <translation>La ciudad existente, de la que parte cada escenario</translation>
-    </message>
-    <message>
-        <source>%1 buildings</source>
-        <translation>%1 edificios</translation>
     </message>
     <message>
         <source>Terrain of %1 × %2 points</source>
@@ -1336,10 +1294,6 @@ con %2</translation>
         <translation> M rayos/s</translation>
     </message>
     <message>
-        <source>%1 occlusion rays divided by the engine's time</source>
-        <translation>%1 rayos de oclusión divididos por el tiempo del motor</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Tiempo</translation>
     </message>
@@ -1358,10 +1312,6 @@ con %2</translation>
     <message>
         <source>Steps of the sun</source>
         <translation>Posiciones del sol</translation>
-    </message>
-    <message>
-        <source>Positions of the sun above the horizon; %1 below it were left out</source>
-        <translation>Posiciones del sol sobre el horizonte; se omitieron %1 por debajo</translation>
     </message>
     <message>
         <source>Sunlit time</source>
@@ -1384,10 +1334,6 @@ con %2</translation>
         <translation>%1 m² de sombra, puntuación %2</translation>
     </message>
     <message>
-        <source>Shadow area over %1 sunlit minutes, and the month's contribution to the score</source>
-        <translation>Área de sombra en %1 minutos de sol y la aportación del mes a la puntuación</translation>
-    </message>
-    <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
     </message>
@@ -1400,7 +1346,7 @@ con %2</translation>
         <translation>Puntuación de sombra</translation>
     </message>
     <message>
-        <source>Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
         <translation>Suma en los intervalos de peso × parte del tiempo de sol en sombra × área de celda. Por encima de 0, la sombra deseada supera a la no deseada</translation>
     </message>
     <message>
@@ -1577,11 +1523,7 @@ celdas de %2 m</translation>
     </message>
     <message>
         <source>%1 million</source>
-        <translation>%1 millones</translation>
-    </message>
-    <message>
-        <source>%1 cells, %2 positions of the sun.</source>
-        <translation>%1 celdas, %2 posiciones del sol.</translation>
+        <translation>%1 millones de</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -1692,7 +1634,7 @@ celdas de %2 m</translation>
         <translation>Cuántos minutos está cada punto en sombra en un día medio del periodo, y el tramo más largo sin interrupción</translation>
     </message>
     <message>
-        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under "compare with"</source>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
         <translation>Minutos de sombra que el escenario añade o quita frente a la ciudad elegida en «comparar con»</translation>
     </message>
     <message>
@@ -1700,7 +1642,7 @@ celdas de %2 m</translation>
         <translation>Sombra ponderada por hora y mes: deseada en verano, no deseada en invierno. Elija los pesos en el panel Pesos</translation>
     </message>
     <message>
-        <source>Pass or fail of parks and other places by a board's rule. Choose it in the panel Review</source>
+        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
         <translation>Parques y otros lugares según la norma de una autoridad: cumplen o no. Elíjala en el panel Evaluación</translation>
     </message>
     <message>
@@ -1834,7 +1776,7 @@ Por defecto: %2</translation>
         <translation>Z</translation>
     </message>
     <message>
-        <source>Unit of the mesh's coordinates, which the file does not state</source>
+        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
         <translation>Unidad de las coordenadas de la malla, que el archivo no indica</translation>
     </message>
     <message>
@@ -1863,7 +1805,7 @@ Por defecto: %2</translation>
     </message>
     <message>
         <source>d MMMM</source>
-        <translation>d 'de' MMMM</translation>
+        <translation>d &apos;de&apos; MMMM</translation>
     </message>
     <message>
         <source>d MMM yyyy</source>
@@ -1871,7 +1813,7 @@ Por defecto: %2</translation>
     </message>
     <message>
         <source>d MMMM yyyy</source>
-        <translation>d 'de' MMMM 'de' yyyy</translation>
+        <translation>d &apos;de&apos; MMMM &apos;de&apos; yyyy</translation>
     </message>
     <message>
         <source>%1, %2
@@ -1882,12 +1824,6 @@ Por defecto: %2</translation>
     <message>
         <source>%1 %2, %3 %4</source>
         <translation>%1 %2, %3 %4</translation>
-    </message>
-    <message>
-        <source>%1
-%2 × %3, %4, %5 cells</source>
-        <translation>%1
-%2 × %3, %4, %5 celdas</translation>
     </message>
     <message>
         <source>%1   height %2   x %3 m, y %4 m</source>
@@ -2034,14 +1970,6 @@ Todos los lados %2, área %3</translation>
         <translation>Fachadas y puntos</translation>
     </message>
     <message>
-        <source>%1 windows: %2. Compared with before, %3 get worse and %4 better</source>
-        <translation>%1 ventanas: %2. En comparación con antes, %3 empeoran y %4 mejoran</translation>
-    </message>
-    <message>
-        <source>%1 points, %2 positions of the sun.</source>
-        <translation>%1 puntos, %2 posiciones del sol.</translation>
-    </message>
-    <message>
         <source>on facades</source>
         <translation>en fachadas</translation>
     </message>
@@ -2168,6 +2096,142 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>%1 above ground</source>
         <translation>%1 sobre el terreno</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more kind(s) of notes</source>
+        <translation>
+            <numerusform>%1 clase más de avisos</numerusform>
+            <numerusform>%1 clases más de avisos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s) were read</source>
+        <translation>
+            <numerusform>Se ha leído %1 lugar</numerusform>
+            <numerusform>Se han leído %1 lugares</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 replace(s) earlier ones</source>
+        <translation>
+            <numerusform>; %1 sustituye a otro anterior</numerusform>
+            <numerusform>; %1 sustituyen a otros anteriores</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a sample every %1 pixel(s)</source>
+        <translation>
+            <numerusform>una muestra cada %1 píxel</numerusform>
+            <numerusform>una muestra cada %1 píxeles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 day(s); %3</source>
+        <translation>
+            <numerusform>%1 de %2 día; %3</numerusform>
+            <numerusform>%1 de %2 días; %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %1 step(s)</source>
+        <translation>
+            <numerusform>el %1 paso</numerusform>
+            <numerusform>los %1 pasos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With the proposal: exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>Con la propuesta: exacto en %1 de %2 paso</numerusform>
+            <numerusform>Con la propuesta: exacto en %1 de %2 pasos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 storey(s)</source>
+        <translation>
+            <numerusform>%1 planta</numerusform>
+            <numerusform>%1 plantas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s)</source>
+        <translation>
+            <numerusform>%1 edificio</numerusform>
+            <numerusform>%1 edificios</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 occlusion ray(s) divided by the engine&apos;s time</source>
+        <translation>
+            <numerusform>%1 rayo de oclusión dividido por el tiempo del motor</numerusform>
+            <numerusform>%1 rayos de oclusión divididos por el tiempo del motor</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Positions of the sun above the horizon; %1 below it was/were left out</source>
+        <translation>
+            <numerusform>Posiciones del sol sobre el horizonte; se omitió %1 por debajo</numerusform>
+            <numerusform>Posiciones del sol sobre el horizonte; se omitieron %1 por debajo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>Área de sombra en %1 minuto de sol y la aportación del mes a la puntuación</numerusform>
+            <numerusform>Área de sombra en %1 minutos de sol y la aportación del mes a la puntuación</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2</source>
+        <translation>
+            <numerusform>%1 ventana: %2</numerusform>
+            <numerusform>%1 ventanas: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2.</source>
+        <translation>
+            <numerusform>%1 ventana: %2.</numerusform>
+            <numerusform>%1 ventanas: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Compared with before, %1 get(s) worse and %2 better</source>
+        <translation>
+            <numerusform>En comparación con antes, %1 empeora y %2 mejoran</numerusform>
+            <numerusform>En comparación con antes, %1 empeoran y %2 mejoran</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%2 × %3, %4, %5 cell(s)</source>
+        <translation>
+            <numerusform>%1
+%2 × %3, %4, %5 celda</numerusform>
+            <numerusform>%1
+%2 × %3, %4, %5 celdas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 punto</numerusform>
+            <numerusform>%1 puntos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s)</source>
+        <translation>
+            <numerusform>%1 celda</numerusform>
+            <numerusform>%1 celdas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 position(s) of the sun</source>
+        <translation>
+            <numerusform>%1 posición del sol</numerusform>
+            <numerusform>%1 posiciones del sol</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2547,13 +2611,19 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>No live facades. %1</source>
         <translation>Sin fachadas en vivo. %1</translation>
     </message>
-    <message>
-        <source>Facades: %1 points while it moves</source>
-        <translation>Fachadas: %1 puntos mientras se mueve</translation>
+    <message numerus="yes">
+        <source>Facades: %1 point(s) while it moves</source>
+        <translation>
+            <numerusform>Fachadas: %1 punto mientras se mueve</numerusform>
+            <numerusform>Fachadas: %1 puntos mientras se mueve</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Facades: %1 points</source>
-        <translation>Fachadas: %1 puntos</translation>
+    <message numerus="yes">
+        <source>Facades: %1 point(s)</source>
+        <translation>
+            <numerusform>Fachadas: %1 punto</numerusform>
+            <numerusform>Fachadas: %1 puntos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2599,7 +2669,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Arrastre el edificio seleccionado sobre el suelo</translation>
     </message>
     <message>
-        <source>Creates a lot from the selected building's outline</source>
+        <source>Creates a lot from the selected building&apos;s outline</source>
         <translation>Crea una parcela con el contorno del edificio seleccionado</translation>
     </message>
     <message>
@@ -2615,7 +2685,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Arrastre el edificio sobre el suelo. Esc termina.</translation>
     </message>
     <message>
-        <source>Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
         <translation>Haga clic en las esquinas de la parcela. Mayús: en ángulo recto con el último lado. Doble clic o Intro termina.</translation>
     </message>
     <message>
@@ -2635,7 +2705,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Shift+F</translation>
     </message>
     <message>
-        <source>Shows the sunlight of a building's facades while it is designed or changed</source>
+        <source>Shows the sunlight of a building&apos;s facades while it is designed or changed</source>
         <translation>Muestra el soleamiento de las fachadas de un edificio mientras se diseña o modifica</translation>
     </message>
 </context>
@@ -2766,7 +2836,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Alturas del archivo, en metros: cotas como las de la ciudad, o sobre el suelo bajo la ventana</translation>
     </message>
     <message>
-        <source>Height of the plane above the mean of the region's ground, or of the lines above that of the parcel's. The size of a plane's cells is that under "How exactly".</source>
+        <source>Height of the plane above the mean of the region&apos;s ground, or of the lines above that of the parcel&apos;s. The size of a plane&apos;s cells is that under &quot;How exactly&quot;.</source>
         <translation>Altura del plano sobre el terreno medio de la región, o de las líneas sobre el de la parcela. El tamaño de las celdas de un plano es el de «Con qué precisión».</translation>
     </message>
     <message>
@@ -2862,13 +2932,19 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>No points measured</source>
         <translation>Sin puntos medidos</translation>
     </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 puntos</translation>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 punto</numerusform>
+            <numerusform>%1 puntos</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 of %2 points</source>
-        <translation>%1 de %2 puntos</translation>
+    <message numerus="yes">
+        <source>%1 of %2 point(s)</source>
+        <translation>
+            <numerusform>%1 de %2 punto</numerusform>
+            <numerusform>%1 de %2 puntos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2995,7 +3071,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>todas las caras</translation>
     </message>
     <message>
-        <source>Single faces of buildings, with commas between them, by the beginning of their points' ids: way 12 wall 3. Empty: all faces</source>
+        <source>Single faces of buildings, with commas between them, by the beginning of their points&apos; ids: way 12 wall 3. Empty: all faces</source>
         <translation>Caras concretas de edificios, separadas por comas, por el comienzo de los id de sus puntos: way 12 wall 3. Vacío: todas las caras</translation>
     </message>
     <message>
@@ -3140,7 +3216,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Acerca de Noonmark</translation>
     </message>
     <message>
-        <source>&amp;What's this?</source>
+        <source>&amp;What&apos;s this?</source>
         <translation>¿&amp;Qué es esto?</translation>
     </message>
     <message>
@@ -3284,7 +3360,7 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Calles junto a %1</translation>
     </message>
     <message>
-        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel's line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
         <translation>¿Qué ancho tienen las calles, el agua o las vías en cada lado? Las normas sobre parcelas, como en Japón, desplazan hacia fuera la línea de la parcela. Un lado vale para los bordes exteriores orientados hacia él con menos de 45 grados.</translation>
     </message>
 </context>
@@ -3341,7 +3417,7 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>De una planta a 2000 m; o arrastre la flecha de la torre, o escriba un número sobre la vista</translation>
     </message>
     <message>
-        <source>Rotation clockwise about the tower's middle; it must stay on the lot</source>
+        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
         <translation>Giro en sentido horario sobre el centro de la torre; debe quedar en la parcela</translation>
     </message>
     <message>
@@ -3396,7 +3472,7 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>The project's lots</source>
+        <source>The project&apos;s lots</source>
         <translation>Las parcelas del proyecto</translation>
     </message>
     <message>
@@ -3450,7 +3526,7 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Soleamiento de sus fachadas</translation>
     </message>
     <message>
-        <source>Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study's form.</source>
+        <source>Shows the hours of shadow on the tower&apos;s facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study&apos;s form.</source>
         <translation>Muestra las horas de sombra en las fachadas de la torre, de forma aproximada mientras cambia. Haga clic en otros edificios de la vista para ver también sus fachadas. Los vanos y plantas son los del formulario del estudio.</translation>
     </message>
 </context>
@@ -3476,16 +3552,15 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Cerrar este mensaje</translation>
     </message>
     <message>
-        <source>1 more line</source>
-        <translation>1 línea más</translation>
-    </message>
-    <message>
-        <source>%1 more lines</source>
-        <translation>%1 líneas más</translation>
-    </message>
-    <message>
         <source>Less</source>
         <translation>Menos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more line(s)</source>
+        <translation>
+            <numerusform>%1 línea más</numerusform>
+            <numerusform>%1 líneas más</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3532,9 +3607,12 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <source>Movie</source>
         <translation>Película</translation>
     </message>
-    <message>
-        <source>Movie of %1 frames saved as %2</source>
-        <translation>Película de %1 fotogramas guardada como %2</translation>
+    <message numerus="yes">
+        <source>Movie of %1 frame(s) saved as %2</source>
+        <translation>
+            <numerusform>Película de %1 fotograma guardada como %2</numerusform>
+            <numerusform>Película de %1 fotogramas guardada como %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3781,7 +3859,7 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Número de días, 1 a 3660</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day's window begins, hours:minutes</source>
+        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
         <translation>Hora a la que empieza cada día, horas:minutos</translation>
     </message>
     <message>
@@ -3811,12 +3889,12 @@ Al abrir un archivo se toma la de la ciudad más cercana: compruébela cerca de 
         <translation>La franja termina estas horas antes del ocaso</translation>
     </message>
     <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun's centre</source>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
         <translation>Qué momento cuenta como amanecer y ocaso: la altura del centro del sol</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
-Off: the sun's geometric position, as some rules require</source>
+Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>Sí: el aire eleva un poco el sol cerca del horizonte (refracción).
 No: la posición geométrica del sol, como exigen algunas normas</translation>
     </message>
@@ -3840,10 +3918,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Muestra u oculta la fotografía aérea</translation>
     </message>
     <message>
-        <source>%1 of %2 tiles are missing and stay empty</source>
-        <translation>Faltan %1 de %2 teselas y quedan vacías</translation>
-    </message>
-    <message>
         <source>Reading the photograph</source>
         <translation>Leyendo la fotografía</translation>
     </message>
@@ -3854,6 +3928,13 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>remove aerial photograph</source>
         <translation>quitar fotografía aérea</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 tile(s) are missing and stay empty</source>
+        <translation>
+            <numerusform>Falta %1 de %2 tesela y queda vacía</numerusform>
+            <numerusform>Faltan %1 de %2 teselas y quedan vacías</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3911,7 +3992,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Desde teselas...</translation>
     </message>
     <message>
-        <source>Fetches tiles of the web's map scheme from an address that you state</source>
+        <source>Fetches tiles of the web&apos;s map scheme from an address that you state</source>
         <translation>Descarga teselas del esquema de mapas web desde una dirección que usted indica</translation>
     </message>
     <message>
@@ -3950,7 +4031,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Haga clic en las esquinas sobre el suelo; Intro termina, Esc cancela</translation>
     </message>
     <message>
-        <source>Creates a place from the selected building's outline</source>
+        <source>Creates a place from the selected building&apos;s outline</source>
         <translation>Crea un lugar con el contorno del edificio seleccionado</translation>
     </message>
     <message>
@@ -4009,20 +4090,26 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Cribar</translation>
     </message>
     <message>
-        <source>Tick the places that the proposal's shadow can reach at all</source>
+        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
         <translation>Marcar los lugares que la sombra de la propuesta puede alcanzar</translation>
     </message>
     <message>
         <source>%1, %2%3</source>
         <translation>%1, %2%3</translation>
     </message>
-    <message>
-        <source>%1 of %2 places ticked</source>
-        <translation>%1 de %2 lugares marcados</translation>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) ticked</source>
+        <translation>
+            <numerusform>%1 de %2 lugar marcado</numerusform>
+            <numerusform>%1 de %2 lugares marcados</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 of %2 places can be reached; the others' tooltips say why not</source>
-        <translation>%1 de %2 lugares son alcanzables; la ayuda emergente de los demás dice por qué no</translation>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <translation>
+            <numerusform>%1 de %2 lugar es alcanzable; la ayuda emergente de los demás dice por qué no</numerusform>
+            <numerusform>%1 de %2 lugares son alcanzables; la ayuda emergente de los demás dice por qué no</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4103,7 +4190,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Área</translation>
     </message>
     <message>
-        <source>A smaller plate keeps the lot's shape, inset from all sides</source>
+        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
         <translation>Una planta menor conserva la forma de la parcela, retirada por todos los lados</translation>
     </message>
     <message>
@@ -4197,7 +4284,7 @@ Después: %3
         <translation>El escenario cuyo sol en el punto se compara</translation>
     </message>
     <message>
-        <source>The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
+        <source>The point&apos;s sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
         <translation>Sol y cielo del punto en cada escenario del proyecto. Copiar (Ctrl+C) toma la tabla</translation>
     </message>
     <message>
@@ -4437,11 +4524,11 @@ Después: %3
         <translation>&amp;Nuevo escenario</translation>
     </message>
     <message>
-        <source>&amp;Save the study's region</source>
+        <source>&amp;Save the study&apos;s region</source>
         <translation>&amp;Guardar la zona del estudio</translation>
     </message>
     <message>
-        <source>&amp;Save the study's period</source>
+        <source>&amp;Save the study&apos;s period</source>
         <translation>&amp;Guardar el periodo del estudio</translation>
     </message>
     <message>
@@ -4553,7 +4640,7 @@ Después: %3
         <translation>el más alto</translation>
     </message>
     <message>
-        <source>if neighbours' ground heights differ</source>
+        <source>if neighbours&apos; ground heights differ</source>
         <translation>si difiere la cota de los vecinos</translation>
     </message>
     <message>
@@ -4663,7 +4750,7 @@ As in the file: metres, unless the value or the field states otherwise.</source>
 Como en el archivo: metros, salvo que el valor o el campo indiquen otra.</translation>
     </message>
     <message>
-        <source>If no terrain is read: derive it from the buildings' ground elevations.
+        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
 Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
         <translation>Si no se lee terreno: obtenerlo de las cotas del suelo de los edificios.
 Por defecto: si más de uno de cada veinte pares de vecinos difiere en más de 1 m.</translation>
@@ -4699,25 +4786,25 @@ Vacío: el más alto disponible.</translation>
         <translation>Los objetos más alejados del centro de los datos se omiten, con un aviso; metros, 100 a 200000</translation>
     </message>
     <message>
-        <source>Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360</source>
+        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
         <translation>Dirección del eje norte de la malla, grados en sentido horario desde el norte verdadero, -360 a 360</translation>
     </message>
     <message>
-        <source>Geographic location of the mesh's origin. Required for a mesh opened alone.
+        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
 Off: at the origin of the city from the other files.</source>
         <translation>Ubicación geográfica del origen de la malla. Necesaria si la malla se abre sola.
 No: en el origen de la ciudad de los demás archivos.</translation>
     </message>
     <message>
-        <source>Longitude of the mesh's origin, degrees, east positive, -180 to 180</source>
+        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
         <translation>Longitud del origen de la malla, grados, este positivo, -180 a 180</translation>
     </message>
     <message>
-        <source>Latitude of the mesh's origin, degrees, north positive, -90 to 90</source>
+        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
         <translation>Latitud del origen de la malla, grados, norte positivo, -90 a 90</translation>
     </message>
     <message>
-        <source>Places the mesh's origin at the middle of the open city</source>
+        <source>Places the mesh&apos;s origin at the middle of the open city</source>
         <translation>Sitúa el origen de la malla en el centro de la ciudad abierta</translation>
     </message>
     <message>
@@ -4849,10 +4936,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <translation>%1 comparado con %2</translation>
     </message>
     <message>
-        <source>All %1 scenarios measured</source>
-        <translation>Los %1 escenarios medidos</translation>
-    </message>
-    <message>
         <source>Review: sheets, tables and drawings</source>
         <translation>Evaluación: láminas, tablas y dibujos</translation>
     </message>
@@ -4879,6 +4962,13 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     <message>
         <source>Points of %1</source>
         <translation>Puntos de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 scenario(s) measured</source>
+        <translation>
+            <numerusform>El %1 escenario medido</numerusform>
+            <numerusform>Los %1 escenarios medidos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5167,7 +5257,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>guardar la vista %1</translation>
     </message>
     <message>
-        <source>Saved as '%1' in the project. F2 in the project's list renames it.</source>
+        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
         <translation>Guardada como «%1» en el proyecto. F2 en la lista del proyecto cambia el nombre.</translation>
     </message>
     <message>
@@ -5345,7 +5435,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Un edificio por nombre o id, una calle, un lugar, una parcela o una posición</translation>
     </message>
     <message>
-        <source>Nothing is called "%1". Buildings without a name are found by their id.</source>
+        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
         <translation>Nada se llama «%1». Los edificios sin nombre se encuentran por su id.</translation>
     </message>
 </context>
@@ -6182,7 +6272,7 @@ del año, otras tantas semanas</translation>
         <translation>Alt&amp;uras sobre el datum</translation>
     </message>
     <message>
-        <source>Heights of buildings above the vertical zero of the project's terrain instead of above the ground under each building, as shown and as typed</source>
+        <source>Heights of buildings above the vertical zero of the project&apos;s terrain instead of above the ground under each building, as shown and as typed</source>
         <translation>Alturas de los edificios sobre el cero vertical del terreno del proyecto en lugar de sobre el suelo bajo cada edificio, al mostrarlas y al escribirlas</translation>
     </message>
 </context>
@@ -6477,7 +6567,7 @@ del año, otras tantas semanas</translation>
         <translation>Calcular puntuación</translation>
     </message>
     <message>
-        <source>Shadow of the displayed scenario over the study's region and period, weighted by this table: by month and as a map</source>
+        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
         <translation>Sombra del escenario mostrado en la zona y el periodo del estudio, ponderada con esta tabla: por mes y como mapa</translation>
     </message>
     <message>
@@ -6616,7 +6706,7 @@ Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</
         <translation>Según norma</translation>
     </message>
     <message>
-        <source>The day and the hours of a review board's rule</source>
+        <source>The day and the hours of a review board&apos;s rule</source>
         <translation>El día y las horas de la norma de una autoridad</translation>
     </message>
     <message>
@@ -6673,7 +6763,7 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Es
         <translation>En torno al edificio</translation>
     </message>
     <message>
-        <source>The selected building's surroundings, as far as four times its height.
+        <source>The selected building&apos;s surroundings, as far as four times its height.
 Click a building first.</source>
         <translation>El entorno del edificio seleccionado, hasta cuatro veces su altura.
 Haga clic antes en un edificio.</translation>
@@ -6748,10 +6838,6 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>Estimating</source>
         <translation>Estimando el tiempo</translation>
-    </message>
-    <message>
-        <source>%1 windows: %2</source>
-        <translation>%1 ventanas: %2</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@
         <translation>投影した影</translation>
     </message>
     <message>
-        <source>Each building's shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
         <translation>各ステップで各建物の影を多角形として塗る: 平らな地面で厳密かつ高速</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>地平線掃引</translation>
     </message>
     <message>
-        <source>The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
         <translation>各測定点の地平線の傾きを方位ごとに: 1 年も短時間、地形や屋根でも</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>目標誤差</translation>
     </message>
     <message>
-        <source>Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
         <translation>セルの累計日影の平均誤差 (期間に対する割合): 方位の刻みはこれが許す幅になります。半分にすると時間は 2 倍</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>レイで遮蔽物を探す</translation>
     </message>
     <message>
-        <source>Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster</source>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
         <translation>区間の両端の遮蔽物を Embree で探す。なしなら多角形の塗りで、より速い</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board's rule.</source>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
         <translation>検討の内容: 日影の分、シナリオによる変化、望ましい影と望ましくない影のスコア、または審査機関の規定による判定。</translation>
     </message>
     <message>
@@ -576,20 +576,6 @@
         <translation>別の都市として開く(&amp;O)</translation>
     </message>
     <message>
-        <source>%1 places were read</source>
-        <translation>%1 か所を読み込みました</translation>
-    </message>
-    <message>
-        <source>; %1 replace earlier ones</source>
-        <translation>; %1 か所は既存のものを置き換えました</translation>
-    </message>
-    <message>
-        <source>
-%1 more kinds of notes</source>
-        <translation>
-ほかに %1 種類の通知があります</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>実測</translation>
     </message>
@@ -642,20 +628,12 @@
         <translation>全画素</translation>
     </message>
     <message>
-        <source>a sample every %1 pixels</source>
-        <translation>%1 画素ごとに 1 点</translation>
-    </message>
-    <message>
         <source>%1, %2 m</source>
         <translation>%1, %2 m</translation>
     </message>
     <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 days; %3</source>
-        <translation>%2 日中 %1 日; %3</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -854,16 +832,8 @@
         <translation>この時刻</translation>
     </message>
     <message>
-        <source>all %1 steps</source>
-        <translation>全 %1 ステップ</translation>
-    </message>
-    <message>
         <source>With the proposal: exact at %1</source>
         <translation>計画案あり: %1 で厳密</translation>
-    </message>
-    <message>
-        <source>With the proposal: exact at %1 of %2 steps</source>
-        <translation>計画案あり: %2 ステップ中 %1 で厳密</translation>
     </message>
     <message>
         <source>With the proposal: %1, within 0.25° of azimuth</source>
@@ -872,14 +842,6 @@
     <message>
         <source>%1; continuous shadow follows</source>
         <translation>%1。連続日影は後で表示</translation>
-    </message>
-    <message>
-        <source>1 storey</source>
-        <translation>1 階</translation>
-    </message>
-    <message>
-        <source>%1 storeys</source>
-        <translation>%1 階</translation>
     </message>
     <message>
         <source>west</source>
@@ -952,10 +914,6 @@
     <message>
         <source>The existing city, from which every scenario starts</source>
         <translation>現況の都市。すべてのシナリオの出発点</translation>
-    </message>
-    <message>
-        <source>%1 buildings</source>
-        <translation>建物 %1 棟</translation>
     </message>
     <message>
         <source>Terrain of %1 × %2 points</source>
@@ -1336,10 +1294,6 @@ with %2</source>
         <translation> M レイ/秒</translation>
     </message>
     <message>
-        <source>%1 occlusion rays divided by the engine's time</source>
-        <translation>遮蔽レイ %1 本をエンジンの時間で割った値</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>時間</translation>
     </message>
@@ -1358,10 +1312,6 @@ with %2</source>
     <message>
         <source>Steps of the sun</source>
         <translation>太陽位置の数</translation>
-    </message>
-    <message>
-        <source>Positions of the sun above the horizon; %1 below it were left out</source>
-        <translation>地平線より上の太陽位置。下の %1 は除外</translation>
     </message>
     <message>
         <source>Sunlit time</source>
@@ -1384,10 +1334,6 @@ with %2</source>
         <translation>日影 %1 m², スコア %2</translation>
     </message>
     <message>
-        <source>Shadow area over %1 sunlit minutes, and the month's contribution to the score</source>
-        <translation>日照 %1 分間の日影面積と、その月のスコアへの寄与</translation>
-    </message>
-    <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
     </message>
@@ -1400,7 +1346,7 @@ with %2</source>
         <translation>日影スコア</translation>
     </message>
     <message>
-        <source>Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
         <translation>区間ごとの 重み × 日照時間のうち影の割合 × セル面積 の合計。0 より大きいと望ましい影が上回る</translation>
     </message>
     <message>
@@ -1580,10 +1526,6 @@ cells of %2 m</source>
         <translation>%1 百万</translation>
     </message>
     <message>
-        <source>%1 cells, %2 positions of the sun.</source>
-        <translation>%1 セル、太陽位置 %2。</translation>
-    </message>
-    <message>
         <source>%1: %2.</source>
         <translation>%1: %2。</translation>
     </message>
@@ -1692,7 +1634,7 @@ cells of %2 m</source>
         <translation>期間の平均的な 1 日に各地点が日影になる分数と、途切れない最長時間</translation>
     </message>
     <message>
-        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under "compare with"</source>
+        <source>Minutes of shadow that the scenario adds or takes away, against the city chosen under &quot;compare with&quot;</source>
         <translation>「比較対象」で選んだ都市に対し、シナリオが増減させる日影の分</translation>
     </message>
     <message>
@@ -1700,7 +1642,7 @@ cells of %2 m</source>
         <translation>時刻と月で重み付けした影: 夏は望ましく、冬は望ましくない。重みは「重み」パネルで選択</translation>
     </message>
     <message>
-        <source>Pass or fail of parks and other places by a board's rule. Choose it in the panel Review</source>
+        <source>Pass or fail of parks and other places by a board&apos;s rule. Choose it in the panel Review</source>
         <translation>公園などの場所が審査機関の規定に適合するか。規定は「審査」パネルで選択</translation>
     </message>
     <message>
@@ -1834,7 +1776,7 @@ Default: %2</source>
         <translation>Z</translation>
     </message>
     <message>
-        <source>Unit of the mesh's coordinates, which the file does not state</source>
+        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
         <translation>ファイルに書かれていないメッシュ座標の単位</translation>
     </message>
     <message>
@@ -1882,12 +1824,6 @@ Default: %2</source>
     <message>
         <source>%1 %2, %3 %4</source>
         <translation>%1 %2, %3 %4</translation>
-    </message>
-    <message>
-        <source>%1
-%2 × %3, %4, %5 cells</source>
-        <translation>%1
-%2 × %3, %4, %5 セル</translation>
     </message>
     <message>
         <source>%1   height %2   x %3 m, y %4 m</source>
@@ -2034,14 +1970,6 @@ All sides %2, area %3</source>
         <translation>ファサードと点</translation>
     </message>
     <message>
-        <source>%1 windows: %2. Compared with before, %3 get worse and %4 better</source>
-        <translation>窓 %1 か所: %2。以前と比べて悪化 %3、改善 %4</translation>
-    </message>
-    <message>
-        <source>%1 points, %2 positions of the sun.</source>
-        <translation>%1点、太陽の位置%2。</translation>
-    </message>
-    <message>
         <source>on facades</source>
         <translation>ファサード</translation>
     </message>
@@ -2168,6 +2096,122 @@ All sides %2, area %3</source>
     <message>
         <source>%1 above ground</source>
         <translation>地盤から %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more kind(s) of notes</source>
+        <translation>
+            <numerusform>ほかに %1 種類の通知があります</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s) were read</source>
+        <translation>
+            <numerusform>%1 か所を読み込みました</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 replace(s) earlier ones</source>
+        <translation>
+            <numerusform>; %1 か所は既存のものを置き換えました</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a sample every %1 pixel(s)</source>
+        <translation>
+            <numerusform>%1 画素ごとに 1 点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 day(s); %3</source>
+        <translation>
+            <numerusform>%2 日中 %1 日; %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %1 step(s)</source>
+        <translation>
+            <numerusform>全 %1 ステップ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With the proposal: exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>計画案あり: %2 ステップ中 %1 で厳密</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 storey(s)</source>
+        <translation>
+            <numerusform>%1 階</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s)</source>
+        <translation>
+            <numerusform>建物 %1 棟</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 occlusion ray(s) divided by the engine&apos;s time</source>
+        <translation>
+            <numerusform>遮蔽レイ %1 本をエンジンの時間で割った値</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Positions of the sun above the horizon; %1 below it was/were left out</source>
+        <translation>
+            <numerusform>地平線より上の太陽位置。下の %1 は除外</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>日照 %1 分間の日影面積と、その月のスコアへの寄与</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2</source>
+        <translation>
+            <numerusform>窓 %1 か所: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2.</source>
+        <translation>
+            <numerusform>窓 %1 か所: %2。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Compared with before, %1 get(s) worse and %2 better</source>
+        <translation>
+            <numerusform>以前と比べて悪化 %1、改善 %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%2 × %3, %4, %5 cell(s)</source>
+        <translation>
+            <numerusform>%1
+%2 × %3, %4, %5 セル</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s)</source>
+        <translation>
+            <numerusform>%1 セル</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 position(s) of the sun</source>
+        <translation>
+            <numerusform>太陽位置 %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2547,13 +2591,17 @@ as published. Approximate: the legend states the measured error</source>
         <source>No live facades. %1</source>
         <translation>ライブファサードはありません。%1</translation>
     </message>
-    <message>
-        <source>Facades: %1 points while it moves</source>
-        <translation>ファサード: 移動中は %1 点</translation>
+    <message numerus="yes">
+        <source>Facades: %1 point(s) while it moves</source>
+        <translation>
+            <numerusform>ファサード: 移動中は %1 点</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Facades: %1 points</source>
-        <translation>ファサード: %1 点</translation>
+    <message numerus="yes">
+        <source>Facades: %1 point(s)</source>
+        <translation>
+            <numerusform>ファサード: %1 点</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2599,7 +2647,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>選択した建物を地面の上でドラッグ</translation>
     </message>
     <message>
-        <source>Creates a lot from the selected building's outline</source>
+        <source>Creates a lot from the selected building&apos;s outline</source>
         <translation>選択した建物の外形から敷地を作る</translation>
     </message>
     <message>
@@ -2615,7 +2663,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>建物を地面の上でドラッグ。Esc で終了。</translation>
     </message>
     <message>
-        <source>Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
+        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
         <translation>敷地の角をクリック。Shift: 直前の辺に直角。ダブルクリックか Enter で終了。</translation>
     </message>
     <message>
@@ -2635,7 +2683,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>Shift+F</translation>
     </message>
     <message>
-        <source>Shows the sunlight of a building's facades while it is designed or changed</source>
+        <source>Shows the sunlight of a building&apos;s facades while it is designed or changed</source>
         <translation>設計・変更中の建物のファサードの日照を表示します</translation>
     </message>
 </context>
@@ -2766,7 +2814,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>ファイルの高さ(メートル): 都市と同じ標高、または窓の下の地面からの高さ</translation>
     </message>
     <message>
-        <source>Height of the plane above the mean of the region's ground, or of the lines above that of the parcel's. The size of a plane's cells is that under "How exactly".</source>
+        <source>Height of the plane above the mean of the region&apos;s ground, or of the lines above that of the parcel&apos;s. The size of a plane&apos;s cells is that under &quot;How exactly&quot;.</source>
         <translation>領域の平均地盤面からの面の高さ、または敷地の平均地盤面からの線の高さ。面のセルの大きさは「精度」で指定します。</translation>
     </message>
     <message>
@@ -2862,13 +2910,17 @@ as published. Approximate: the legend states the measured error</source>
         <source>No points measured</source>
         <translation>測定した点はありません</translation>
     </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1点</translation>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 点</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 of %2 points</source>
-        <translation>%2点のうち%1点</translation>
+    <message numerus="yes">
+        <source>%1 of %2 point(s)</source>
+        <translation>
+            <numerusform>%2 点のうち %1 点</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2995,7 +3047,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>すべての面</translation>
     </message>
     <message>
-        <source>Single faces of buildings, with commas between them, by the beginning of their points' ids: way 12 wall 3. Empty: all faces</source>
+        <source>Single faces of buildings, with commas between them, by the beginning of their points&apos; ids: way 12 wall 3. Empty: all faces</source>
         <translation>建物の個々の面(コンマ区切り)。点の ID の先頭部分で指定します: way 12 wall 3。空欄: すべての面</translation>
     </message>
     <message>
@@ -3140,7 +3192,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>Noonmark について</translation>
     </message>
     <message>
-        <source>&amp;What's this?</source>
+        <source>&amp;What&apos;s this?</source>
         <translation>これは何?(&amp;W)</translation>
     </message>
     <message>
@@ -3284,7 +3336,7 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>%1 に接する道路</translation>
     </message>
     <message>
-        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel's line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
+        <source>How wide are the roads, water or railways on each side? Rules about parcels, as in Japan, move the parcel&apos;s line out along them. A side counts for the outermost edges that face within 45 degrees of it.</source>
         <translation>各辺に接する道路、水面、線路の幅はいくらですか? 日本の日影規制のような敷地の規定では、敷地境界線をその分外側へ移します。各方位は、その方向から 45 度以内を向く最も外側の辺に適用されます。</translation>
     </message>
 </context>
@@ -3341,7 +3393,7 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>1 階分から 2000 m。塔の矢印をドラッグするか、表示の上で数字を入力しても可</translation>
     </message>
     <message>
-        <source>Rotation clockwise about the tower's middle; it must stay on the lot</source>
+        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
         <translation>塔の中心まわりの時計回りの回転。敷地からはみ出せません</translation>
     </message>
     <message>
@@ -3396,7 +3448,7 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>The project's lots</source>
+        <source>The project&apos;s lots</source>
         <translation>プロジェクトの敷地</translation>
     </message>
     <message>
@@ -3450,7 +3502,7 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>ファサードの日照</translation>
     </message>
     <message>
-        <source>Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study's form.</source>
+        <source>Shows the hours of shadow on the tower&apos;s facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study&apos;s form.</source>
         <translation>タワーのファサードの日影時間を表示します(変更中は粗く)。ビューで他の建物をクリックすると、そのファサードも表示します。スパンと階高は検討フォームの値です。</translation>
     </message>
 </context>
@@ -3476,16 +3528,14 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>このメッセージを閉じる</translation>
     </message>
     <message>
-        <source>1 more line</source>
-        <translation>あと 1 行</translation>
-    </message>
-    <message>
-        <source>%1 more lines</source>
-        <translation>あと %1 行</translation>
-    </message>
-    <message>
         <source>Less</source>
         <translation>少なく</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more line(s)</source>
+        <translation>
+            <numerusform>あと %1 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3532,9 +3582,11 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <source>Movie</source>
         <translation>動画</translation>
     </message>
-    <message>
-        <source>Movie of %1 frames saved as %2</source>
-        <translation>%1 コマの動画を %2 として保存しました</translation>
+    <message numerus="yes">
+        <source>Movie of %1 frame(s) saved as %2</source>
+        <translation>
+            <numerusform>%1 コマの動画を %2 として保存しました</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3781,7 +3833,7 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>日数、1 から 3660</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day's window begins, hours:minutes</source>
+        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
         <translation>毎日の開始時刻、時:分</translation>
     </message>
     <message>
@@ -3811,12 +3863,12 @@ Set to that of the nearest city when a file is opened: check it near borders.</s
         <translation>日没のこの時間前に終わる</translation>
     </message>
     <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun's centre</source>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
         <translation>日の出・日没とみなす時点: 太陽中心の高度</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
-Off: the sun's geometric position, as some rules require</source>
+Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>オン: 大気が地平線近くの太陽を少し持ち上げます (大気差)。
 オフ: 太陽の幾何学的位置。これを求める規定もあります</translation>
     </message>
@@ -3840,10 +3892,6 @@ Off: the sun's geometric position, as some rules require</source>
         <translation>航空写真を表示または非表示にします</translation>
     </message>
     <message>
-        <source>%1 of %2 tiles are missing and stay empty</source>
-        <translation>%2 枚中 %1 枚のタイルがなく、空白のままです</translation>
-    </message>
-    <message>
         <source>Reading the photograph</source>
         <translation>航空写真を読み込み中</translation>
     </message>
@@ -3854,6 +3902,12 @@ Off: the sun's geometric position, as some rules require</source>
     <message>
         <source>remove aerial photograph</source>
         <translation>航空写真を削除</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 tile(s) are missing and stay empty</source>
+        <translation>
+            <numerusform>%2 枚中 %1 枚のタイルがなく、空白のままです</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3911,7 +3965,7 @@ Off: the sun's geometric position, as some rules require</source>
         <translation>タイルから...</translation>
     </message>
     <message>
-        <source>Fetches tiles of the web's map scheme from an address that you state</source>
+        <source>Fetches tiles of the web&apos;s map scheme from an address that you state</source>
         <translation>指定したアドレスからウェブ地図形式のタイルを取得します</translation>
     </message>
     <message>
@@ -3950,7 +4004,7 @@ Off: the sun's geometric position, as some rules require</source>
         <translation>地面の角をクリック。Enter で終了、Esc で中止</translation>
     </message>
     <message>
-        <source>Creates a place from the selected building's outline</source>
+        <source>Creates a place from the selected building&apos;s outline</source>
         <translation>選択した建物の外形から場所を作る</translation>
     </message>
     <message>
@@ -4009,20 +4063,24 @@ Off: the sun's geometric position, as some rules require</source>
         <translation>絞り込み</translation>
     </message>
     <message>
-        <source>Tick the places that the proposal's shadow can reach at all</source>
+        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
         <translation>計画案の影が届きうる場所を選ぶ</translation>
     </message>
     <message>
         <source>%1, %2%3</source>
         <translation>%1, %2%3</translation>
     </message>
-    <message>
-        <source>%1 of %2 places ticked</source>
-        <translation>%2 か所中 %1 か所を選択</translation>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) ticked</source>
+        <translation>
+            <numerusform>%2 か所中 %1 か所を選択</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 of %2 places can be reached; the others' tooltips say why not</source>
-        <translation>%2 か所中 %1 か所に影が届きえます。他の理由はツールチップに</translation>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <translation>
+            <numerusform>%2 か所中 %1 か所に影が届きえます。他の理由はツールチップに</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4103,7 +4161,7 @@ Off: the sun's geometric position, as some rules require</source>
         <translation>面積</translation>
     </message>
     <message>
-        <source>A smaller plate keeps the lot's shape, inset from all sides</source>
+        <source>A smaller plate keeps the lot&apos;s shape, inset from all sides</source>
         <translation>小さい階は敷地の形を保ち、全辺で後退します</translation>
     </message>
     <message>
@@ -4197,7 +4255,7 @@ After: %3
         <translation>この点の日照を比較するシナリオ</translation>
     </message>
     <message>
-        <source>The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
+        <source>The point&apos;s sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
         <translation>プロジェクトの全シナリオにおけるこの点の日照と天空。コピー (Ctrl+C) で表を取得できます</translation>
     </message>
     <message>
@@ -4437,11 +4495,11 @@ After: %3
         <translation>新しいシナリオ(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Save the study's region</source>
+        <source>&amp;Save the study&apos;s region</source>
         <translation>検討範囲を保存(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Save the study's period</source>
+        <source>&amp;Save the study&apos;s period</source>
         <translation>検討期間を保存(&amp;S)</translation>
     </message>
     <message>
@@ -4553,7 +4611,7 @@ After: %3
         <translation>最も高いもの</translation>
     </message>
     <message>
-        <source>if neighbours' ground heights differ</source>
+        <source>if neighbours&apos; ground heights differ</source>
         <translation>隣接する地盤高が異なる場合</translation>
     </message>
     <message>
@@ -4663,7 +4721,7 @@ As in the file: metres, unless the value or the field states otherwise.</source>
 ファイルの通り: 値や項目に指定がなければメートル。</translation>
     </message>
     <message>
-        <source>If no terrain is read: derive it from the buildings' ground elevations.
+        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
 Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
         <translation>地形を読み込まない場合、建物の地盤高から作ります。
 既定: 隣り合う組の 20 分の 1 以上で 1 m を超える差があるとき。</translation>
@@ -4699,25 +4757,25 @@ Empty: the highest available.</source>
         <translation>データの中央からこれより遠いものは警告を出して除きます。メートル、100 から 200000</translation>
     </message>
     <message>
-        <source>Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360</source>
+        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
         <translation>メッシュの北軸の向き、真北から時計回りの度、-360 から 360</translation>
     </message>
     <message>
-        <source>Geographic location of the mesh's origin. Required for a mesh opened alone.
+        <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
 Off: at the origin of the city from the other files.</source>
         <translation>メッシュ原点の地理的位置。メッシュだけを開くとき必要です。
 オフ: 他のファイルの都市の原点。</translation>
     </message>
     <message>
-        <source>Longitude of the mesh's origin, degrees, east positive, -180 to 180</source>
+        <source>Longitude of the mesh&apos;s origin, degrees, east positive, -180 to 180</source>
         <translation>メッシュ原点の経度、度、東が正、-180 から 180</translation>
     </message>
     <message>
-        <source>Latitude of the mesh's origin, degrees, north positive, -90 to 90</source>
+        <source>Latitude of the mesh&apos;s origin, degrees, north positive, -90 to 90</source>
         <translation>メッシュ原点の緯度、度、北が正、-90 から 90</translation>
     </message>
     <message>
-        <source>Places the mesh's origin at the middle of the open city</source>
+        <source>Places the mesh&apos;s origin at the middle of the open city</source>
         <translation>メッシュ原点を開いている都市の中央に置く</translation>
     </message>
     <message>
@@ -4849,10 +4907,6 @@ Off: at the origin of the city from the other files.</source>
         <translation>%1 と %2 の比較</translation>
     </message>
     <message>
-        <source>All %1 scenarios measured</source>
-        <translation>測定した全 %1 シナリオ</translation>
-    </message>
-    <message>
         <source>Review: sheets, tables and drawings</source>
         <translation>審査: 図面、表、作図</translation>
     </message>
@@ -4879,6 +4933,12 @@ Off: at the origin of the city from the other files.</source>
     <message>
         <source>Points of %1</source>
         <translation>%1の点</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 scenario(s) measured</source>
+        <translation>
+            <numerusform>測定した全 %1 シナリオ</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5167,7 +5227,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>表示 %1 を保存</translation>
     </message>
     <message>
-        <source>Saved as '%1' in the project. F2 in the project's list renames it.</source>
+        <source>Saved as &apos;%1&apos; in the project. F2 in the project&apos;s list renames it.</source>
         <translation>プロジェクトに「%1」として保存しました。プロジェクトの一覧で F2 を押すと名前を変えられます。</translation>
     </message>
     <message>
@@ -5345,7 +5405,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>名称や ID による建物、道路、場所, 敷地、位置</translation>
     </message>
     <message>
-        <source>Nothing is called "%1". Buildings without a name are found by their id.</source>
+        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
         <translation>「%1」はありません。名称のない建物は ID で検索できます。</translation>
     </message>
 </context>
@@ -6182,7 +6242,7 @@ of the year, as many weeks</source>
         <translation>基準面からの高さ(&amp;H)</translation>
     </message>
     <message>
-        <source>Heights of buildings above the vertical zero of the project's terrain instead of above the ground under each building, as shown and as typed</source>
+        <source>Heights of buildings above the vertical zero of the project&apos;s terrain instead of above the ground under each building, as shown and as typed</source>
         <translation>建物の高さを、各建物の地盤からではなく、プロジェクトの地形の鉛直基準から表示・入力する</translation>
     </message>
 </context>
@@ -6477,7 +6537,7 @@ of the year, as many weeks</source>
         <translation>スコアを計算</translation>
     </message>
     <message>
-        <source>Shadow of the displayed scenario over the study's region and period, weighted by this table: by month and as a map</source>
+        <source>Shadow of the displayed scenario over the study&apos;s region and period, weighted by this table: by month and as a map</source>
         <translation>表示中のシナリオの検討範囲・期間の影をこの表で重み付け: 月別と図</translation>
     </message>
     <message>
@@ -6616,7 +6676,7 @@ Facades, windows and planes are measured at points, each with its hours of sun.<
         <translation>規定の通り</translation>
     </message>
     <message>
-        <source>The day and the hours of a review board's rule</source>
+        <source>The day and the hours of a review board&apos;s rule</source>
         <translation>審査機関の規定の日と時間帯</translation>
     </message>
     <message>
@@ -6673,7 +6733,7 @@ Double click, Enter or right click finishes, Backspace removes the last corner, 
         <translation>建物の周り</translation>
     </message>
     <message>
-        <source>The selected building's surroundings, as far as four times its height.
+        <source>The selected building&apos;s surroundings, as far as four times its height.
 Click a building first.</source>
         <translation>選択した建物の周り、高さの 4 倍まで。
 先に建物をクリックしてください。</translation>
@@ -6748,10 +6808,6 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>Estimating</source>
         <translation>所要時間を見積もっています</translation>
-    </message>
-    <message>
-        <source>%1 windows: %2</source>
-        <translation>窓%1か所：%2</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QXmlStreamReader>
 #include <clocale>
 #include <map>
 
@@ -17,69 +16,23 @@
 #include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
 #include "tests/gui/answers_window.h"
-#include "tests/shared/shared_data.h"
+#include "tests/gui/translation_messages.h"
 
 namespace noonmark {
 namespace {
 
 using test::AnswersWindow;
+using test::codeOf;
+using test::expectSameParts;
+using test::Languages;
+using test::Message;
+using test::readMessages;
+using test::translated;
 using test::waitFor;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr Language translated[] = {Language::german, Language::spanish, Language::japanese};
 constexpr double leastFinishedPct = 99;
-
-struct Message {
-    QString context, source, text;
-    bool finished = false;
-};
-
-std::string codeOf(Language language) {
-    for (const LanguageEntry& entry : languages)
-        if (entry.language == language) return entry.code;
-    return {};
-}
-
-/// The messages of a .ts file. Fails the test where the XML is not well formed.
-std::vector<Message> readMessages(Language language) {
-    QFile file(QString::fromStdString(
-        tests::sourceFile("resources/translations/noonmark_" + codeOf(language) + ".ts").string()));
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
-    QXmlStreamReader xml(&file);
-    std::vector<Message> messages;
-    QString context;
-    while (!xml.atEnd()) {
-        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-        if (xml.name() == u"name") context = xml.readElementText();
-        if (xml.name() == u"message") messages.push_back({context, {}, {}, false});
-        if (xml.name() == u"source") messages.back().source = xml.readElementText();
-        if (xml.name() != u"translation") continue;
-        messages.back().finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
-        messages.back().text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-    }
-    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
-    return messages;
-}
-
-QStringList placeholdersOf(const QString& text) {
-    static const QRegularExpression placeholder(QStringLiteral("%(L?\\d|n)"));
-    QStringList found;
-    for (auto at = placeholder.globalMatch(text); at.hasNext();) found << at.next().captured();
-    found.sort();
-    return found;
-}
-
-QString spacesAround(const QString& text) {
-    static const QRegularExpression start(QStringLiteral("^ *")), end(QStringLiteral(" *$"));
-    return start.match(text).captured() + QLatin1Char('|') + end.match(text).captured();
-}
-
-/// Restores English, which other tests expect.
-struct Languages : ::testing::Test {
-    void use(Language language) { applyLanguage(language, *qApp); }
-    ~Languages() override { use(Language::english); }
-};
 
 TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
     for (const Language language : translated) {
@@ -89,12 +42,7 @@ TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
         for (const Message& message : messages) {
             if (!message.finished) continue;
             ++finished;
-            const std::string where = codeOf(language) + ": " + message.source.toStdString();
-            EXPECT_FALSE(message.text.isEmpty()) << where;
-            EXPECT_EQ(placeholdersOf(message.text), placeholdersOf(message.source)) << where;
-            EXPECT_EQ(message.text.count(QStringLiteral(";;")), message.source.count(QStringLiteral(";;")))
-                << where << ": filters of a file dialog";
-            EXPECT_EQ(spacesAround(message.text), spacesAround(message.source)) << where;
+            for (const QString& text : message.texts) expectSameParts(text, message, codeOf(language));
         }
         EXPECT_GE(100.0 * finished / double(messages.size()), leastFinishedPct) << codeOf(language);
     }
@@ -105,7 +53,7 @@ TEST_F(Languages, KeysOfActionsAreTheSameInEveryLanguage) {
     for (const Language language : translated)
         for (const Message& message : readMessages(language))
             if (keys.match(message.source).hasMatch()) {
-                EXPECT_EQ(message.text, message.source);
+                EXPECT_EQ(message.texts, QStringList{message.source});
             }
 }
 

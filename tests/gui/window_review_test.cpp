@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "app/window/review/windows/window_table.h"
+#include "app/window/widgets/number_words.h"
 #include "tests/gui/window_review_window.h"
 
 namespace noonmark {
@@ -102,8 +103,7 @@ TEST_F(WindowReviewWindow, StatesTheNumberOfWindowsAndTheTimeBeforehand) {
     const QString words = estimate->text();
     EXPECT_TRUE(words.contains(QStringLiteral("about"))) << words.toStdString();
     run();
-    EXPECT_TRUE(words.startsWith(QString::number(windows().answer()->study.panes.size())))
-        << words.toStdString();
+    EXPECT_TRUE(words.startsWith(formatCount(windows().answer()->study.panes.size()))) << words.toStdString();
 }
 
 TEST_F(WindowReviewWindow, AFileThatIsMissingIsNamed) {

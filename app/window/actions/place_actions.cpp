@@ -48,17 +48,23 @@ PlaceActions::Dropped askByMenu() {
     return chosen == city ? PlaceActions::Dropped::open : PlaceActions::Dropped::nothing;
 }
 
+QString describeMoreKinds(std::size_t kinds) {
+    return QObject::tr("%1 more kind(s) of notes", "", pluralNumber(kinds)).arg(formatCount(kinds));
+}
+
 }  // namespace
 
 QString describePlacesRead(std::size_t places, std::size_t replaced, const Warnings& warnings) {
-    QString text = QObject::tr("%1 places were read").arg(formatCount(places));
-    if (replaced > 0) text += QObject::tr("; %1 replace earlier ones").arg(formatCount(replaced));
+    QString text = QObject::tr("%1 place(s) were read", "", pluralNumber(places)).arg(formatCount(places));
+    if (replaced > 0)
+        text += QObject::tr("; %1 replace(s) earlier ones", "", pluralNumber(replaced))
+                    .arg(formatCount(replaced));
     text += u'.';
     constexpr std::size_t most = 3;
     const auto groups = groupWarnings(warnings);
     for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
         text += u'\n' + QString::fromStdString(lineOf(groups[i]));
-    if (groups.size() > most) text += QObject::tr("\n%1 more kinds of notes").arg(groups.size() - most);
+    if (groups.size() > most) text += u'\n' + describeMoreKinds(groups.size() - most);
     return text;
 }
 

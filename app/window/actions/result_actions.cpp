@@ -14,6 +14,7 @@
 #include "app/window/time/time_strip.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -87,7 +88,9 @@ void ResultActions::askForExport() {
     std::vector<ExportDialog::Subject> subjects;
     if (workbench_.shown() != Workbench::Shown::nothing) subjects.push_back({Subject::shown, shownText()});
     if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
-        subjects.push_back({Subject::scenarios, tr("All %1 scenarios measured").arg(measured.size())});
+        subjects.push_back(
+            {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
+                                     .arg(formatCount(measured.size()))});
     if (windowReview_.applies() ? windowReview_.finished().has_value() : review_.finished().has_value())
         subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
     if (subjects.empty()) return workbench_.exportShown({}, {});

@@ -134,11 +134,12 @@ void EditPreview::followFacades() {
 
 void EditPreview::showLiveFacades() {
     const auto answer = facades_.answer();
-    const QString points = groupDigits(double(answer->map.elements.size()), 0);
-    panel_.results().setLiveFacades(ElementView{std::shared_ptr<const ElementMap>(answer, &answer->map),
-                                                answer->coarse
-                                                    ? tr("Facades: %1 points while it moves").arg(points)
-                                                    : tr("Facades: %1 points").arg(points)});
+    const std::size_t points = answer->map.elements.size();
+    const int form = pluralNumber(points);
+    const QString note = answer->coarse ? tr("Facades: %1 point(s) while it moves", "", form)
+                                        : tr("Facades: %1 point(s)", "", form);
+    panel_.results().setLiveFacades(
+        ElementView{std::shared_ptr<const ElementMap>(answer, &answer->map), note.arg(formatCount(points))});
 }
 
 void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.answer())); }

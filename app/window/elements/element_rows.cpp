@@ -35,9 +35,7 @@ std::vector<ResultRow> makeRows(const PointFigures& shown) {
         minutesRow(QObject::tr("Max continuous"), figures.mostContinuousMin,
                    QObject::tr("Longest unbroken run in shadow at any point on any day")),
         {QObject::tr("Points"), formatCount(shown.points), QObject::tr("Points where sun is measured")},
-        {QObject::tr("Steps of the sun"), formatCount(shown.steps),
-         QObject::tr("Positions of the sun above the horizon; %1 below it were left out")
-             .arg(formatCount(shown.belowHorizon))},
+        {QObject::tr("Steps of the sun"), formatCount(shown.steps), describeSteps(shown.belowHorizon)},
         {QObject::tr("Sunlit time"), formatAmount(shown.possibleMin) + QObject::tr(" min/day"),
          QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")},
         {QObject::tr("Time"), formatAmount(shown.seconds, 2) + QStringLiteral(" s"),

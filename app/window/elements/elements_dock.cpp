@@ -81,10 +81,11 @@ void ElementsDock::show(std::shared_ptr<const ElementMap> map) {
 
 void ElementsDock::count() {
     const int all = model_->rowCount(), shown = filter_->rowCount();
+    const QString number = formatCount(quint64(all));
     count_->setText(all == 0 ? tr("No points measured")
                     : shown == all
-                        ? tr("%1 points").arg(formatCount(quint64(all)))
-                        : tr("%1 of %2 points").arg(formatCount(quint64(shown)), formatCount(quint64(all))));
+                        ? tr("%1 point(s)", "", all).arg(number)
+                        : tr("%1 of %2 point(s)", "", all).arg(formatCount(quint64(shown)), number));
 }
 
 std::size_t ElementsDock::elementOf(const QModelIndex& index) const {

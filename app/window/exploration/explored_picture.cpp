@@ -47,13 +47,16 @@ SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, d
 }
 
 QString describeDetail(const ExploredView& view, double distanceM) {
-    const QString samples = view.spacingPx == 1 ? QObject::tr("every pixel")
-                                                : QObject::tr("a sample every %1 pixels").arg(view.spacingPx);
+    const QString samples = view.spacingPx == 1
+                                ? QObject::tr("every pixel")
+                                : QObject::tr("a sample every %1 pixel(s)", "", view.spacingPx)
+                                      .arg(formatCount(quint64(view.spacingPx)));
     const QString detail = QObject::tr("%1, %2 m").arg(samples, formatShort(view.sampleM(distanceM), 2));
     if (!view.running.empty())
         return QObject::tr("%1; %2").arg(QString::fromStdString(view.running)).arg(detail);
     if (!isSoFar(view)) return detail;
-    return QObject::tr("%1 of %2 days; %3").arg(view.daysShown).arg(view.days).arg(detail);
+    return QObject::tr("%1 of %2 day(s); %3", "", pluralNumber(quint64(view.days)))
+        .arg(formatCount(quint64(view.daysShown)), formatCount(quint64(view.days)), detail);
 }
 
 }  // namespace noonmark

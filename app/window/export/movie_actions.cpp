@@ -6,6 +6,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/time/time_strip.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -75,7 +76,8 @@ void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
         [this, file](const Result<MovieFacts>& facts) {
             if (facts)
                 return panel_.messages().showNote(
-                    tr("Movie of %1 frames saved as %2").arg(facts->frames).arg(file));
+                    tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts->frames)))
+                        .arg(formatCount(quint64(facts->frames)), file));
             if (!isCancelled(facts.error())) panel_.messages().showError(facts.error());
         });
 }

@@ -10,7 +10,7 @@ namespace {
 
 QString describeStep(std::size_t steps) {
     return steps == 1 ? QObject::tr("this moment")
-                      : QObject::tr("all %1 steps").arg(groupDigits(double(steps)));
+                      : QObject::tr("all %1 step(s)", "", pluralNumber(steps)).arg(formatCount(steps));
 }
 
 }  // namespace
@@ -27,8 +27,8 @@ QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, 
         case LiveEngine::shadows:
             return QObject::tr("With the proposal: exact at %1").arg(describeStep(steps));
         case LiveEngine::moments:
-            return QObject::tr("With the proposal: exact at %1 of %2 steps")
-                .arg(groupDigits(double(counted)), groupDigits(double(steps)));
+            return QObject::tr("With the proposal: exact at %1 of %2 step(s)", "", pluralNumber(steps))
+                .arg(formatCount(counted), formatCount(steps));
         case LiveEngine::horizons:
             break;
     }

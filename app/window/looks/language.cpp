@@ -64,6 +64,8 @@ void applyLanguage(Language language, QCoreApplication& application) {
     // Qt took the decimal comma of the system for C functions too, which read and write files.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(chooseLocale(code, QLocale::system()));
+    // English holds the plural forms only, which another language's unfinished texts fall back to.
+    install(QStringLiteral("noonmark_en"), QStringLiteral(":/translations"), application);
     if (code == QStringLiteral("en")) return;
     install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath),
             application);

@@ -11,7 +11,7 @@
 namespace noonmark {
 
 QString describeStoreys(int storeys) {
-    return storeys == 1 ? QObject::tr("1 storey") : QObject::tr("%1 storeys").arg(storeys);
+    return QObject::tr("%1 storey(s)", "", storeys).arg(formatCount(quint64(storeys)));
 }
 
 QString describeFigures(const MassingFigures& figures, double groundElevationM) {

@@ -8,6 +8,7 @@
 #include "app/window/photograph/photograph_dialog.h"
 #include "app/window/photograph/tile_dialog.h"
 #include "app/window/widgets/message_bar.h"
+#include "app/window/widgets/number_words.h"
 #include "core/city/map_context.h"
 #include "core/io/files/check_output.h"
 #include "core/io/pictures/read_ground_raster.h"
@@ -59,10 +60,10 @@ void PhotographActions::askForTiles() {
     const City& city = workbench_.city()->city();
     TileDialog dialog(chooseTiles(city.frame, photographBox(city)), &window_);
     if (dialog.exec() != QDialog::Accepted) return;
-    if (dialog.fetch().missing() > 0)
-        messages_.showNote(tr("%1 of %2 tiles are missing and stay empty")
-                               .arg(dialog.fetch().missing())
-                               .arg(dialog.fetch().range().count()));
+    const int missing = dialog.fetch().missing(), tiles = dialog.fetch().range().count();
+    if (missing > 0)
+        messages_.showNote(tr("%1 of %2 tile(s) are missing and stay empty", "", tiles)
+                               .arg(formatCount(quint64(missing)), formatCount(quint64(tiles))));
     const QString file = askWhereToSavePhotograph(&window_);
     if (!file.isEmpty()) saveTiles(file, dialog.fetch(), dialog.attribution().toStdString());
 }

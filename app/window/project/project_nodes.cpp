@@ -43,7 +43,8 @@ void addCity(ProjectNode& root, const Project& project) {
         added(root, {.kind = Kind::group,
                      .text = QObject::tr("City"),
                      .tip = QObject::tr("The existing city, from which every scenario starts")});
-    addFact(group, QObject::tr("%1 buildings").arg(formatCount(city.buildings.size())));
+    const std::size_t buildings = city.buildings.size();
+    addFact(group, QObject::tr("%1 building(s)", "", pluralNumber(buildings)).arg(formatCount(buildings)));
     addFact(group, city.terrain ? QObject::tr("Terrain of %1 × %2 points")
                                       .arg(city.terrain->grid.columns)
                                       .arg(city.terrain->grid.rows)

@@ -56,7 +56,8 @@ void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
     if (figures.rays > 0)
         rows.push_back(
             {QObject::tr("Speed"), formatAmount(megaRays) + QObject::tr(" M rays/s"),
-             QObject::tr("%1 occlusion rays divided by the engine's time").arg(formatCount(figures.rays))});
+             QObject::tr("%1 occlusion ray(s) divided by the engine's time", "", pluralNumber(figures.rays))
+                 .arg(formatCount(figures.rays))});
     rows.push_back({QObject::tr("Time"), formatAmount(figures.seconds, 2) + QStringLiteral(" s"),
                     QObject::tr("Time taken by the engine")});
 }
@@ -76,13 +77,18 @@ StudyFigures figuresOfStudy(const Study& study) {
 
 }  // namespace
 
+QString describeSteps(std::uint64_t belowHorizon) {
+    return QObject::tr("Positions of the sun above the horizon; %1 below it was/were left out", "",
+                       pluralNumber(belowHorizon))
+        .arg(formatCount(belowHorizon));
+}
+
 std::vector<ResultRow> makeRows(const StudyFigures& figures) {
     std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
     rows.push_back({QObject::tr("Receivers"), formatCount(figures.statistics.receivers),
                     QObject::tr("Cells in which shadow is measured")});
-    rows.push_back({QObject::tr("Steps of the sun"), formatCount(figures.steps),
-                    QObject::tr("Positions of the sun above the horizon; %1 below it were left out")
-                        .arg(formatCount(figures.belowHorizon))});
+    rows.push_back(
+        {QObject::tr("Steps of the sun"), formatCount(figures.steps), describeSteps(figures.belowHorizon)});
     rows.push_back({QObject::tr("Sunlit time"),
                     formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
                     QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});

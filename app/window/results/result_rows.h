@@ -29,6 +29,8 @@ struct StudyFigures {
     std::string engine;
 };
 
+/// The meaning of the row of steps: "Positions of the sun above the horizon; 312 below it were left out".
+QString describeSteps(std::uint64_t belowHorizon);
 std::vector<ResultRow> makeRows(const StudyFigures& figures);
 std::vector<ResultRow> makeResultRows(const Study& study);
 

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QObject>
 #include <algorithm>
+#include <cmath>
 
 #include "app/report/sheets/study_words.h"
 #include "app/window/widgets/number_words.h"
@@ -23,7 +24,8 @@ void addMonths(std::vector<ResultRow>& rows, const Score& score) {
     for (const MonthFigures& month : score.months)
         rows.push_back(
             {describeMonth(month.month), areaAndScore(month.shadowAreaM2, month.scoreM2),
-             QObject::tr("Shadow area over %1 sunlit minutes, and the month's contribution to the score")
+             QObject::tr("Shadow area over %1 sunlit minute(s), and the month's contribution to the score",
+                         "", pluralNumber(quint64(std::round(month.sunlitMinutes))))
                  .arg(formatAmount(month.sunlitMinutes, 0))});
 }
 

@@ -101,12 +101,14 @@ void PlaceList::show(const std::vector<Place>& places, bool all, const std::vect
 void PlaceList::count() {
     int checked = 0;
     for (int i = 0; i < list_->count(); ++i) checked += list_->item(i)->checkState() == Qt::Checked ? 1 : 0;
-    count_->setText(tr("%1 of %2 places ticked").arg(checked).arg(list_->count()));
+    count_->setText(tr("%1 of %2 place(s) ticked", "", list_->count())
+                        .arg(formatCount(quint64(checked)), formatCount(quint64(list_->count()))));
 }
 
 void PlaceList::tellScreening(std::size_t reached, std::size_t of) {
     count_->setText(
-        tr("%1 of %2 places can be reached; the others' tooltips say why not").arg(reached).arg(of));
+        tr("%1 of %2 place(s) can be reached; the others' tooltips say why not", "", pluralNumber(of))
+            .arg(formatCount(reached), formatCount(of)));
 }
 
 void PlaceList::take() {

@@ -1,6 +1,7 @@
 #include "app/window/study/region_words.h"
 
 #include <QObject>
+#include <cmath>
 
 #include "app/window/widgets/number_words.h"
 #include "core/base/display_units.h"
@@ -46,11 +47,12 @@ QString describeRegion(const Region& region, double cellM) {
     const Box2 box = bounds(region);
     const QString name =
         region.name.empty() ? QStringLiteral("Polygon") : QString::fromStdString(region.name);
-    return QObject::tr("%1\n%2 × %3, %4, %5 cells")
+    const double cells = areaM2 / (cellM * cellM);
+    return QObject::tr("%1\n%2 × %3, %4, %5 cell(s)", "", pluralNumber(quint64(std::round(cells))))
         .arg(name.at(0).toUpper() + name.mid(1))
         .arg(describeLength(double(box.high.x - box.low.x), 0))
         .arg(describeLength(double(box.high.y - box.low.y), 0))
-        .arg(describeArea(areaM2), groupDigits(areaM2 / (cellM * cellM)));
+        .arg(describeArea(areaM2), groupDigits(cells));
 }
 
 }  // namespace noonmark

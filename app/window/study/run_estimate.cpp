@@ -8,6 +8,7 @@
 
 #include "app/input/all_engines.h"
 #include "app/window/widgets/engine_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/engines/auto_engine.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/elements/element_forecast.h"
@@ -41,6 +42,15 @@ QString nameOfEngine(std::string_view key) {
 QString describeCells(double cells) {
     if (cells < 1e6) return QLocale().toString(std::round(cells), 'f', 0);
     return QObject::tr("%1 million").arg(QLocale().toString(cells / 1e6, 'f', 1));
+}
+
+QString describeSize(const RunEstimate& estimate) {
+    const int form = pluralNumber(quint64(estimate.receivers));
+    const QString receivers =
+        estimate.points ? QObject::tr("%1 point(s)", "", form) : QObject::tr("%1 cell(s)", "", form);
+    const QString steps = QObject::tr("%1 position(s) of the sun", "", pluralNumber(quint64(estimate.steps)));
+    return QStringLiteral("%1, %2.").arg(receivers.arg(describeCells(estimate.receivers)),
+                                         steps.arg(describeCells(estimate.steps)));
 }
 
 }  // namespace
@@ -101,9 +111,7 @@ bool mayBeLong(const StudySettings& settings) {
 }
 
 QString describe(const RunEstimate& estimate) {
-    const QString size = (estimate.points ? QObject::tr("%1 points, %2 positions of the sun.")
-                                          : QObject::tr("%1 cells, %2 positions of the sun."))
-                             .arg(describeCells(estimate.receivers), describeCells(estimate.steps));
+    const QString size = describeSize(estimate);
     const QString run = QObject::tr("%1: %2.").arg(estimate.engine, describeAbout(estimate.seconds));
     if (estimate.raySeconds < std::max(worthComparing, 2 * estimate.seconds))
         return size + QLatin1Char(' ') + run;

@@ -9,6 +9,7 @@
 
 #include "app/window/looks/theme.h"
 #include "app/window/widgets/error_words.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -105,8 +106,8 @@ void MessageBar::unfold(bool all) {
     const auto others = text_.count(QLatin1Char('\n'));
     unfolded_ = all;
     label_->setText(all ? text_ : firstLine(text_));
-    const QString more = others == 1 ? tr("1 more line") : tr("%1 more lines").arg(others);
-    more_->setText(all ? tr("Less") : more);
+    const QString more = tr("%1 more line(s)", "", pluralNumber(quint64(others)));
+    more_->setText(all ? tr("Less") : more.arg(formatCount(quint64(others))));
     more_->setVisible(others > 0);
 }
 

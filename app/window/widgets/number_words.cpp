@@ -26,6 +26,11 @@ QString formatAmount(double number, int decimals) {
 
 QString formatCount(quint64 number) { return QLocale().toString(number); }
 
+// Languages choose the form by the last digits, so a count too large for tr() keeps them.
+int pluralNumber(quint64 count) {
+    return count < 1'000'000 ? int(count) : int(1'000'000 + count % 1'000'000);
+}
+
 QString formatShort(double number, int digits) { return QLocale().toString(number, 'g', digits); }
 
 QString describeLength(double metres, int decimals) {

@@ -9,7 +9,10 @@ namespace noonmark {
 QString groupDigits(double number, int decimals = 0);   ///< "61,234.50", "61.234,50"
 QString formatAmount(double number, int decimals = 1);  ///< as groupDigits(), without trailing zeros
 QString formatCount(quint64 number);                    ///< "176,123"
-QString formatShort(double number, int digits);         ///< significant digits: "0.0123"
+/// The number by which tr() chooses the plural form of a text that contains `count`:
+/// tr("%1 point(s)", "", pluralNumber(count)).arg(formatCount(count)).
+int pluralNumber(quint64 count);
+QString formatShort(double number, int digits);  ///< significant digits: "0.0123"
 // Metres and square metres in the units in use (app/window/looks/units.h).
 
 QString describeLength(double metres, int decimals = 1);  ///< "124.3 m", "407.8 ft"

@@ -4,9 +4,19 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/study/run_estimate.h"
 #include "app/window/widgets/error_words.h"
+#include "app/window/widgets/number_words.h"
 #include "core/city/city.h"
 
 namespace noonmark {
+
+namespace {
+
+QString describeForecast(const WindowForecast& forecast) {
+    return QObject::tr("%1 window(s): %2", "", pluralNumber(forecast.windows))
+        .arg(formatCount(forecast.windows), describeAbout(forecast.seconds));
+}
+
+}  // namespace
 
 WindowSession::WindowSession(Workbench& workbench, ReviewSession& review, QObject* parent)
     : QObject(parent), workbench_(workbench), review_(review) {
@@ -81,9 +91,7 @@ void WindowSession::estimate() {
                                         progress, stop);
         },
         [this](const Result<WindowForecast>& forecast) {
-            estimate_ =
-                forecast ? tr("%1 windows: %2").arg(forecast->windows).arg(describeAbout(forecast->seconds))
-                         : QString();
+            estimate_ = forecast ? describeForecast(*forecast) : QString();
             Q_EMIT estimated(estimate_);
         });
 }

@@ -173,17 +173,17 @@ QString describeWindowVerdicts(const WindowStudy& study) {
     const VerdictChanges& changes = study.windowChanges;
     QStringList parts;
     const auto add = [&](std::size_t count, Verdict verdict) {
-        if (count > 0) parts << QStringLiteral("%1 %2").arg(count).arg(describeVerdict(verdict));
+        if (count > 0) parts << QStringLiteral("%1 %2").arg(formatCount(count), describeVerdict(verdict));
     };
     add(changes.after.fail, Verdict::fail);
     add(changes.after.borderline, Verdict::borderline);
     add(changes.after.pass, Verdict::pass);
     add(changes.after.notApplicable, Verdict::notApplicable);
-    return QObject::tr("%1 windows: %2. Compared with before, %3 get worse and %4 better")
-        .arg(study.windows.size())
-        .arg(parts.join(QStringLiteral(", ")))
-        .arg(changes.worse)
-        .arg(changes.better);
+    const QString now = QObject::tr("%1 window(s): %2.", "", pluralNumber(study.windows.size()))
+                            .arg(formatCount(study.windows.size()), parts.join(QStringLiteral(", ")));
+    return now + QLatin1Char(' ') +
+           QObject::tr("Compared with before, %1 get(s) worse and %2 better", "", pluralNumber(changes.worse))
+               .arg(formatCount(changes.worse), formatCount(changes.better));
 }
 
 }  // namespace noonmark

@@ -1,0 +1,234 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>QObject</name>
+    <message numerus="yes">
+        <source>%1 more kind(s) of notes</source>
+        <translation>
+            <numerusform>%1 more kind of notes</numerusform>
+            <numerusform>%1 more kinds of notes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s) were read</source>
+        <translation>
+            <numerusform>%1 place was read</numerusform>
+            <numerusform>%1 places were read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 replace(s) earlier ones</source>
+        <translation>
+            <numerusform>; %1 replaces an earlier one</numerusform>
+            <numerusform>; %1 replace earlier ones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a sample every %1 pixel(s)</source>
+        <translation>
+            <numerusform>a sample every %1 pixel</numerusform>
+            <numerusform>a sample every %1 pixels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 day(s); %3</source>
+        <translation>
+            <numerusform>%1 of %2 day; %3</numerusform>
+            <numerusform>%1 of %2 days; %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %1 step(s)</source>
+        <translation>
+            <numerusform>all of %1 step</numerusform>
+            <numerusform>all %1 steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With the proposal: exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>With the proposal: exact at %1 of %2 step</numerusform>
+            <numerusform>With the proposal: exact at %1 of %2 steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 storey(s)</source>
+        <translation>
+            <numerusform>%1 storey</numerusform>
+            <numerusform>%1 storeys</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s)</source>
+        <translation>
+            <numerusform>%1 building</numerusform>
+            <numerusform>%1 buildings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 occlusion ray(s) divided by the engine&apos;s time</source>
+        <translation>
+            <numerusform>%1 occlusion ray divided by the engine&apos;s time</numerusform>
+            <numerusform>%1 occlusion rays divided by the engine&apos;s time</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Positions of the sun above the horizon; %1 below it was/were left out</source>
+        <translation>
+            <numerusform>Positions of the sun above the horizon; %1 below it was left out</numerusform>
+            <numerusform>Positions of the sun above the horizon; %1 below it were left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>Shadow area over %1 sunlit minute, and the month&apos;s contribution to the score</numerusform>
+            <numerusform>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2</source>
+        <translation>
+            <numerusform>%1 window: %2</numerusform>
+            <numerusform>%1 windows: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 window(s): %2.</source>
+        <translation>
+            <numerusform>%1 window: %2.</numerusform>
+            <numerusform>%1 windows: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Compared with before, %1 get(s) worse and %2 better</source>
+        <translation>
+            <numerusform>Compared with before, %1 gets worse and %2 better</numerusform>
+            <numerusform>Compared with before, %1 get worse and %2 better</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%2 × %3, %4, %5 cell(s)</source>
+        <translation>
+            <numerusform>%1
+%2 × %3, %4, %5 cell</numerusform>
+            <numerusform>%1
+%2 × %3, %4, %5 cells</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 point</numerusform>
+            <numerusform>%1 points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s)</source>
+        <translation>
+            <numerusform>%1 cell</numerusform>
+            <numerusform>%1 cells</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 position(s) of the sun</source>
+        <translation>
+            <numerusform>%1 position of the sun</numerusform>
+            <numerusform>%1 positions of the sun</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::EditPreview</name>
+    <message numerus="yes">
+        <source>Facades: %1 point(s) while it moves</source>
+        <translation>
+            <numerusform>Facades: %1 point while it moves</numerusform>
+            <numerusform>Facades: %1 points while it moves</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Facades: %1 point(s)</source>
+        <translation>
+            <numerusform>Facades: %1 point</numerusform>
+            <numerusform>Facades: %1 points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ElementsDock</name>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 point</numerusform>
+            <numerusform>%1 points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 point(s)</source>
+        <translation>
+            <numerusform>%1 of %2 point</numerusform>
+            <numerusform>%1 of %2 points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MessageBar</name>
+    <message numerus="yes">
+        <source>%1 more line(s)</source>
+        <translation>
+            <numerusform>%1 more line</numerusform>
+            <numerusform>%1 more lines</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MovieActions</name>
+    <message numerus="yes">
+        <source>Movie of %1 frame(s) saved as %2</source>
+        <translation>
+            <numerusform>Movie of %1 frame saved as %2</numerusform>
+            <numerusform>Movie of %1 frames saved as %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PhotographActions</name>
+    <message numerus="yes">
+        <source>%1 of %2 tile(s) are missing and stay empty</source>
+        <translation>
+            <numerusform>%1 of %2 tile is missing and stays empty</numerusform>
+            <numerusform>%1 of %2 tiles are missing and stay empty</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceList</name>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) ticked</source>
+        <translation>
+            <numerusform>%1 of %2 place ticked</numerusform>
+            <numerusform>%1 of %2 places ticked</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <translation>
+            <numerusform>%1 of %2 place can be reached; the others&apos; tooltips say why not</numerusform>
+            <numerusform>%1 of %2 places can be reached; the others&apos; tooltips say why not</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultActions</name>
+    <message numerus="yes">
+        <source>All %1 scenario(s) measured</source>
+        <translation>
+            <numerusform>The %1 scenario measured</numerusform>
+            <numerusform>All %1 scenarios measured</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
