@@ -2233,6 +2233,13 @@ Alle Seiten %2, Fläche %3</translation>
             <numerusform>%1 Sonnenstände</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Not counted: %1 building(s) whose floors are not known</source>
+        <translation>
+            <numerusform>Nicht gezählt: %1 Gebäude, dessen Geschosse nicht bekannt sind</numerusform>
+            <numerusform>Nicht gezählt: %1 Gebäude, deren Geschosse nicht bekannt sind</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5407,6 +5414,14 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Not computed with the current settings: show the scenario and press Run</source>
         <translation>Mit den jetzigen Einstellungen nicht berechnet: Szenario zeigen und Berechnen drücken</translation>
+    </message>
+    <message>
+        <source>Floor area by use</source>
+        <translation>Geschossfläche nach Nutzung</translation>
+    </message>
+    <message>
+        <source>Gross floor area of the scenario&apos;s towers by use, sorted by its sum. Imported buildings and towers whose height was changed afterwards are not counted</source>
+        <translation>Bruttogrundfläche der Türme des Szenarios nach Nutzung, sortiert nach der Summe. Importierte Gebäude und Türme, deren Höhe nachträglich geändert wurde, zählen nicht mit</translation>
     </message>
 </context>
 <context>

@@ -139,6 +139,13 @@
             <numerusform>%1 positions of the sun</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Not counted: %1 building(s) whose floors are not known</source>
+        <translation>
+            <numerusform>Not counted: %1 building whose floors are not known</numerusform>
+            <numerusform>Not counted: %1 buildings whose floors are not known</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::EditPreview</name>

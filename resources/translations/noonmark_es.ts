@@ -2233,6 +2233,13 @@ Todos los lados %2, área %3</translation>
             <numerusform>%1 posiciones del sol</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Not counted: %1 building(s) whose floors are not known</source>
+        <translation>
+            <numerusform>No se cuenta: %1 edificio de plantas desconocidas</numerusform>
+            <numerusform>No se cuentan: %1 edificios de plantas desconocidas</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5407,6 +5414,14 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Not computed with the current settings: show the scenario and press Run</source>
         <translation>No calculado con los ajustes actuales: muestre el escenario y pulse Calcular</translation>
+    </message>
+    <message>
+        <source>Floor area by use</source>
+        <translation>Superficie por uso</translation>
+    </message>
+    <message>
+        <source>Gross floor area of the scenario&apos;s towers by use, sorted by its sum. Imported buildings and towers whose height was changed afterwards are not counted</source>
+        <translation>Superficie construida total de las torres del escenario por uso, ordenada por la suma. No se cuentan los edificios importados ni las torres cuya altura se cambió después</translation>
     </message>
 </context>
 <context>

@@ -2213,6 +2213,12 @@ All sides %2, area %3</source>
             <numerusform>太陽位置 %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Not counted: %1 building(s) whose floors are not known</source>
+        <translation>
+            <numerusform>階が不明な建物 %1 棟は数えていません</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5377,6 +5383,14 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Not computed with the current settings: show the scenario and press Run</source>
         <translation>現在の設定では未計算: シナリオを表示して計算を押してください</translation>
+    </message>
+    <message>
+        <source>Floor area by use</source>
+        <translation>用途別床面積</translation>
+    </message>
+    <message>
+        <source>Gross floor area of the scenario&apos;s towers by use, sorted by its sum. Imported buildings and towers whose height was changed afterwards are not counted</source>
+        <translation>シナリオのタワーの用途別延床面積。合計で並べ替えます。読み込んだ建物と、後から高さを変えたタワーは数えません</translation>
     </message>
 </context>
 <context>

@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QTableView>
 
+#include "app/window/export/table_text.h"
+#include "app/window/looks/units.h"
 #include "app/window/view/view_panel.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {
 namespace {
 
+using test::newTower;
 using test::ProjectWindow;
 using test::waitFor;
 
@@ -57,6 +61,70 @@ TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
     session().goTo(existingCity);
     ASSERT_TRUE(waitFor([&] { return workbench().study() == studies.at(existingCity); }))
         << "saved and shown again";
+}
+
+Edit designedTower(const std::string& id, int storeys) {
+    const Footprint lot = test::square({20, 20}, 20);
+    Building building{.sourceId = id, .name = id};
+    building.parts.push_back({.sourceId = id, .footprint = lot, .topM = 3.5F * float(storeys)});
+    return AddBuilding{std::make_shared<const Building>(std::move(building)),
+                       std::make_shared<const TowerDesign>(TowerDesign{
+                           "Yard", lot, {.storeys = storeys, .uses = {{"Offices", 2}, {"Homes", 0}}}})};
+}
+
+struct ScenarioUsesTable : ProjectWindow {
+    QTableView* view = nullptr;
+
+    void SetUp() override {
+        ProjectWindow::SetUp();
+        view = window->findChild<QTableView*>(QStringLiteral("scenarioTable"));
+        ASSERT_TRUE(session().addEdits({designedTower("Low", 5)}, QStringLiteral("tower")));
+        ASSERT_TRUE(session().change(withScenario(session().project(), "Tall", {}), QStringLiteral("new")));
+        session().goTo("Tall");
+        ASSERT_TRUE(
+            session().addEdits({designedTower("High", 12), newTower("Plain", 30)}, QStringLiteral("towers")));
+    }
+    void TearDown() override { applyUnits(UnitSystem::metric); }
+
+    [[nodiscard]] QModelIndex uses(int row) const {
+        return view->model()->index(row, view->model()->columnCount() - 1);
+    }
+    [[nodiscard]] QString first() const { return view->model()->index(0, 0).data().toString(); }
+};
+
+TEST_F(ScenarioUsesTable, ListsTheFloorAreaOfEachUse) {
+    EXPECT_EQ(uses(0).data().toString(), QString()) << "the existing city";
+    EXPECT_EQ(uses(1).data().toString(), QStringLiteral("Homes 1,200 m², Offices 800 m²"));
+    EXPECT_EQ(uses(1).data(Qt::ToolTipRole).toString(),
+              QStringLiteral("Homes: 3 storeys, 1,200 m²\nOffices: 2 storeys, 800 m²"));
+    EXPECT_TRUE(uses(2)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .endsWith(QStringLiteral("\nNot counted: 1 building whose floors are not known")));
+    EXPECT_TRUE(makeTableText(*view->model()).contains(QStringLiteral("\tHomes 1,200 m², Offices 800 m²\n")))
+        << "copied with the table";
+    applyUnits(UnitSystem::imperial);
+    EXPECT_TRUE(uses(1).data().toString().startsWith(QStringLiteral("Homes 12,917 sq ft")))
+        << uses(1).data().toString().toStdString();
+}
+
+TEST_F(ScenarioUsesTable, FollowsTheEditsOfAScenario) {
+    session().goTo("Proposal A");
+    session().addEdits({Demolish{"Low"}}, QStringLiteral("demolish"));
+    EXPECT_EQ(uses(1).data().toString(), QString());
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(uses(1).data().toString(), QStringLiteral("Homes 1,200 m², Offices 800 m²"));
+}
+
+TEST_F(ScenarioUsesTable, IsSortedByItsHeadingsAndOpensTheRowThatIsSeen) {
+    EXPECT_EQ(first(), QStringLiteral("Existing")) << "the project's order";
+    view->sortByColumn(uses(0).column(), Qt::DescendingOrder);
+    EXPECT_EQ(first(), QStringLiteral("Tall"));
+    session().goTo(existingCity);
+    Q_EMIT view->doubleClicked(view->model()->index(0, 0));
+    EXPECT_EQ(session().scenario(), "Tall");
+    view->sortByColumn(-1, Qt::AscendingOrder);
+    EXPECT_EQ(first(), QStringLiteral("Existing"));
 }
 
 TEST_F(ProjectWindow, ARunRightAfterAnEditAnswersForTheEditedCity) {

@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSortFilterProxyModel>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -12,15 +13,8 @@
 namespace noonmark {
 
 ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
-    : QWidget(parent), table_(new ScenarioTable(session, this)) {
-    auto* view = new QTableView;
-    view->setObjectName(QStringLiteral("scenarioTable"));
-    view->setModel(table_);
-    view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view->setShowGrid(false);
-    view->verticalHeader()->hide();
-    view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    : QWidget(parent), table_(new ScenarioTable(session, this)), sorted_(new QSortFilterProxyModel(this)) {
+    QTableView* view = makeView();
     auto* hint = new QLabel(
         tr("Only the existing city so far. Select a building and change it, or design a tower on a lot: the "
            "first change begins a scenario, which is listed here."));
@@ -37,8 +31,29 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
     column->addWidget(hint);
     column->addWidget(measure);
     connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
-    connect(view, &QTableView::doubleClicked, this,
-            [this, &session](const QModelIndex& index) { session.goTo(table_->scenarioAt(index.row())); });
+    connect(view, &QTableView::doubleClicked, this, [this, &session](const QModelIndex& index) {
+        session.goTo(table_->scenarioAt(sorted_->mapToSource(index).row()));
+    });
+}
+
+// In the project's order until a heading is clicked, and again after its third click.
+QTableView* ScenariosDock::makeView() {
+    sorted_->setSourceModel(table_);
+    sorted_->setSortRole(ScenarioTable::sortRole);
+    sorted_->setSortLocaleAware(true);
+    auto* view = new QTableView;
+    view->setObjectName(QStringLiteral("scenarioTable"));
+    view->setModel(sorted_);
+    view->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view->setShowGrid(false);
+    view->verticalHeader()->hide();
+    QHeaderView* heading = view->horizontalHeader();
+    heading->setSectionResizeMode(QHeaderView::ResizeToContents);
+    heading->setSectionResizeMode(0, QHeaderView::Stretch);
+    heading->setSortIndicatorClearable(true);
+    heading->setSortIndicator(-1, Qt::AscendingOrder);
+    view->setSortingEnabled(true);
+    return view;
 }
 
 }  // namespace noonmark

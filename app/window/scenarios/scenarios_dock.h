@@ -5,6 +5,9 @@
 
 #include <QWidget>
 
+class QSortFilterProxyModel;
+class QTableView;
+
 namespace noonmark {
 
 class ProjectSession;
@@ -23,7 +26,10 @@ Q_SIGNALS:
     void measureAllRequested();
 
 private:
+    QTableView* makeView();
+
     ScenarioTable* table_;
+    QSortFilterProxyModel* sorted_;
 };
 
 }  // namespace noonmark
