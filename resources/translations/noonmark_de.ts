@@ -5657,6 +5657,14 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>How far every wall is set back, from the top of the volume below</source>
         <translation>Wie weit jede Wand zurückspringt, von der Oberkante des Baukörpers darunter</translation>
     </message>
+    <message>
+        <source>Adds a setback above the others</source>
+        <translation>Fügt einen Rücksprung über den anderen hinzu</translation>
+    </message>
+    <message>
+        <source>Removes the selected setback, or the last one</source>
+        <translation>Entfernt den gewählten Rücksprung oder den letzten</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SheetForm</name>

@@ -5657,6 +5657,14 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>How far every wall is set back, from the top of the volume below</source>
         <translation>Cuánto se retranquea cada muro, desde la parte superior del volumen inferior</translation>
     </message>
+    <message>
+        <source>Adds a setback above the others</source>
+        <translation>Añade un retranqueo por encima de los demás</translation>
+    </message>
+    <message>
+        <source>Removes the selected setback, or the last one</source>
+        <translation>Quita el retranqueo seleccionado o el último</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SheetForm</name>

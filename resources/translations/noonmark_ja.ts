@@ -5626,6 +5626,14 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>How far every wall is set back, from the top of the volume below</source>
         <translation>下のボリュームの上端から各壁が後退する距離</translation>
     </message>
+    <message>
+        <source>Adds a setback above the others</source>
+        <translation>ほかより上にセットバックを追加します</translation>
+    </message>
+    <message>
+        <source>Removes the selected setback, or the last one</source>
+        <translation>選択したセットバック、または最後のセットバックを削除します</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SheetForm</name>

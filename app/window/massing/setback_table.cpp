@@ -1,23 +1,20 @@
 #include "app/window/massing/setback_table.h"
 
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
-#include <QHeaderView>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <array>
 
 #include "app/window/looks/height_reference.h"
 #include "app/window/massing/wall_field.h"
 #include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int rowsInSight = 3;
 enum Column { aboveColumn, insetColumn, taperColumn, twistColumn };
 
 void showHeader(QTableWidget& table) {
@@ -33,60 +30,41 @@ double valueAt(const QTableWidget& table, int row, int column) {
 }  // namespace
 
 SetbackTable::SetbackTable(QWidget* parent)
-    : QWidget(parent), table_(new QTableWidget(0, 4)), remove_(new QPushButton(tr("Remove"))) {
-    remove_->setObjectName(QStringLiteral("removeSetback"));
-    showHeader(*table_);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    table_->verticalHeader()->hide();
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setToolTip(
+    : FieldTable(
+          4, pushButton(tr("Add setback"), "addSetback", tr("Adds a setback above the others")),
+          pushButton(tr("Remove"), "removeSetback", tr("Removes the selected setback, or the last one")),
+          parent) {
+    showHeader(table());
+    table().setToolTip(
         tr("Above each height the walls are set back by the inset, from bottom to top; taper and twist are "
-           "those "
-           "of the volume above it"));
-    table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
-                           rowsInSight * table_->verticalHeader()->defaultSectionSize() + 4);
-    auto* add = new QPushButton(tr("Add setback"));
-    add->setObjectName(QStringLiteral("addSetback"));
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(add);
-    buttons->addWidget(remove_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(table_);
-    column->addLayout(buttons);
-    remove_->setEnabled(false);
-    connect(add, &QPushButton::clicked, this, &SetbackTable::addRequested);
-    connect(remove_, &QPushButton::clicked, this, &SetbackTable::removeChosen);
+           "those of the volume above it"));
 }
 
 std::vector<Setback> SetbackTable::setbacks() const {
     std::vector<Setback> setbacks;
-    for (int row = 0; row < table_->rowCount(); ++row)
-        setbacks.push_back({.aboveM = valueAt(*table_, row, aboveColumn),
-                            .insetM = valueAt(*table_, row, insetColumn),
-                            .walls = {.taper = valueAt(*table_, row, taperColumn) / 100,
-                                      .twistDeg = valueAt(*table_, row, twistColumn)}});
+    for (int row = 0; row < table().rowCount(); ++row)
+        setbacks.push_back({.aboveM = valueAt(table(), row, aboveColumn),
+                            .insetM = valueAt(table(), row, insetColumn),
+                            .walls = {.taper = valueAt(table(), row, taperColumn) / 100,
+                                      .twistDeg = valueAt(table(), row, twistColumn)}});
     return setbacks;
 }
 
 // An unchanged table is not rebuilt, so that the field the user is in stays.
 void SetbackTable::show(const std::vector<Setback>& setbacks) {
     if (setbacks == this->setbacks()) return;
-    table_->setRowCount(0);
+    removeRows();
     for (const Setback& setback : setbacks) add(setback);
-    remove_->setEnabled(!setbacks.empty());
 }
 
 void SetbackTable::setZero(double zeroM) {
     zeroM_ = zeroM;
-    showHeader(*table_);
-    for (int row = 0; row < table_->rowCount(); ++row)
-        static_cast<LengthField*>(table_->cellWidget(row, aboveColumn))->setZero(zeroM);
+    showHeader(table());
+    for (int row = 0; row < table().rowCount(); ++row)
+        static_cast<LengthField*>(table().cellWidget(row, aboveColumn))->setZero(zeroM);
 }
 
 void SetbackTable::add(const Setback& setback) {
-    const int row = table_->rowCount();
-    table_->insertRow(row);
     auto* from = lengthField(0.1, 2000, 1, 3.5);
     from->setZero(zeroM_);
     from->setToolTip(tr("Height from which the walls are set back"));
@@ -95,20 +73,11 @@ void SetbackTable::add(const Setback& setback) {
     const std::array<QDoubleSpinBox*, 4> fields{from, depth, taperField(), twistField()};
     const std::array<double, 4> values{setback.aboveM, setback.insetM, setback.walls.taper * 100,
                                        setback.walls.twistDeg};
-    for (int column = 0; column < int(fields.size()); ++column) {
-        QDoubleSpinBox* field = fields[std::size_t(column)];
-        field->setValue(values[std::size_t(column)]);
-        table_->setCellWidget(row, column, field);
-        connect(field, &QDoubleSpinBox::valueChanged, this, &SetbackTable::edited);
+    for (std::size_t column = 0; column < fields.size(); ++column) {
+        fields[column]->setValue(values[column]);
+        connect(fields[column], &QDoubleSpinBox::valueChanged, this, &SetbackTable::edited);
     }
-}
-
-// Removes the selected row, or the last one.
-void SetbackTable::removeChosen() {
-    const int chosen = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
-    table_->removeRow(chosen);
-    remove_->setEnabled(table_->rowCount() > 0);
-    Q_EMIT edited();
+    addRow({fields[0], fields[1], fields[2], fields[3]});
 }
 
 }  // namespace noonmark

@@ -1,18 +1,15 @@
 #pragma once
 
-#include <QWidget>
 #include <vector>
 
+#include "app/window/widgets/field_table.h"
 #include "scenarios/massing/massing.h"
-
-class QPushButton;
-class QTableWidget;
 
 namespace noonmark {
 
 /// The setbacks of a tower, one per row: the height from which it applies, the inset, and how the walls of
-/// the volume above it lean.
-class SetbackTable final : public QWidget {
+/// the volume above it lean. The owner, which knows the heights, adds a setback where one is requested.
+class SetbackTable final : public FieldTable {
     Q_OBJECT
 public:
     explicit SetbackTable(QWidget* parent = nullptr);
@@ -22,17 +19,9 @@ public:
     /// Heights are shown from this zero (app/window/widgets/height_words.h).
     void setZero(double zeroM);
 
-Q_SIGNALS:
-    void edited();
-    /// Requests a setback above the others; the owner, which knows the heights, adds it.
-    void addRequested();
-
 private:
     void add(const Setback& setback);
-    void removeChosen();
 
-    QTableWidget* table_;
-    QPushButton* remove_;
     double zeroM_ = 0;
 };
 

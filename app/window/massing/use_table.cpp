@@ -1,51 +1,31 @@
 #include "app/window/massing/use_table.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
-#include <QVBoxLayout>
 
 #include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int usesInSight = 3;
 constexpr int longestUse = 30;  // letters: the project file takes 60 bytes
 
 }  // namespace
 
 UseTable::UseTable(QWidget* parent)
-    : QWidget(parent), table_(new QTableWidget(0, 2)), remove_(new QPushButton(tr("Remove"))) {
-    table_->setObjectName(QStringLiteral("uses"));
-    table_->setHorizontalHeaderLabels({tr("Use"), tr("Storeys")});
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    table_->verticalHeader()->hide();
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setToolTip(
+    : FieldTable(2, pushButton(tr("Add use"), "addUse", tr("Adds a use for the storeys above the others")),
+                 pushButton(tr("Remove"), "removeUse", tr("Removes the selected use, or the last one")),
+                 parent) {
+    table().setObjectName(QStringLiteral("uses"));
+    table().setHorizontalHeaderLabels({tr("Use"), tr("Storeys")});
+    table().setToolTip(
         tr("What the storeys are used for, from the ground floor up: retail 2, offices 10, homes the rest"));
-    table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
-                           usesInSight * table_->verticalHeader()->defaultSectionSize() + 4);
-    auto* add = new QPushButton(tr("Add use"));
-    add->setObjectName(QStringLiteral("addUse"));
-    add->setToolTip(tr("Adds a use for the storeys above the others"));
-    remove_->setObjectName(QStringLiteral("removeUse"));
-    remove_->setToolTip(tr("Removes the selected use, or the last one"));
-    remove_->setEnabled(false);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(add);
-    buttons->addWidget(remove_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(table_);
-    column->addLayout(buttons);
-    connect(add, &QPushButton::clicked, this, &UseTable::addNext);
-    connect(remove_, &QPushButton::clicked, this, &UseTable::removeChosen);
+    connect(this, &UseTable::addRequested, this, &UseTable::addNext);
 }
 
 QStringList UseTable::usualUses() const {
@@ -55,9 +35,9 @@ QStringList UseTable::usualUses() const {
 
 std::vector<FloorUse> UseTable::uses() const {
     std::vector<FloorUse> uses;
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        const auto* use = static_cast<const QComboBox*>(table_->cellWidget(row, 0));
-        const auto* storeys = static_cast<const QSpinBox*>(table_->cellWidget(row, 1));
+    for (int row = 0; row < table().rowCount(); ++row) {
+        const auto* use = static_cast<const QComboBox*>(table().cellWidget(row, 0));
+        const auto* storeys = static_cast<const QSpinBox*>(table().cellWidget(row, 1));
         uses.push_back({use->currentText().trimmed().toStdString(), storeys->value()});
     }
     return uses;
@@ -66,14 +46,11 @@ std::vector<FloorUse> UseTable::uses() const {
 // An unchanged table is not rebuilt, so that the field the user is in stays.
 void UseTable::show(const std::vector<FloorUse>& uses) {
     if (uses == this->uses()) return;
-    table_->setRowCount(0);
+    removeRows();
     for (const FloorUse& use : uses) add(use);
-    remove_->setEnabled(!uses.empty());
 }
 
 void UseTable::add(const FloorUse& use) {
-    const int row = table_->rowCount();
-    table_->insertRow(row);
     auto* name = new QComboBox;
     name->setEditable(true);
     name->setInsertPolicy(QComboBox::NoInsert);
@@ -85,8 +62,7 @@ void UseTable::add(const FloorUse& use) {
     storeys->setSpecialValueText(tr("the rest"));
     storeys->setValue(use.storeys);
     storeys->setToolTip(tr("How many storeys; 0: all storeys above, for the last use"));
-    table_->setCellWidget(row, 0, name);
-    table_->setCellWidget(row, 1, storeys);
+    addRow({name, storeys});
     connect(name, &QComboBox::activated, this, &UseTable::edited);
     connect(name->lineEdit(), &QLineEdit::editingFinished, this, &UseTable::edited);
     connect(storeys, &QSpinBox::valueChanged, this, &UseTable::edited);
@@ -99,13 +75,6 @@ void UseTable::addNext() {
     const QStringList usual = usualUses();
     now.push_back({usual[int(now.size()) % usual.size()].toStdString(), 0});
     show(now);
-    Q_EMIT edited();
-}
-
-void UseTable::removeChosen() {
-    const int chosen = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
-    table_->removeRow(chosen);
-    remove_->setEnabled(table_->rowCount() > 0);
     Q_EMIT edited();
 }
 
