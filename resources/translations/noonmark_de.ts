@@ -2240,6 +2240,10 @@ Alle Seiten %2, Fläche %3</translation>
             <numerusform>Nicht gezählt: %1 Gebäude, deren Geschosse nicht bekannt sind</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3130,10 +3134,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Nur Punkte, von denen eine waagerechte Linie senkrecht zur Wand diesen Ort trifft, wie Fenster entlang eines Parks</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>How far away the place may be</source>
         <translation>Wie weit der Ort entfernt sein darf</translation>
     </message>
@@ -3270,10 +3270,6 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Flurstück</translation>
     </message>
     <message>
-        <source>Lines, m</source>
-        <translation>Linien, m</translation>
-    </message>
-    <message>
         <source>Spacing</source>
         <translation>Abstand</translation>
     </message>
@@ -3284,14 +3280,6 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
     <message>
         <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
         <translation>Das Flurstück, um das die Linien verlaufen: ein Baugrundstück, Gebiet oder Ort des Projekts mit Namen, oder der Pfad einer Polygondatei</translation>
-    </message>
-    <message>
-        <source>Distances of the lines from the parcel in metres, with commas: 5, 10</source>
-        <translation>Abstände der Linien vom Flurstück in Metern, mit Kommas: 5, 10</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>Distance from point to point on a line</source>
@@ -3308,6 +3296,14 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
     <message>
         <source>lines</source>
         <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the parcel, with commas: 5, 10</source>
+        <translation>Abstände der Linien vom Flurstück, mit Kommas: 5, 10</translation>
     </message>
 </context>
 <context>

@@ -2240,6 +2240,10 @@ Todos los lados %2, área %3</translation>
             <numerusform>No se cuentan: %1 edificios de plantas desconocidas</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3130,10 +3134,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Solo puntos desde los que una línea horizontal perpendicular a la pared alcanza este lugar, como las ventanas frente a un parque</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>How far away the place may be</source>
         <translation>A qué distancia puede estar el lugar</translation>
     </message>
@@ -3270,10 +3270,6 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Parcela</translation>
     </message>
     <message>
-        <source>Lines, m</source>
-        <translation>Líneas, m</translation>
-    </message>
-    <message>
         <source>Spacing</source>
         <translation>Separación</translation>
     </message>
@@ -3284,14 +3280,6 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
     <message>
         <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
         <translation>La parcela que rodean las líneas: un solar, una región o un lugar del proyecto por su nombre, o la ruta de un archivo de polígonos</translation>
-    </message>
-    <message>
-        <source>Distances of the lines from the parcel in metres, with commas: 5, 10</source>
-        <translation>Distancias de las líneas a la parcela en metros, separadas por comas: 5, 10</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>Distance from point to point on a line</source>
@@ -3308,6 +3296,14 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
     <message>
         <source>lines</source>
         <translation>líneas</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Líneas</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the parcel, with commas: 5, 10</source>
+        <translation>Distancias de las líneas a la parcela, separadas por comas: 5, 10</translation>
     </message>
 </context>
 <context>

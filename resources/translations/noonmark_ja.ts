@@ -2219,6 +2219,10 @@ All sides %2, area %3</source>
             <numerusform>階が不明な建物 %1 棟は数えていません</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3105,10 +3109,6 @@ as published. Approximate: the legend states the measured error</source>
         <translation>壁から垂直に出る水平線がこの場所に達する点だけ(公園沿いの窓など)</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>How far away the place may be</source>
         <translation>場所までの最大距離</translation>
     </message>
@@ -3245,10 +3245,6 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>敷地</translation>
     </message>
     <message>
-        <source>Lines, m</source>
-        <translation>線、m</translation>
-    </message>
-    <message>
         <source>Spacing</source>
         <translation>間隔</translation>
     </message>
@@ -3259,14 +3255,6 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
     <message>
         <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
         <translation>線が囲む敷地: プロジェクトの敷地・領域・場所の名前、またはポリゴンファイルのパス</translation>
-    </message>
-    <message>
-        <source>Distances of the lines from the parcel in metres, with commas: 5, 10</source>
-        <translation>敷地から線までの距離(メートル、コンマ区切り): 5, 10</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
     </message>
     <message>
         <source>Distance from point to point on a line</source>
@@ -3283,6 +3271,14 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
     <message>
         <source>lines</source>
         <translation>線</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>Distances of the lines from the parcel, with commas: 5, 10</source>
+        <translation>敷地から線までの距離(コンマ区切り): 5, 10</translation>
     </message>
 </context>
 <context>

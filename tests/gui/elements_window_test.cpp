@@ -142,7 +142,7 @@ TEST_F(ElementsWindow, LinesRunAroundALotOfTheProject) {
     EXPECT_EQ(workbench().document().elements()->lines.offsetsM, (std::vector<double>{7, 2.5}));
     offsets.setText(QStringLiteral("far"));
     Q_EMIT offsets.editingFinished();
-    EXPECT_EQ(offsets.text(), QStringLiteral("7, 2.5")) << "the last distances";
+    EXPECT_EQ(offsets.text(), QStringLiteral("7 m, 2.5 m")) << "the last distances";
     measure();
     EXPECT_TRUE(workbench().elements()->map.elements.front().id.starts_with("7 m, "));
 }

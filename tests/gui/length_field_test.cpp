@@ -7,6 +7,7 @@
 #include "app/window/looks/units.h"
 #include "app/window/massing/plate_field.h"
 #include "app/window/study_form/accuracy_section.h"
+#include "app/window/study_form/line_form.h"
 
 namespace noonmark {
 namespace {
@@ -48,6 +49,55 @@ TEST_F(LengthFieldTest, ShowsAndTakesFeetAndInchesWhereTheUnitsAreFeet) {
     EXPECT_EQ(field->value(), 3.5) << "a text that was not changed does not round the value";
     field->stepUp();
     EXPECT_NEAR(field->value(), 3.5 + 0.3048, 1e-4) << "a foot";
+}
+
+struct LinesInFeet : LengthFieldTest {
+    LineForm* form = nullptr;
+    QLineEdit* offsets = nullptr;
+    std::vector<double> lastM;
+
+    void SetUp() override {
+        LengthFieldTest::SetUp();
+        applyUnits(UnitSystem::imperial);
+        form = new LineForm;
+        form->show("Yard", {});
+        offsets = form->findChild<QLineEdit*>(QStringLiteral("lineOffsets"));
+        QObject::connect(form, &LineForm::edited, form,
+                         [this](const std::string&, const LineSettings& lines, const QString&) {
+                             lastM = lines.offsetsM;
+                         });
+    }
+    void TearDown() override {
+        delete form;
+        LengthFieldTest::TearDown();
+    }
+    void type(const char* text) {
+        offsets->setText(QString::fromUtf8(text));
+        Q_EMIT offsets->editingFinished();
+    }
+};
+
+TEST_F(LinesInFeet, DistancesAreShownInFeetAndNotRoundedByThat) {
+    EXPECT_EQ(offsets->text().toStdString(), "16' 4.85\", 32' 9.7\"");
+    Q_EMIT offsets->editingFinished();
+    EXPECT_TRUE(lastM.empty()) << "unchanged";
+    EXPECT_EQ(form->findChild<LengthField*>(QStringLiteral("lineSpacing"))->text().toStdString(),
+              "3' 3.37\"");
+}
+
+TEST_F(LinesInFeet, DistancesAreTypedInFeetOrWithTheirUnit) {
+    type("12' 6\", 20");
+    ASSERT_EQ(lastM.size(), 2U);
+    EXPECT_NEAR(lastM[0], 3.81, 1e-9);
+    EXPECT_NEAR(lastM[1], 20 * 0.3048, 1e-9);
+    EXPECT_EQ(offsets->text().toStdString(), "12' 6\", 20' 0\"");
+    type("3.5 m; 30 ft");
+    EXPECT_EQ(lastM[0], 3.5);
+    type("10 20");
+    ASSERT_EQ(lastM.size(), 2U);
+    EXPECT_NEAR(lastM[1], 20 * 0.3048, 1e-9) << "plain numbers with a space between them";
+    type("5000, 10");
+    EXPECT_EQ(offsets->text().toStdString(), "10' 0\", 20' 0\"") << "out of range: the last distances stay";
 }
 
 TEST_F(LengthFieldTest, ReadsTheDecimalCommaOfTheLanguage) {

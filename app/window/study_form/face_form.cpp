@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/window/widgets/length_field.h"
 #include "app/window/widgets/number_fields.h"
 #include "app/window/widgets/push_button.h"
 
@@ -83,7 +84,7 @@ void FaceForm::makeFields() {
     place_->setToolTip(
         tr("Only points from which a level line straight out from the wall meets this place, as the windows "
            "along a park"));
-    within_ = numberField(1, FaceChoice::mostWithinM, 0, 10, tr(" m"));
+    within_ = lengthField(1, FaceChoice::mostWithinM, 0, 10);
     within_->setObjectName(QStringLiteral("facingWithin"));
     within_->setToolTip(tr("How far away the place may be"));
 }

@@ -4,34 +4,43 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
-#include <QLocale>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
-#include "app/window/widgets/number_fields.h"
+#include "app/window/looks/units.h"
+#include "app/window/widgets/length_field.h"
+#include "core/base/length_text.h"
 
 namespace noonmark {
 
 namespace {
 
-// As text with a point as the decimal sign, since the comma separates the numbers.
-QString offsetText(const std::vector<double>& offsets) {
+// With a point as the decimal sign, since the comma separates the lengths.
+QString offsetText(const std::vector<double>& offsetsM) {
     QStringList list;
-    for (const double offset : offsets) list << QString::number(offset);
+    for (const double offsetM : offsetsM)
+        list << (unitsInUse() == UnitSystem::imperial ? QString::fromStdString(formatFeetAndInches(offsetM))
+                                                      : QObject::tr("%1 m").arg(offsetM));
     return list.join(QStringLiteral(", "));
 }
 
 // Empty: not a list of distances in range.
-std::vector<double> offsetsIn(const QString& text) {
-    std::vector<double> offsets;
-    static const QRegularExpression between(QStringLiteral("[,;\\s]+"));
+std::vector<double> offsetsIn(const QString& text, const QRegularExpression& between) {
+    std::vector<double> offsetsM;
     for (const QString& one : text.split(between, Qt::SkipEmptyParts)) {
-        bool number = false;
-        const double offset = QLocale::c().toDouble(one, &number);
-        if (!number || offset < LineSettings::leastOffsetM || offset > LineSettings::mostOffsetM) return {};
-        offsets.push_back(offset);
+        const auto offsetM = parseLength(one.toStdString(), unitsInUse());
+        if (!offsetM || *offsetM < LineSettings::leastOffsetM || *offsetM > LineSettings::mostOffsetM)
+            return {};
+        offsetsM.push_back(*offsetM);
     }
-    return offsets;
+    return offsetsM;
+}
+
+// A length may contain spaces, 12' 6"; without commas they separate plain numbers, 5 10.
+std::vector<double> offsetsIn(const QString& text) {
+    static const QRegularExpression commas(QStringLiteral("\\s*[,;]\\s*")), spaces(QStringLiteral("\\s+"));
+    const auto offsetsM = offsetsIn(text, commas);
+    return offsetsM.empty() ? offsetsIn(text, spaces) : offsetsM;
 }
 
 }  // namespace
@@ -41,7 +50,7 @@ LineForm::LineForm(QWidget* parent) : QWidget(parent) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Parcel"), parcel_);
-    form->addRow(tr("Lines, m"), offsets_);
+    form->addRow(tr("Lines"), offsets_);
     form->addRow(tr("Spacing"), spacing_);
     connectFields();
     show({}, {});
@@ -62,8 +71,8 @@ void LineForm::makeFields() {
     parcel_->lineEdit()->setToolTip(tip);
     offsets_ = new QLineEdit;
     offsets_->setObjectName(QStringLiteral("lineOffsets"));
-    offsets_->setToolTip(tr("Distances of the lines from the parcel in metres, with commas: 5, 10"));
-    spacing_ = numberField(LineSettings::leastSpacingM, LineSettings::mostSpacingM, 2, 0.5, tr(" m"));
+    offsets_->setToolTip(tr("Distances of the lines from the parcel, with commas: 5, 10"));
+    spacing_ = lengthField(LineSettings::leastSpacingM, LineSettings::mostSpacingM, 2, 0.5);
     spacing_->setObjectName(QStringLiteral("lineSpacing"));
     spacing_->setToolTip(tr("Distance from point to point on a line"));
 }
@@ -84,12 +93,14 @@ void LineForm::connectFields() {
     });
 }
 
-// A text that is no list of distances gives way to the last one.
+// A text that is no list of distances gives way to the last one. An unchanged one means the distances
+// themselves, which the text may round.
 void LineForm::takeOffsets() {
+    if (offsets_->text() == offsetText(lines_.offsetsM)) return;
     const auto offsets = offsetsIn(offsets_->text());
     if (offsets.empty()) return offsets_->setText(offsetText(lines_.offsetsM));
-    if (offsets == lines_.offsetsM) return;
     lines_.offsetsM = offsets;
+    offsets_->setText(offsetText(offsets));
     Q_EMIT edited(chosen_, lines_, tr("lines"));
 }
 
