@@ -2852,7 +2852,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
     <message>
         <source>Proposed buildings only</source>
-        <translation>Solo edificios propuestos</translation>
+        <translation>Solo propuestos</translation>
     </message>
     <message>
         <source>The buildings that the displayed scenario builds or changes</source>

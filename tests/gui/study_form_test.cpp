@@ -1,12 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/window/looks/language.h"
+#include "app/window/looks/units.h"
 #include "app/window/study/study_document.h"
 #include "app/window/study_form/accuracy_choice.h"
 #include "app/window/study_form/period_preset.h"
@@ -173,6 +177,50 @@ TEST_F(StudyForm, ScoresAndReviewsLeadToTheirPanels) {
     dock.setComparing(true);
     EXPECT_EQ(chosen("studyKind"), int(StudyKind::change));
 }
+
+/// The form in other languages and units. Restores English and metres, which other tests expect.
+struct StudyFormWidth : ::testing::TestWithParam<std::pair<Language, UnitSystem>> {
+    void SetUp() override { use(GetParam().first, GetParam().second); }
+    void TearDown() override { use(Language::english, UnitSystem::metric); }
+    static void use(Language language, UnitSystem units) {
+        applyLanguage(language, *qApp);
+        applyUnits(units);
+    }
+};
+
+// How far the form could be scrolled sideways where shadow is measured at this entry of the list.
+int sidewaysPx(StudyDock& dock, int place) {
+    auto* places = dock.findChild<QComboBox*>(QStringLiteral("places"));
+    places->setCurrentIndex(place);
+    Q_EMIT places->activated(place);
+    auto* direction = dock.findChild<QComboBox*>(QStringLiteral("facingDirection"));
+    if (direction->isVisible()) Q_EMIT direction->activated(direction->count() - 1);
+    QCoreApplication::processEvents();
+    const auto* scroll = dock.findChild<QScrollArea*>();
+    return scroll->widget()->minimumSizeHint().width() - scroll->viewport()->width();
+}
+
+TEST_P(StudyFormWidth, IsThatOfTheDockWhereverShadowIsMeasured) {
+    StudyDocument document;
+    StudyDock dock(document);
+    dock.resize(dock.sizeHint().width(), 500);
+    dock.show();
+    auto* places = dock.findChild<QComboBox*>(QStringLiteral("places"));
+    ASSERT_GE(places->count(), 8);
+    for (int place = 0; place < places->count(); ++place)
+        for (const char* building : {"", "a building"}) {
+            dock.setBuilding(QLatin1String(building));
+            EXPECT_LE(sidewaysPx(dock, place), 0)
+                << places->itemText(place).toStdString() << ", " << building;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, StudyFormWidth,
+                         ::testing::Values(std::pair{Language::english, UnitSystem::metric},
+                                           std::pair{Language::english, UnitSystem::imperial},
+                                           std::pair{Language::german, UnitSystem::metric},
+                                           std::pair{Language::spanish, UnitSystem::metric},
+                                           std::pair{Language::japanese, UnitSystem::metric}));
 
 }  // namespace
 }  // namespace noonmark

@@ -21,6 +21,8 @@ namespace {
 // After "any direction": north, east, south and west, each 45 degrees to both sides.
 constexpr std::array<AzimuthRange, 4> sides{{{315, 45}, {45, 135}, {135, 225}, {225, 315}}};
 constexpr int otherRange = int(sides.size()) + 1;
+// Two fields beside each other may be narrower than their longest texts, so that the form need not scroll.
+constexpr int besidePx = 68;
 
 QWidget* besideEachOther(std::initializer_list<QWidget*> fields) {
     auto* row = new QWidget;
@@ -87,6 +89,8 @@ void FaceForm::makeFields() {
     within_ = lengthField(1, FaceChoice::mostWithinM, 0, 10);
     within_->setObjectName(QStringLiteral("facingWithin"));
     within_->setToolTip(tr("How far away the place may be"));
+    for (QWidget* field : std::initializer_list<QWidget*>{from_, to_, place_, within_})
+        field->setMinimumWidth(besidePx);
 }
 
 void FaceForm::placeFields() {
