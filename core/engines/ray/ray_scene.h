@@ -4,10 +4,12 @@
 // (ray_scene_embree.cpp); it answers occlusion, first-hit and first-occluder queries. ray_reference.h is the
 // engine that all others are measured against; ray_minutes.h does the same for single points, surface_rays.h
 // for points on any surface, and ray_intervals.h for one interval of the direction graph. visible_surface.h
-// turns a camera's pixels into surface points.
+// turns a camera's pixels into surface points, traced_view.h into a picture's depths and normals.
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +35,20 @@ struct RayHit {
 struct Occluder {
     float distanceM = 0;  ///< distance along the ray to the first hit on the building; 0: no occluder
     std::uint32_t building = 0;
+};
+
+/// Sixteen neighbouring rays and their first hits, as a structure of arrays.
+struct alignas(64) HitPacket {
+    static constexpr std::size_t lanes = 16;
+    static constexpr std::uint32_t terrain = std::numeric_limits<std::uint32_t>::max() - 1;
+    static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+    using Lanes = std::array<float, lanes>;
+    Lanes originX, originY, originZ;           ///< local metres
+    Lanes directionX, directionY, directionZ;  ///< of any length; distances count in lengths of the direction
+    Lanes from;                                ///< nearest hit that counts, at least 0
+    Lanes distance;                            ///< before: farthest hit that counts; after: of the hit
+    Lanes normalX, normalY, normalZ;           ///< after: outward, not normalised
+    std::array<std::uint32_t, lanes> hit;      ///< after: index in City::buildings, terrain or nothing
 };
 
 /// A city prepared for ray queries: a bounding volume hierarchy over the triangles of buildings and terrain.
@@ -71,6 +87,13 @@ public:
                       std::span<std::uint32_t> blocked) const;
 
     [[nodiscard]] std::optional<RayHit> firstHit(glm::vec3 origin, glm::vec3 direction) const;
+
+    /// The first hits of 16 neighbouring rays, from exactly the given origins. Rays whose `distance` is less
+    /// than `from` hit nothing. Some 0.02 to 0.04 us per ray.
+    void firstHits(HitPacket& packet) const;
+    /// Which of 16 neighbouring rays hit anything between `from` and `distance`: bit k for ray k. Some 0.01
+    /// to 0.03 us per ray.
+    [[nodiscard]] std::uint32_t findBlocked(const HitPacket& packet) const;
 
     /// The first `levels` buildings (1 to maxLevels) on up to 16 neighbouring rays of one direction (unit
     /// length), nearest first, without hits nearer than `nearestHitM`: occluders[ray * levels + k], with

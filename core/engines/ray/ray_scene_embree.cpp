@@ -26,8 +26,6 @@ std::string deviceConfig() {
     return std::string("ignore_config_files=1") + (wanted != nullptr ? std::string(",isa=") + wanted : "");
 }
 
-void collectOccluders(const RTCFilterFunctionNArguments* arguments);
-
 void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& mesh, glm::vec3 from) {
     if (mesh.triangles.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -39,7 +37,6 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& m
         std::ranges::transform(mesh.vertices, static_cast<glm::vec3*>(vertices),
                                [&](glm::vec3 vertex) { return vertex - from; });
         std::ranges::copy(mesh.triangles, static_cast<glm::uvec3*>(triangles));
-        if (id == buildingsId) rtcSetGeometryIntersectFilterFunction(geometry, collectOccluders);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(scene, geometry, id);
     }
@@ -79,6 +76,13 @@ CityMesh meshOfSome(const City& city, std::span<const std::uint32_t> buildings, 
     CityMesh mesh = meshOf(some, stop);
     for (std::uint32_t& building : mesh.buildingOfTriangle) building = buildings[building];
     return mesh;
+}
+
+RTCIntersectContext coherentContext() {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
 }
 
 RTCRay rayFrom(glm::vec3 origin, glm::vec3 direction) {
@@ -125,6 +129,8 @@ struct ValidLanes {
     alignas(64) std::array<int, DirectionPacket::capacity> valid{};
 };
 
+void collectOccluders(const RTCFilterFunctionNArguments* arguments);
+
 /// Collects the buildings that a packet of rays hits. Embree reports hits in no particular order; the filter
 /// keeps the nearest hit of each building.
 struct OccluderContext : RTCIntersectContext {
@@ -137,7 +143,7 @@ struct OccluderContext : RTCIntersectContext {
         : buildingOfTriangle(buildings.data()), levels(levelCount), occluders(out.data()) {
         rtcInitIntersectContext(this);
         flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        filter = nullptr;
+        filter = collectOccluders;
     }
 
     /// Returns true if nothing beyond `distance` can matter to this lane.
@@ -153,13 +159,13 @@ struct OccluderContext : RTCIntersectContext {
     }
 };
 
-// Only queries that collect occluders have more than a plain context; they set this flag on their rays.
-constexpr unsigned collects = 1;
+constexpr unsigned collects = 1;  // flag of the lanes that hold a ray
 
 void collectOccluders(const RTCFilterFunctionNArguments* arguments) {
     for (unsigned lane = 0; lane < arguments->N; ++lane) {
         if (arguments->valid[lane] == 0 ||
-            (RTCRayN_flags(arguments->ray, arguments->N, lane) & collects) == 0)
+            (RTCRayN_flags(arguments->ray, arguments->N, lane) & collects) == 0 ||
+            RTCHitN_geomID(arguments->hit, arguments->N, lane) != buildingsId)
             continue;
         const auto& context = *static_cast<const OccluderContext*>(arguments->context);
         const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
@@ -191,6 +197,26 @@ struct RayScene::Tree {
         return {justBeyond(place.x), justBeyond(place.y), place.z};
     }
 
+    void aim(const HitPacket& packet, RTCRay16& rays) const {
+        std::ranges::transform(packet.originX, rays.org_x, [this](float x) { return x - from.x; });
+        std::ranges::transform(packet.originY, rays.org_y, [this](float y) { return y - from.y; });
+        std::ranges::copy(packet.originZ, rays.org_z);
+        std::ranges::copy(packet.directionX, rays.dir_x);
+        std::ranges::copy(packet.directionY, rays.dir_y);
+        std::ranges::copy(packet.directionZ, rays.dir_z);
+        std::ranges::copy(packet.from, rays.tnear);
+        std::ranges::copy(packet.distance, rays.tfar);
+        std::ranges::fill(rays.time, 0.0F);
+        std::ranges::fill(rays.mask, ~0U);
+        std::ranges::fill(rays.id, 0U);
+        std::ranges::fill(rays.flags, 0U);
+    }
+
+    [[nodiscard]] std::uint32_t hitOf(unsigned geometry, unsigned triangle) const {
+        if (geometry == RTC_INVALID_GEOMETRY_ID) return HitPacket::nothing;
+        return geometry == terrainId ? HitPacket::terrain : buildingOfTriangle[triangle];
+    }
+
     Tree() = default;
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
@@ -203,8 +229,8 @@ struct RayScene::Tree {
     bool build(const CityMesh& buildings, const TriangleMesh& terrain, const std::stop_token& stop) {
         if (device == nullptr || scene == nullptr) return false;
         // Robust: rays do not slip between triangles that share an edge, nor through gaps between bounding
-        // boxes.
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        // boxes. A filter of the query, not of the geometry, costs other queries nothing.
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         from = countedFrom(buildings.mesh);
         attach(device, scene, terrainId, terrain, from);
@@ -277,6 +303,32 @@ std::optional<RayHit> RayScene::firstHit(glm::vec3 origin, glm::vec3 direction) 
     hit.normal = glm::normalize(glm::vec3(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z));
     hit.distanceM = found.ray.tfar * glm::length(direction);
     return hit;
+}
+
+void RayScene::firstHits(HitPacket& packet) const {
+    RTCIntersectContext context = coherentContext();
+    RTCRayHit16 found;
+    tree_->aim(packet, found.ray);
+    std::ranges::fill(found.hit.geomID, RTC_INVALID_GEOMETRY_ID);
+    rtcIntersect16(validLanes[HitPacket::lanes].valid.data(), tree_->scene, &context, &found);
+    std::ranges::copy(found.ray.tfar, packet.distance.begin());
+    std::ranges::copy(found.hit.Ng_x, packet.normalX.begin());
+    std::ranges::copy(found.hit.Ng_y, packet.normalY.begin());
+    std::ranges::copy(found.hit.Ng_z, packet.normalZ.begin());
+    for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
+        packet.hit[lane] = tree_->hitOf(found.hit.geomID[lane], found.hit.primID[lane]);
+}
+
+std::uint32_t RayScene::findBlocked(const HitPacket& packet) const {
+    RTCIntersectContext context = coherentContext();
+    RTCRay16 rays;
+    tree_->aim(packet, rays);
+    rtcOccluded16(validLanes[HitPacket::lanes].valid.data(), tree_->scene, &context, &rays);
+    // The far end of a ray without a range is below 0 from the start.
+    std::uint32_t blocked = 0;
+    for (unsigned lane = 0; lane < HitPacket::lanes; ++lane)
+        if (rays.tfar[lane] < 0 && packet.distance[lane] >= 0) blocked |= 1U << lane;
+    return blocked;
 }
 
 void RayScene::firstOccluders(std::span<const glm::vec3> origins, glm::vec3 direction, float nearestHitM,

@@ -1,0 +1,212 @@
+#include "core/engines/ray/traced_view.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/engines/ray/pixel_block.h"
+
+namespace noonmark {
+
+SeenKind kindOf(TracedPixel pixel) { return SeenKind(pixel.bits >> TracedPixel::kindShift & 3U); }
+
+namespace {
+
+constexpr int sidePx = PixelBlock::sidePx;
+constexpr float sharedM = 0.01F;  // surfaces in a side of the section belong to it
+constexpr int leastTurn = 36;     // of the normal at an edge, in 127ths: 16 degrees
+
+using Bits = std::array<std::uint32_t, HitPacket::lanes>;
+
+class ViewTracer {
+public:
+    ViewTracer(const RayScene& scene, const PixelCamera& camera, const TracedSpace& space, TracedView& view)
+        : scene_(scene),
+          camera_(camera),
+          space_(space),
+          view_(view),
+          right_(camera.right / samplesPerMetre(camera, 1)),
+          up_(camera.up / samplesPerMetre(camera, 1)) {}
+
+    void traceBlock(int column, int row) const {
+        HitPacket packet;
+        aimRays(blockAt(column, row), packet);
+        packet.from.fill(space_.nearM);
+        packet.distance.fill(space_.farM);
+        if (camera_.section) limitToSection(packet);
+        const std::uint32_t ground = endAtGround(space_.groundM, packet);
+        const HitPacket::Lanes farthest = packet.distance;
+        scene_.firstHits(packet);
+        if (!space_.hidden.empty()) passHidden(packet, farthest);
+        Bits bits;
+        packPixels(packet, ground, camera_.section.has_value(), bits.data());
+        const HitPacket::Lanes depths = packet.distance;
+        if (space_.towardsSun) markSun(packet, bits);
+        store(packet, depths, bits, column, row);
+    }
+
+private:
+    [[nodiscard]] PixelBlock blockAt(int column, int row) const {
+        const float x = float(column) + 0.5F - float(camera_.widthPx) * 0.5F;
+        const float y = float(camera_.heightPx) * 0.5F - float(row) - 0.5F;
+        const glm::vec3 eye(camera_.eye), forward(camera_.forward), aside = x * right_ + y * up_;
+        const bool parallel = camera_.heightM > 0;
+        return {parallel ? eye + aside : eye, parallel ? forward : forward + aside, right_, -up_, parallel};
+    }
+
+    void markSun(HitPacket& packet, Bits& bits) const {
+        const std::uint32_t facing = turnToSun(*space_.towardsSun, bits.data(), packet);
+        const std::uint32_t lit = facing == 0 ? 0 : facing & ~scene_.findBlocked(packet);
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
+            bits[lane] |= (lit >> lane & 1U) << TracedPixel::sunBit;
+    }
+
+    // The pixels of a block that lie within the picture.
+    void store(const HitPacket& packet, const HitPacket::Lanes& depths, const Bits& bits, int column,
+               int row) const {
+        const int columns = std::min(sidePx, camera_.widthPx - column);
+        const int rows = std::min(sidePx, camera_.heightPx - row);
+        for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < columns; ++j) {
+                const auto pixel =
+                    std::size_t(row + i) * std::size_t(camera_.widthPx) + std::size_t(column + j);
+                const auto lane = std::size_t(i * sidePx + j);
+                view_.pixels[pixel] = {depths[lane], bits[lane]};
+                view_.hits[pixel] = packet.hit[lane];
+            }
+    }
+
+    // A ray that misses the section gets an empty range.
+    void limitToSection(HitPacket& packet) const {
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+            limit(packet, lane, 0, packet.originX[lane], packet.directionX[lane]);
+            limit(packet, lane, 1, packet.originY[lane], packet.directionY[lane]);
+            limit(packet, lane, 2, packet.originZ[lane], packet.directionZ[lane]);
+        }
+    }
+
+    void limit(HitPacket& packet, std::size_t lane, int axis, float origin, float direction) const {
+        const float toLow = camera_.section->low[axis] - sharedM - origin;
+        const float toHigh = camera_.section->high[axis] + sharedM - origin;
+        if (direction == 0) {
+            if (toLow > 0 || toHigh < 0) packet.distance[lane] = -1;
+            return;
+        }
+        const auto [near, far] = std::minmax({toLow / direction, toHigh / direction});
+        packet.from[lane] = std::max(packet.from[lane], near);
+        packet.distance[lane] = std::min(packet.distance[lane], far);
+    }
+
+    [[nodiscard]] bool isHidden(std::uint32_t hit) const {
+        return hit < space_.hidden.size() && space_.hidden[hit] != 0;
+    }
+
+    // Rays that hit a hidden building go on behind it.
+    void passHidden(HitPacket& packet, const HitPacket::Lanes& farthest) const {
+        while (std::ranges::any_of(packet.hit, [this](std::uint32_t hit) { return isHidden(hit); })) {
+            HitPacket next = packet;
+            for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+                next.from[lane] = std::nextafter(packet.distance[lane], space_.farM);
+                next.distance[lane] = isHidden(packet.hit[lane]) ? farthest[lane] : -1;
+            }
+            scene_.firstHits(next);
+            for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
+                if (isHidden(packet.hit[lane])) takeLane(packet, next, lane);
+        }
+    }
+
+    static void takeLane(HitPacket& packet, const HitPacket& next, std::size_t lane) {
+        packet.distance[lane] = next.distance[lane];
+        packet.normalX[lane] = next.normalX[lane], packet.normalY[lane] = next.normalY[lane];
+        packet.normalZ[lane] = next.normalZ[lane];
+        packet.hit[lane] = next.hit[lane];
+    }
+
+    const RayScene& scene_;
+    const PixelCamera& camera_;
+    const TracedSpace& space_;
+    TracedView& view_;
+    const glm::vec3 right_, up_;  // one pixel further, at a depth of one metre
+};
+
+int partOf(std::uint32_t bits, unsigned shift) { return int(bits >> shift & 0xffU) - 127; }
+
+bool isBuilding(TracedPixel pixel) { return kindOf(pixel) >= SeenKind::building; }
+
+bool differs(const TracedView& view, std::size_t a, std::size_t b) {
+    const std::uint32_t one = view.pixels[a].bits, other = view.pixels[b].bits;
+    if (one == other && view.hits[a] == view.hits[b]) return false;
+    if (!isBuilding(view.pixels[a]) && !isBuilding(view.pixels[b])) return false;
+    const int x = partOf(one, 0) - partOf(other, 0), y = partOf(one, 8) - partOf(other, 8);
+    const int z = partOf(one, 16) - partOf(other, 16);
+    return view.hits[a] != view.hits[b] || x * x + y * y + z * z > leastTurn * leastTurn;
+}
+
+float depthOf(TracedPixel pixel) {
+    return kindOf(pixel) == SeenKind::sky ? std::numeric_limits<float>::infinity() : pixel.depthM;
+}
+
+// The nearer of two pixels has the edge, so that lines are one pixel wide.
+bool bordersOn(const TracedView& view, std::size_t pixel, std::size_t neighbour) {
+    if (!differs(view, pixel, neighbour)) return false;
+    const float own = depthOf(view.pixels[pixel]), its = depthOf(view.pixels[neighbour]);
+    return own < its || (own == its && pixel < neighbour);
+}
+
+void findEdges(TracedView& view, int row, int firstColumn, int lastColumn) {
+    const auto width = std::size_t(view.widthPx);
+    for (int column = firstColumn; column < lastColumn; ++column) {
+        const std::size_t pixel = std::size_t(row) * width + std::size_t(column);
+        const bool edge = (column + 1 < lastColumn && bordersOn(view, pixel, pixel + 1)) ||
+                          (column > firstColumn && bordersOn(view, pixel, pixel - 1)) ||
+                          (row + 1 < view.heightPx && bordersOn(view, pixel, pixel + width)) ||
+                          (row > 0 && bordersOn(view, pixel, pixel - width));
+        view.edges[pixel] = edge ? 1 : 0;
+    }
+}
+
+void markEdges(TracedView& view, int row, int firstColumn, int lastColumn) {
+    for (int column = firstColumn; column < lastColumn; ++column) {
+        const std::size_t pixel = std::size_t(row) * std::size_t(view.widthPx) + std::size_t(column);
+        view.pixels[pixel].bits |= std::uint32_t(view.edges[pixel]) << TracedPixel::edgeBit;
+    }
+}
+
+}  // namespace
+
+glm::vec3 normalOf(TracedPixel pixel) {
+    return glm::normalize(glm::vec3(partOf(pixel.bits, 0), partOf(pixel.bits, 8), partOf(pixel.bits, 16)));
+}
+
+bool isInSun(TracedPixel pixel) { return (pixel.bits >> TracedPixel::sunBit & 1U) != 0; }
+
+bool isEdge(TracedPixel pixel) { return (pixel.bits >> TracedPixel::edgeBit & 1U) != 0; }
+
+void traceView(const RayScene& scene, const PixelCamera& camera, const TracedSpace& space, TracedView& view) {
+    view.widthPx = camera.widthPx;
+    view.heightPx = camera.heightPx;
+    view.pixels.resize(std::size_t(camera.widthPx) * std::size_t(camera.heightPx));
+    view.hits.resize(view.pixels.size());
+    view.edges.resize(view.pixels.size());
+    const ViewTracer tracer(scene, camera, space, view);
+    const int firstColumn = std::max(0, space.firstColumn) / sidePx * sidePx;
+    const int lastColumn = std::min(camera.widthPx, space.lastColumn);
+    const int blockRows = (camera.heightPx + sidePx - 1) / sidePx;
+    tbb::parallel_for(tbb::blocked_range<int>(0, blockRows, 2), [&](const auto& rows) {
+        for (int row = rows.begin(); row < rows.end(); ++row)
+            for (int column = firstColumn; column < lastColumn; column += sidePx)
+                tracer.traceBlock(column, row * sidePx);
+    });
+    // Edges are found first and marked then: a row reads the pixels of the rows beside it.
+    for (const auto& work : {findEdges, markEdges})
+        tbb::parallel_for(tbb::blocked_range<int>(0, camera.heightPx, 16), [&](const auto& rows) {
+            for (int row = rows.begin(); row < rows.end(); ++row) work(view, row, firstColumn, lastColumn);
+        });
+}
+
+}  // namespace noonmark

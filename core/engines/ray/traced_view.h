@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/engines/ray/ray_scene.h"
+#include "core/engines/ray/visible_surface.h"
+
+namespace noonmark {
+
+/// What a pixel shows.
+enum class SeenKind : std::uint8_t {
+    sky,
+    ground,
+    building,
+    cut,  ///< the inside of a building that the camera's section cuts open
+};
+
+/// What a pixel of a camera shows, packed for a shader.
+struct TracedPixel {
+    float depthM = 0;  ///< along the camera's forward direction; without meaning for the sky
+    /// Bits 0 to 23: x, y and z of the unit normal, which faces the eye, from -1 to 1 as 0 to 254. Bits 24
+    /// and 25: the kind. Bit 26: an edge, see isEdge(). Bit 27: in the sun of TracedSpace. Bit 30 is set, so
+    /// that the bits are those of an ordinary float, which textures hold.
+    std::uint32_t bits = 0;
+
+    static constexpr unsigned kindShift = 24, edgeBit = 26, sunBit = 27;
+    static constexpr std::uint32_t ordinary = 1U << 30;
+    static constexpr std::uint32_t bitsOf(SeenKind kind) { return std::uint32_t(kind) << kindShift; }
+    static constexpr std::uint32_t sky = 0x7f7f7fU;                            ///< normal (0, 0, 0)
+    static constexpr std::uint32_t levelGround = 0xfe7f7fU | 1U << kindShift;  ///< normal (0, 0, 1)
+};
+SeenKind kindOf(TracedPixel pixel);
+glm::vec3 normalOf(TracedPixel pixel);  ///< to 0.5 degrees
+/// Whether a neighbour shows another building, another side of it, or nothing of it, and lies farther away.
+/// Ground has no edges of its own.
+bool isEdge(TracedPixel pixel);
+bool isInSun(TracedPixel pixel);
+
+/// What the pixels of a camera show.
+struct TracedView {
+    int widthPx = 0;
+    int heightPx = 0;
+    std::vector<TracedPixel> pixels;  ///< row 0 is the TOP
+    std::vector<std::uint32_t> hits;  ///< of each pixel, as HitPacket::hit
+    std::vector<std::uint8_t> edges;  ///< of each pixel, 1: isEdge()
+};
+
+/// What is traced, and how far.
+struct TracedSpace {
+    float groundM = 0;  ///< z of the level plane around and below the city
+    float nearM = 0;    ///< depths that a pixel shows
+    float farM = std::numeric_limits<float>::max();
+    /// Columns of the picture from firstColumn up to lastColumn; the others keep what they were.
+    int firstColumn = 0;
+    int lastColumn = std::numeric_limits<int>::max();
+    /// By building of the scene, 1: left out. Empty: nothing is.
+    std::span<const std::uint8_t> hidden{};
+    /// A unit vector: finds which pixels are in the sun. Hidden buildings cast shadows, too.
+    std::optional<glm::vec3> towardsSun{};
+};
+
+/// Traces one ray through the centre of each pixel, and one from there to the sun. `camera` in range (see
+/// findVisibleSurface()). `view` is overwritten; its memory is used again. Uses all cores: a million pixels
+/// of a city take 20 ms on two cores with AVX-512.
+void traceView(const RayScene& scene, const PixelCamera& camera, const TracedSpace& space, TracedView& view);
+
+}  // namespace noonmark
