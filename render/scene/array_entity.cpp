@@ -15,6 +15,12 @@ ArrayGeometry* makeIndexedGeometry(Qt3DRender::QGeometryRenderer::PrimitiveType 
     return geometry;
 }
 
+ArrayGeometry* makeMeshGeometry(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> indices;
+    for (const glm::uvec3 t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+    return makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, mesh.vertices, indices);
+}
+
 Qt3DCore::QEntity* makeArrayEntity(ArrayGeometry* geometry, ShaderMaterial& material,
                                    Qt3DCore::QEntity* parent, Qt3DRender::QLayer* layer) {
     auto* entity = new Qt3DCore::QEntity(parent);

@@ -2,6 +2,7 @@
 
 #include <Qt3DCore/QEntity>
 
+#include "core/city/meshes/mesh.h"
 #include "render/scene/array_geometry.h"
 
 namespace Qt3DRender {
@@ -17,6 +18,9 @@ class ShaderMaterial;
 ArrayGeometry* makeIndexedGeometry(Qt3DRender::QGeometryRenderer::PrimitiveType primitive,
                                    const std::vector<glm::vec3>& points,
                                    const std::vector<std::uint32_t>& indices);
+
+/// The triangles of a mesh, in the same way.
+ArrayGeometry* makeMeshGeometry(const TriangleMesh& mesh);
 
 /// An entity that draws a geometry with a material. `parent` owns it, and it owns the geometry. Material and
 /// layer may be shared; null: no layer.

@@ -24,23 +24,21 @@ void change(ArrayGeometry* geometry, const std::vector<std::uint32_t>& indices,
 
 }  // namespace
 
-BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces,
-                               ShaderMaterial& cut, ShaderMaterial& edges, Qt3DRender::QLayer* blended,
-                               Qt3DCore::QEntity* parent)
+BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, const Materials& materials,
+                               const Layers& layers, Qt3DCore::QEntity* parent)
     : arrays_(std::move(arrays)) {
     if (!arrays_->triangles.empty()) {
         faceArray_ = makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays_->points,
                                          arrays_->triangles);
-        faces_ = makeArrayEntity(faceArray_, faces, parent);
-        cut_ = new Qt3DCore::QEntity(parent);
-        cut_->addComponent(faceArray_);
-        cut_->addComponent(&cut);
+        faces_ = makeArrayEntity(faceArray_, materials.faces, parent, layers.side);
+        cut_ = makeArrayEntity(faceArray_, materials.cut, parent, layers.side);
         cut_->setEnabled(false);
     }
     if (!arrays_->edges.empty()) {
         edgeArray_ =
             makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays_->points, arrays_->edges);
-        edges_ = makeArrayEntity(edgeArray_, edges, parent, blended);
+        edges_ = makeArrayEntity(edgeArray_, materials.edges, parent, layers.blended);
+        edges_->addComponent(layers.side);
     }
 }
 

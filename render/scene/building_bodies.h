@@ -21,10 +21,18 @@ class ShaderMaterial;
 /// uploading the others again.
 class BuildingBodies {
 public:
-    /// `arrays` is not null; all arguments outlive this object. Empty arrays are not drawn. The edges belong
-    /// to `blended`, the layer drawn after all faces. `cut`: of the faces from behind, hidden at first.
-    BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces, ShaderMaterial& cut,
-                   ShaderMaterial& edges, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
+    struct Materials {
+        ShaderMaterial& faces;
+        ShaderMaterial& cut;  ///< of the faces from behind, hidden at first
+        ShaderMaterial& edges;
+    };
+    struct Layers {
+        Qt3DRender::QLayer* blended;  ///< of the edges: drawn after all faces
+        Qt3DRender::QLayer* side;     ///< of everything
+    };
+    /// `arrays` is not null; all arguments outlive this object. Empty arrays are not drawn.
+    BuildingBodies(std::shared_ptr<const CityArrays> arrays, const Materials& materials, const Layers& layers,
+                   Qt3DCore::QEntity* parent);
     ~BuildingBodies();
     BuildingBodies(const BuildingBodies&) = delete;
     BuildingBodies& operator=(const BuildingBodies&) = delete;

@@ -138,6 +138,8 @@ void NameLabels::show(const std::vector<Label>& labels) {
     entity_ = makeArrayEntity(geometry, *material_, root_, blended_);
 }
 
+void NameLabels::ignoreSection() { material_->include(QStringLiteral("UNCLIPPED"), true); }
+
 void NameLabels::setViewSize(const QVector2D& size) { material_->set(QStringLiteral("viewSize"), size); }
 
 }  // namespace noonmark

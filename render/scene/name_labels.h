@@ -34,6 +34,8 @@ public:
 
     /// Replaces the labels; costs nothing if they are the same.
     void show(const std::vector<Label>& labels);
+    /// From now on a section box cuts no label away.
+    void ignoreSection();
     void setViewSize(const QVector2D& size);  ///< of the view, device-independent pixels
 
     /// The size of a label on the screen. Long names are cut off with an ellipsis.

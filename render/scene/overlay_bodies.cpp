@@ -32,12 +32,6 @@ constexpr double pinPx = 34;
 
 QVector4D vectorOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
 
-std::vector<std::uint32_t> indicesOf(const TriangleMesh& mesh) {
-    std::vector<std::uint32_t> indices;
-    for (const glm::uvec3 t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    return indices;
-}
-
 template <class Node>
 void drop(Node*& node) {
     delete node;
@@ -122,9 +116,7 @@ void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at) {
     if (!at) return drop(mark.entity);
     mark.material->set(QStringLiteral("anchor"), QVector3D(float(at->x), float(at->y), float(at->z)));
     if (mark.entity) return;
-    mark.entity = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles,
-                                                      mark.shape.vertices, indicesOf(mark.shape)),
-                                  *mark.material, root_);
+    mark.entity = makeArrayEntity(makeMeshGeometry(mark.shape), *mark.material, root_);
 }
 
 void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) { show(handle_, foot); }

@@ -1,6 +1,7 @@
 #include "render/scene/picture_texture.h"
 
 #include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/ray/traced_view.h"
 #include "render/scene/texture_bytes.h"
 
 namespace noonmark {
@@ -37,6 +38,15 @@ Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCor
 
 Qt3DRender::QAbstractTexture* makeTexture(const SunDepthMap& map, Qt3DCore::QNode* parent) {
     return unfiltered(makeByteTexture(bytesOf(map.depth), PixelKind::depths, map.size, map.size, parent));
+}
+
+Qt3DRender::QAbstractTexture* makeTexture(const TracedView& view, Qt3DCore::QNode* parent) {
+    return unfiltered(
+        makeByteTexture(bytesOf(view.pixels), PixelKind::pairs, view.widthPx, view.heightPx, parent));
+}
+
+void replaceTexture(Qt3DRender::QAbstractTexture& texture, const TracedView& view) {
+    replaceBytes(texture, bytesOf(view.pixels), PixelKind::pairs);
 }
 
 Qt3DRender::QAbstractTexture* makeTexture(const std::vector<GroundPicture::Pixel>& palette,

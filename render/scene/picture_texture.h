@@ -8,6 +8,7 @@
 namespace noonmark {
 
 struct SunDepthMap;
+struct TracedView;
 
 /// Makes a texture of a picture; its first row is at v = 0. Cells are sharp at close range and averaged at a
 /// distance.
@@ -18,6 +19,11 @@ Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCor
 
 /// Heights towards the sun, looked up one by one.
 Qt3DRender::QAbstractTexture* makeTexture(const SunDepthMap& map, Qt3DCore::QNode* parent);
+
+/// What rays found, looked up one by one; the first row is the top of the picture.
+Qt3DRender::QAbstractTexture* makeTexture(const TracedView& view, Qt3DCore::QNode* parent);
+/// The same for a texture of a picture of the same size.
+void replaceTexture(Qt3DRender::QAbstractTexture& texture, const TracedView& view);
 
 /// A texture of one row of colours.
 Qt3DRender::QAbstractTexture* makeTexture(const std::vector<GroundPicture::Pixel>& palette,

@@ -22,12 +22,6 @@ constexpr QColor litColour{0xb5, 0x6c, 0xf0, 255};
 
 QVector4D colourOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
 
-std::vector<std::uint32_t> flatIndices(const TriangleMesh& mesh) {
-    std::vector<std::uint32_t> indices;
-    for (const glm::uvec3 t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    return indices;
-}
-
 // Corner i is high on axis k where bit k of i is set.
 glm::vec3 cornerOf(const SectionBox& box, unsigned i) {
     const auto at = [&](int axis) { return float((i >> axis) & 1U ? box.highM[axis] : box.lowM[axis]); };
@@ -68,10 +62,7 @@ void SectionMarks::showHandle(std::size_t side, const SectionBox& box) {
     Handle& handle = handles_[side];
     const glm::vec3 at(centreOf(box, sectionSides[side]));
     handle.material->set(QStringLiteral("anchor"), QVector3D(at.x, at.y, at.z));
-    if (!handle.entity)
-        handle.entity = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles,
-                                                            shape_.vertices, flatIndices(shape_)),
-                                        *handle.material, root_);
+    if (!handle.entity) handle.entity = makeArrayEntity(makeMeshGeometry(shape_), *handle.material, root_);
 }
 
 void SectionMarks::show(const std::optional<SectionBox>& box) {

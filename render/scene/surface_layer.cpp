@@ -6,13 +6,12 @@
 #include <glm/trigonometric.hpp>
 
 #include "render/scene/picture_texture.h"
+#include "render/scene/qt_vectors.h"
 #include "render/scene/shader_material.h"
 
 namespace noonmark {
 
 namespace {
-
-QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 void includeSamples(const std::vector<ShaderMaterial*>& materials, bool included) {
     for (ShaderMaterial* material : materials) material->include(QStringLiteral("EXPLORED"), included);
@@ -43,10 +42,10 @@ void SurfaceLayer::show(const SurfacePicture& picture) {
     delete samples_;
     samples_ = texture;
     const PixelCamera& camera = picture.camera;
-    set("samplesEye", vectorOf(camera.eye));
-    set("samplesForward", vectorOf(camera.forward));
-    set("samplesRight", vectorOf(camera.right));
-    set("samplesUp", vectorOf(camera.up));
+    set("samplesEye", toVector(camera.eye));
+    set("samplesForward", toVector(camera.forward));
+    set("samplesRight", toVector(camera.right));
+    set("samplesUp", toVector(camera.up));
     set("samplesScale", float(samplesPerMetre(camera, 1)));
     set("samplesParallel", camera.heightM > 0 ? 1.0F : 0.0F);
     set("soFar", picture.soFar ? 1.0F : 0.0F);

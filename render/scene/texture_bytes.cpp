@@ -1,6 +1,7 @@
 #include "render/scene/texture_bytes.h"
 
 #include <Qt3DRender/QAbstractTextureImage>
+#include <Qt3DRender/QTextureDataUpdate>
 #include <Qt3DRender/QTextureImageData>
 #include <Qt3DRender/QTextureImageDataGenerator>
 
@@ -20,7 +21,25 @@ PixelFormat formatOf(PixelKind kind) {
     if (kind == PixelKind::bytes)
         return {Texture::RGBA8_UNorm, QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, 4};
     if (kind == PixelKind::depths) return {Texture::R32F, QOpenGLTexture::Red, QOpenGLTexture::Float32, 4};
+    if (kind == PixelKind::pairs) return {Texture::RG32F, QOpenGLTexture::RG, QOpenGLTexture::Float32, 8};
     return {Texture::RGBA32F, QOpenGLTexture::RGBA, QOpenGLTexture::Float32, 16};
+}
+
+Qt3DRender::QTextureImageDataPtr imageOf(const QByteArray& bytes, PixelKind kind, int columns, int rows) {
+    const PixelFormat format = formatOf(kind);
+    auto data = Qt3DRender::QTextureImageDataPtr::create();
+    data->setTarget(QOpenGLTexture::Target2D);
+    data->setFormat(QOpenGLTexture::TextureFormat(format.texture));
+    data->setPixelFormat(format.pixel);
+    data->setPixelType(format.type);
+    data->setWidth(columns);
+    data->setHeight(rows);
+    data->setDepth(1);
+    data->setLayers(1);
+    data->setFaces(1);
+    data->setMipLevels(1);
+    data->setData(bytes, format.bytes);
+    return data;
 }
 
 // Supplies the pixels to Qt3D, which asks for them from its own thread. Two sources are equal if they share
@@ -30,22 +49,7 @@ public:
     PixelSource(QByteArray bytes, PixelKind kind, int columns, int rows)
         : bytes_(std::move(bytes)), kind_(kind), columns_(columns), rows_(rows) {}
 
-    Qt3DRender::QTextureImageDataPtr operator()() override {
-        const PixelFormat format = formatOf(kind_);
-        auto data = Qt3DRender::QTextureImageDataPtr::create();
-        data->setTarget(QOpenGLTexture::Target2D);
-        data->setFormat(QOpenGLTexture::TextureFormat(format.texture));
-        data->setPixelFormat(format.pixel);
-        data->setPixelType(format.type);
-        data->setWidth(columns_);
-        data->setHeight(rows_);
-        data->setDepth(1);
-        data->setLayers(1);
-        data->setFaces(1);
-        data->setMipLevels(1);
-        data->setData(bytes_, format.bytes);
-        return data;
-    }
+    Qt3DRender::QTextureImageDataPtr operator()() override { return imageOf(bytes_, kind_, columns_, rows_); }
 
     QT3D_FUNCTOR(PixelSource)
 
@@ -85,6 +89,12 @@ Qt3DRender::QAbstractTexture* makeByteTexture(const QByteArray& pixels, PixelKin
     texture->addTextureImage(
         new PixelImage(QSharedPointer<PixelSource>::create(pixels, kind, columns, rows)));
     return texture;
+}
+
+void replaceBytes(Qt3DRender::QAbstractTexture& texture, const QByteArray& pixels, PixelKind kind) {
+    Qt3DRender::QTextureDataUpdate update;
+    update.setData(imageOf(pixels, kind, texture.width(), texture.height()));
+    texture.updateData(update);
 }
 
 }  // namespace noonmark

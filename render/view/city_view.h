@@ -1,40 +1,32 @@
 #pragma once
 
-// The folder render/view/ shows a city on the screen. city_view.h is the Qt3D window, view_navigator.h moves
-// its camera with mouse and keys, camera_pose.h and camera_control.h are the camera as a value and its
-// movements, view_ray.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on
-// the surfaces that a camera sees.
+// The folder render/view/ shows a city on the screen. city_view.h is the Qt3D window; drawn_city.h is one
+// city in it with the pictures on it, traced_city.h the same by rays, frame_graph.h the order in which all is
+// drawn, view_sides.h and side_divider.h the two sides of a comparison. view_navigator.h moves the camera
+// with mouse and keys, camera_pose.h and camera_control.h are the camera as a value and its movements,
+// view_ray.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on the
+// surfaces that a camera sees.
 
 #include <QImage>
 #include <Qt3DExtras/Qt3DWindow>
 #include <functional>
 #include <memory>
 
-#include "render/scene/building_bodies.h"
+#include "render/scene/dome_marks.h"
 #include "render/scene/element_tiles.h"
-#include "render/scene/ground_picture.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
 #include "render/scene/section_marks.h"
-#include "render/scene/sun_layer.h"
-#include "render/scene/surface_layer.h"
+#include "render/view/drawn_city.h"
+#include "render/view/side_divider.h"
 #include "render/view/view_ray.h"
+#include "render/view/view_sides.h"
 
 class QTimer;
 
-namespace Qt3DRender {
-class QFrameGraphNode;
-class QLayer;
-class QLayerFilter;
-class QParameter;
-class QRenderCapture;
-class QRenderStateSet;
-class QTechniqueFilter;
-}  // namespace Qt3DRender
-
 namespace noonmark {
 
-class ShaderMaterial;
+class FrameGraph;
 
 /// The city on the screen: buildings, ground and lines over it. Draws only after a change. Embed it with
 /// QWidget::createWindowContainer. Requires the OpenGL renderer of Qt3D: set QT3D_RENDERER=opengl before
@@ -50,26 +42,39 @@ public:
     /// Shows the differences from the arrays of showCity(), replacing earlier differences; camera, pictures
     /// and lines stay. Costs only what changed.
     void showChanges(const ArrayDifference& changes);
+    /// Draws ground and buildings by rays where the processor draws (drawsInSoftware()); elsewhere nothing
+    /// changes. `scene`: of the city that is shown now, with its buildings in order. showCity() ends it.
+    void setRays(RayScene scene, const std::vector<std::shared_ptr<const Building>>& buildings);
+    void clearRays();  ///< draws triangles again
     /// The arrays of showCity(); null before its first call.
-    [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const;
+    [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const { return displayed_.arrays(); }
     [[nodiscard]] OverlayBodies& overlay() { return *overlay_; }
     /// Outlines and names of places. Names are chosen again when the camera rests.
     [[nodiscard]] PlaceMarks& places() { return *places_; }
+    /// The sun path dome. Its names are chosen again when the camera rests.
+    [[nodiscard]] DomeMarks& dome() { return *dome_; }
     /// Shows a picture on the ground. `soFar`: it covers only a part of the period or region and is striped.
-    void showPicture(const GroundPicture& picture, bool soFar = false);
+    void showPicture(const GroundPicture& picture, bool soFar = false) {
+        displayed_.showPicture(picture, soFar);
+    }
     /// Shows a picture on the roofs, in addition to showPicture(). clearPicture() and the next showPicture()
     /// remove it.
-    void showRoofPicture(const GroundPicture& picture);
-    void clearPicture();
+    void showRoofPicture(const GroundPicture& picture) { displayed_.showRoofPicture(picture); }
+    void clearPicture() { displayed_.clearPicture(); }
     /// Shows a map on the ground, below the other pictures; it stays until the next one or clearMap().
     void showMap(const GroundPicture& picture);
     void clearMap();
     /// Pictures on ground, roofs and facades; they cover the picture on the ground.
-    [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
+    [[nodiscard]] SurfaceLayer& surfaces() { return displayed_.surfaces(); }
     /// What was measured at points of facades and planes.
     [[nodiscard]] ElementTiles& tiles() { return *tiles_; }
-    /// Sun and shadow of one moment on ground, roofs and facades.
-    [[nodiscard]] SunLayer& sun() { return *sun_; }
+    /// Sun and shadow of one moment on ground, roofs and facades, where triangles are drawn.
+    [[nodiscard]] SunLayer& sun() { return displayed_.sun(); }
+    /// Whether rays draw the city, see setRays().
+    [[nodiscard]] bool isTraced() const { return displayed_.isTraced(); }
+    /// The same moment's sun where rays draw the city: its shadows are exact at each pixel. `towardsSun`: a
+    /// unit vector; empty: no sun.
+    void showTracedSun(const std::optional<glm::dvec3>& towardsSun);
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
@@ -79,67 +84,67 @@ public:
     [[nodiscard]] const std::optional<SectionBox>& section() const { return section_; }
     [[nodiscard]] SectionMarks& sectionMarks() { return *sectionMarks_; }
 
+    /// Another city to compare with, and how both share the view. Pictures and sun of the other city are its
+    /// own; the map, the section box and the rays' sun are those of both. showCity() ends the comparison.
+    [[nodiscard]] DrawnCity& other() { return other_; }
+    /// Shows the other city by its differences from arrays(). `rays`: its scene, where the processor draws.
+    void showOther(const ArrayDifference& changes, std::optional<RayScene> rays,
+                   const std::vector<std::shared_ptr<const Building>>& buildings);
+    void setSides(const ViewSides& sides);
+    [[nodiscard]] const ViewSides& sides() const { return sides_; }
+    /// Left edge of the picture that shows a position of the view, in device-independent pixels; pixels of
+    /// lens() and of picking count from there.
+    [[nodiscard]] double sideOffset(QPointF position) const;
+
     [[nodiscard]] const CameraPose& pose() const { return pose_; }
     void setPose(const CameraPose& pose);
-    [[nodiscard]] const ViewBounds& viewBounds() const { return bounds_; }
+    [[nodiscard]] const ViewBounds& viewBounds() const { return displayed_.bounds(); }
     [[nodiscard]] ViewLens lens() const;
 
     /// Captures the next frame in device pixels; calls back in this thread.
     void capture(std::function<void(QImage)> done);
 
 Q_SIGNALS:
-    void poseChanged();  ///< also emitted when the size of the view changes
+    void poseChanged();  ///< also emitted when the size of the view or the layout of its sides changes
     void sectionChanged();
+    void tracedChanged();  ///< isTraced() changed
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void exposeEvent(QExposeEvent* event) override;
 
 private:
-    void makeFrameGraph();
-    Qt3DRender::QFrameGraphNode* passes(const char* pass, Qt3DRender::QFrameGraphNode* parent);
-    Qt3DRender::QLayerFilter* drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
-    void makeMaterials();
-    void showCut();
-    void makeClipping(Qt3DRender::QTechniqueFilter& forward, Qt3DRender::QFrameGraphNode* parent);
+    void makeLayers();
+    void followFrames();
+    void tellTraced();
+    void applySides();
+    void refresh();
+    [[nodiscard]] ViewBounds drawnBounds() const;
     void applyCamera();
-    void showEdges(bool shown);
-    void showGround(const CityArrays& arrays);
-    Qt3DCore::QEntity* add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
-                           Qt3DRender::QLayer* layer = nullptr);
+    void trace(const ClipRange& clip);
+    void showEdges();
 
     CameraPose pose_;
-    ViewBounds bounds_;
     Qt3DCore::QEntity* root_;
-    Qt3DRender::QLayer* blended_;  ///< edges, lines and translucent faces
-    Qt3DCore::QEntity* groundEntity_ = nullptr;
-    std::unique_ptr<BuildingBodies> city_;
-    std::unique_ptr<BuildingBodies> added_;
-    bool manyEdges_ = false;
-    bool exposed_ = false;
+    Qt3DRender::QLayer* blended_;                    ///< edges, lines and translucent faces
+    std::array<Qt3DRender::QLayer*, 2> sideLayers_;  ///< of the displayed and of the other city
+    DrawnCity displayed_;
+    DrawnCity other_;
+    ShaderMaterial* ribbon_;
+    SideDivider divider_;
+    ViewSides sides_;
+    bool traced_ = false;
+    bool cameraMoved_ = false;  ///< since the last frame
     QTimer* rest_;
     QTimer* names_;
     Qt3DCore::QEntity* lines_ = nullptr;
-    bool facesShown_ = true;
-    ShaderMaterial* building_ = nullptr;
-    ShaderMaterial* cut_ = nullptr;  ///< buildings from behind
-    ShaderMaterial* edge_ = nullptr;
-    ShaderMaterial* ground_ = nullptr;
-    ShaderMaterial* ribbon_ = nullptr;
-    Qt3DCore::QNode* texture_ = nullptr;
-    Qt3DCore::QNode* roofTexture_ = nullptr;
-    Qt3DCore::QNode* mapTexture_ = nullptr;
-    std::unique_ptr<SurfaceLayer> surfaces_;
-    std::unique_ptr<SunLayer> sun_;
     std::unique_ptr<ElementTiles> tiles_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;
+    std::unique_ptr<DomeMarks> dome_;
     std::optional<SectionBox> section_;
-    Qt3DRender::QRenderStateSet* clipping_ = nullptr;
-    Qt3DRender::QParameter* sectionLow_ = nullptr;
-    Qt3DRender::QParameter* sectionHigh_ = nullptr;
     std::unique_ptr<SectionMarks> sectionMarks_;
-    Qt3DRender::QRenderCapture* capture_ = nullptr;
+    std::unique_ptr<FrameGraph> frames_;
 };
 
 }  // namespace noonmark

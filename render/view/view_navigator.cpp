@@ -21,6 +21,11 @@ bool pans(const QMouseEvent& event) {
     return event.buttons().testFlag(Qt::RightButton) || event.modifiers().testFlag(Qt::ShiftModifier);
 }
 
+bool drawsBox(const QMouseEvent& event) {
+    return event.buttons() == Qt::LeftButton &&
+           event.modifiers().testFlags(Qt::ControlModifier | Qt::ShiftModifier);
+}
+
 }  // namespace
 
 ViewNavigator::ViewNavigator(CityView& view) : QObject(&view), view_(view) { view.installEventFilter(this); }
@@ -38,7 +43,7 @@ bool ViewNavigator::eventFilter(QObject* watched, QEvent* event) {
             return true;
         case QEvent::MouseButtonDblClick:
             doubled_ = true;
-            Q_EMIT doubleClicked(static_cast<QMouseEvent&>(*event).position());
+            Q_EMIT doubleClicked(inPicture(static_cast<QMouseEvent&>(*event).position()));
             return true;
         case QEvent::Wheel:
             wheel(static_cast<QWheelEvent&>(*event));
@@ -73,25 +78,32 @@ void ViewNavigator::go(const CameraPose& pose) {
     view_.setPose(keepAboveGround(pose, computeLimits(view_.viewBounds()), ground));
 }
 
+// Not called during a drag, which goes on in the picture in which it began.
+QPointF ViewNavigator::inPicture(QPointF position) {
+    side_ = view_.sideOffset(position);
+    return position - QPointF(side_, 0);
+}
+
 void ViewNavigator::press(const QMouseEvent& event) {
-    pressedAt_ = last_ = event.position();
-    dragging_ = doubled_ = false;
+    pressedAt_ = last_ = inPicture(event.position());
+    dragging_ = doubled_ = boxing_ = false;
     // The target of a level elevation lies above the ground.
     const glm::dvec3 middle = view_.pose().target;
     pivot_ = {middle.x, middle.y, scene_.groundAt({middle.x, middle.y})};
     if (event.button() != Qt::LeftButton) return;
-    const auto takes = [&](DragTarget* target) { return target->grab(event.position()); };
+    const auto takes = [&](DragTarget* target) { return target->grab(pressedAt_); };
     const auto target = std::ranges::find_if(targets_, takes);
     held_ = target != targets_.end() ? *target : nullptr;
 }
 
 void ViewNavigator::drag(const QMouseEvent& event) {
-    const QPointF here = event.position();
-    if (event.buttons() == Qt::NoButton) return Q_EMIT hovered(here);
+    if (event.buttons() == Qt::NoButton) return Q_EMIT hovered(inPicture(event.position()));
+    const QPointF here = event.position() - QPointF(side_, 0);
     if (held_) return held_->dragTo(here);
     const QPointF far = here - pressedAt_;
     if (!dragging_ && std::hypot(far.x(), far.y()) < dragThresholdPx) return;
-    dragging_ = true;
+    if (!std::exchange(dragging_, true)) boxing_ = drawsBox(event);
+    if (boxing_) return Q_EMIT boxDragged(QRectF(pressedAt_, here).normalized());
     if (event.modifiers().testFlag(Qt::ControlModifier))
         Q_EMIT sunDragged(here - last_);
     else if (pans(event))
@@ -104,13 +116,16 @@ void ViewNavigator::drag(const QMouseEvent& event) {
 void ViewNavigator::release(const QMouseEvent& event) {
     if (DragTarget* const target = std::exchange(held_, nullptr)) return target->drop();
     if (std::exchange(doubled_, false)) return;
-    if (!dragging_ && event.button() == Qt::LeftButton) Q_EMIT clicked(event.position());
-    if (!dragging_ && event.button() == Qt::RightButton) Q_EMIT rightClicked(event.position());
+    const QPointF here = event.position() - QPointF(side_, 0);
+    if (std::exchange(boxing_, false)) Q_EMIT boxDropped(QRectF(pressedAt_, here).normalized());
+    clickModifiers_ = event.modifiers();
+    if (!dragging_ && event.button() == Qt::LeftButton) Q_EMIT clicked(pressedAt_);
+    if (!dragging_ && event.button() == Qt::RightButton) Q_EMIT rightClicked(pressedAt_);
     dragging_ = false;
 }
 
 void ViewNavigator::wheel(const QWheelEvent& event) {
-    zoomAt(event.position(), std::pow(zoomPerNotch, event.angleDelta().y() / 120.0));
+    zoomAt(inPicture(event.position()), std::pow(zoomPerNotch, event.angleDelta().y() / 120.0));
 }
 
 void ViewNavigator::zoomAt(QPointF pixel, double factor) {
@@ -125,6 +140,7 @@ void ViewNavigator::zoomAt(QPointF pixel, double factor) {
 
 bool ViewNavigator::key(const QKeyEvent& event) {
     const CameraPose& pose = view_.pose();
+    const QPointF middle(view_.lens().widthPx / 2, view_.lens().heightPx / 2);
     switch (event.key()) {
         case Qt::Key_Left:
             go(moveCamera(pose, -keyStep, 0));
@@ -140,10 +156,10 @@ bool ViewNavigator::key(const QKeyEvent& event) {
             return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:
-            zoomAt({view_.width() / 2.0, view_.height() / 2.0}, zoomPerNotch);
+            zoomAt(middle, zoomPerNotch);
             return true;
         case Qt::Key_Minus:
-            zoomAt({view_.width() / 2.0, view_.height() / 2.0}, 1 / zoomPerNotch);
+            zoomAt(middle, 1 / zoomPerNotch);
             return true;
         default:
             Q_EMIT keyPressed(event.key());

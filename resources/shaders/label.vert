@@ -9,7 +9,11 @@ uniform vec2 viewSize;
 #pragma include clip.inc
 
 void main() {
+#ifdef UNCLIPPED
+    clipNothing();
+#else
     clip(vertexPosition);
+#endif
     vec4 anchor = mvp * vec4(vertexPosition, 1.0);
     at = texel.xy;
     if (anchor.w <= 0.01) {  // behind the eye

@@ -15,7 +15,11 @@ vec4 inFrontOfEye(vec4 point, vec4 other) {
 }
 
 void main() {
+#ifdef UNCLIPPED
+    clipNothing();
+#else
     clip(vertexPosition);
+#endif
     vec4 here = mvp * vec4(vertexPosition, 1.0);
     vec4 there = mvp * vec4(otherEnd, 1.0);
     here = inFrontOfEye(here, there);

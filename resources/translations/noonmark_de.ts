@@ -628,10 +628,6 @@
         <translation>jedes Pixel</translation>
     </message>
     <message>
-        <source>%1, %2 m</source>
-        <translation>%1, %2 m</translation>
-    </message>
-    <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
@@ -1982,10 +1978,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>auf einer waagerechten Ebene</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. Umschalt+M: messen. Umschalt+X: Schnittbox. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus: am Pfeil ziehen oder die Höhe tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
-    </message>
-    <message>
         <source>the floor plate is smaller</source>
         <translation>die Geschossfläche ist kleiner</translation>
     </message>
@@ -2244,6 +2236,37 @@ Alle Seiten %2, Fläche %3</translation>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>by rays</source>
+        <translation>durch Strahlen</translation>
+    </message>
+    <message>
+        <source>by shadow accrual maps</source>
+        <translation>durch Schattenkarten (Shadow Accrual Maps)</translation>
+    </message>
+    <message>
+        <source>%1, %2 m, %3</source>
+        <translation>%1, %2 m, %3</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. Umschalt+M: messen. Umschalt+X: Schnittbox. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. D: Sonnenbahnkuppel. C: das andere Szenario, Umschalt+C: nebeneinander, Umschalt+D: wischen. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus (Strg+Klick: ein weiteres dazu, Ziehen mit Strg+Umschalt: alle in einem Rechteck): am Pfeil ziehen oder die Höhe tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>, storeys of %1</source>
+        <translation>, Geschosse von %1</translation>
+    </message>
+    <message>
+        <source>; %1 without a storey on the ground</source>
+        <translation>; %1 ohne Geschoss am Boden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) selected</source>
+        <translation>
+            <numerusform>%1 Gebäude ausgewählt</numerusform>
+            <numerusform>%1 Gebäude ausgewählt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2471,6 +2494,91 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>%1, %2
 %3 Geschossfläche</translation>
     </message>
+    <message numerus="yes">
+        <source>demolish %1 building(s)</source>
+        <translation>
+            <numerusform>%1 Gebäude abreißen</numerusform>
+            <numerusform>%1 Gebäude abreißen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CompareActions</name>
+    <message>
+        <source>Scenarios side by side</source>
+        <translation>Szenarien nebeneinander</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Two scenarios with one camera and at one time, the other one on the left</source>
+        <translation>Zwei Szenarien mit einer Kamera und zu einer Zeit, das andere links</translation>
+    </message>
+    <message>
+        <source>Swipe between scenarios</source>
+        <translation>Zwischen Szenarien wischen</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Drag the line in the view: the other scenario lies to its left</source>
+        <translation>Die Linie in der Ansicht ziehen: links von ihr liegt das andere Szenario</translation>
+    </message>
+    <message>
+        <source>Show the other scenario</source>
+        <translation>Das andere Szenario zeigen</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Press again for the displayed scenario: what differs flickers</source>
+        <translation>Noch einmal drücken für das angezeigte Szenario: Unterschiede flackern</translation>
+    </message>
+    <message>
+        <source>There is only one scenario. Change a building or design a tower, then compare</source>
+        <translation>Es gibt nur ein Szenario. Ändern Sie ein Gebäude oder entwerfen Sie einen Turm, dann vergleichen</translation>
+    </message>
+    <message>
+        <source>Left: %1. Right: %2</source>
+        <translation>Links: %1. Rechts: %2</translation>
+    </message>
+    <message>
+        <source>shown: %1</source>
+        <translation>gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>sun and shadow of the same moment</source>
+        <translation>Sonne und Schatten desselben Zeitpunkts</translation>
+    </message>
+    <message>
+        <source>the same study, in the same colours</source>
+        <translation>dieselbe Untersuchung, in denselben Farben</translation>
+    </message>
+    <message>
+        <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
+        <translation>%1 wurde noch nicht berechnet: Szenario &gt; Alle Szenarien messen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CompareStrip</name>
+    <message>
+        <source>The scenario on the left, or under the key C</source>
+        <translation>Das Szenario links, oder mit der Taste C</translation>
+    </message>
+    <message>
+        <source>The displayed scenario, which edits change</source>
+        <translation>Das angezeigte Szenario, das bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Ends the comparison in the view</source>
+        <translation>Beendet den Vergleich in der Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContextMenu</name>
@@ -2598,6 +2706,17 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::DomeDisplay</name>
+    <message>
+        <source>Sun path dome</source>
+        <translation>Sonnenbahnkuppel</translation>
+    </message>
+    <message>
+        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the dock Point</source>
+        <translation>Die Sonnenbahnen der Monate und die Stunden auf einer Kuppel um das, was die Kamera ansieht, oder um die Nadel des Felds Punkt</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::EditActions</name>
     <message>
         <source>%1 is not a building of the displayed city</source>
@@ -2654,10 +2773,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>&amp;Demolish</source>
         <translation>Gebäude &amp;abreißen</translation>
-    </message>
-    <message>
-        <source>Removes the selected building</source>
-        <translation>Entfernt das ausgewählte Gebäude</translation>
     </message>
     <message>
         <source>Replace by &amp;tower</source>
@@ -2718,6 +2833,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Shows the sunlight of a building&apos;s facades while it is designed or changed</source>
         <translation>Zeigt die Besonnung der Fassaden eines Gebäudes, während es entworfen oder geändert wird</translation>
+    </message>
+    <message>
+        <source>Removes the selected building, or all of several</source>
+        <translation>Entfernt das ausgewählte Gebäude, oder alle ausgewählten</translation>
     </message>
 </context>
 <context>
@@ -3785,6 +3904,13 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
     <message>
         <source>Open samp&amp;le</source>
         <translation>Beispie&amp;l öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OtherScenario</name>
+    <message>
+        <source>Showing %1</source>
+        <translation>%1 wird gezeigt</translation>
     </message>
 </context>
 <context>
@@ -5611,10 +5737,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Höher, auf der halben Platte</translation>
     </message>
     <message>
-        <source>Click a building in the view to select it.</source>
-        <translation>Ein Gebäude in der Ansicht anklicken, um es auszuwählen.</translation>
-    </message>
-    <message>
         <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
         <translation>Fügt ein Gebäude aus OBJ, PLY, glTF, IFC, DXF oder CityJSON hinzu, platziert durch einen Klick auf den Boden</translation>
     </message>
@@ -5629,6 +5751,18 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Height above ground</source>
         <translation>Höhe über Gelände</translation>
+    </message>
+    <message>
+        <source>Demolish all</source>
+        <translation>Alle abreißen</translation>
+    </message>
+    <message>
+        <source>Removes the selected buildings, as one step of undo (Delete)</source>
+        <translation>Entfernt die ausgewählten Gebäude, als ein Schritt zum Rückgängigmachen (Entf)</translation>
+    </message>
+    <message>
+        <source>Click a building in the view to select it. Ctrl+click selects another too, a drag with Ctrl+Shift all in a rectangle.</source>
+        <translation>Ein Gebäude in der Ansicht anklicken wählt es aus. Strg+Klick wählt ein weiteres dazu, Ziehen mit Strg+Umschalt alle in einem Rechteck.</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6629,10 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>place</source>
         <translation>Ort</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>

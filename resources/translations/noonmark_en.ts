@@ -146,6 +146,23 @@
             <numerusform>Not counted: %1 buildings whose floors are not known</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 building(s) selected</source>
+        <translation>
+            <numerusform>%1 building selected</numerusform>
+            <numerusform>%1 buildings selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BuildingEditing</name>
+    <message numerus="yes">
+        <source>demolish %1 building(s)</source>
+        <translation>
+            <numerusform>demolish %1 building</numerusform>
+            <numerusform>demolish %1 buildings</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::EditPreview</name>

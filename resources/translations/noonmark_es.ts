@@ -628,10 +628,6 @@
         <translation>cada píxel</translation>
     </message>
     <message>
-        <source>%1, %2 m</source>
-        <translation>%1, %2 m</translation>
-    </message>
-    <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
@@ -1982,10 +1978,6 @@ Todos los lados %2, área %3</translation>
         <translation>en un plano horizontal</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. Mayús+M: medir. Mayús+X: caja de corte. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo: arrastre su flecha o escriba su altura y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
-    </message>
-    <message>
         <source>the floor plate is smaller</source>
         <translation>la planta es menor</translation>
     </message>
@@ -2244,6 +2236,37 @@ Todos los lados %2, área %3</translation>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>by rays</source>
+        <translation>con rayos</translation>
+    </message>
+    <message>
+        <source>by shadow accrual maps</source>
+        <translation>con mapas de acumulación de sombra</translation>
+    </message>
+    <message>
+        <source>%1, %2 m, %3</source>
+        <translation>%1, %2 m, %3</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. Mayús+M: medir. Mayús+X: caja de corte. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. D: cúpula de trayectorias solares. C: el otro escenario, Mayús+C: lado a lado, Mayús+D: deslizar. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo (Ctrl+clic: otro más; arrastrar con Ctrl+Mayús: todos los de un rectángulo): arrastre su flecha o escriba su altura y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>, storeys of %1</source>
+        <translation>, plantas de %1</translation>
+    </message>
+    <message>
+        <source>; %1 without a storey on the ground</source>
+        <translation>; %1 sin planta en el suelo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) selected</source>
+        <translation>
+            <numerusform>%1 edificio seleccionado</numerusform>
+            <numerusform>%1 edificios seleccionados</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2471,6 +2494,91 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>%1, %2
 %3 construidos</translation>
     </message>
+    <message numerus="yes">
+        <source>demolish %1 building(s)</source>
+        <translation>
+            <numerusform>derribar %1 edificio</numerusform>
+            <numerusform>derribar %1 edificios</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CompareActions</name>
+    <message>
+        <source>Scenarios side by side</source>
+        <translation>Escenarios lado a lado</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Two scenarios with one camera and at one time, the other one on the left</source>
+        <translation>Dos escenarios con una cámara y en un mismo momento; el otro, a la izquierda</translation>
+    </message>
+    <message>
+        <source>Swipe between scenarios</source>
+        <translation>Deslizar entre escenarios</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Drag the line in the view: the other scenario lies to its left</source>
+        <translation>Arrastre la línea de la vista: a su izquierda está el otro escenario</translation>
+    </message>
+    <message>
+        <source>Show the other scenario</source>
+        <translation>Mostrar el otro escenario</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Press again for the displayed scenario: what differs flickers</source>
+        <translation>Pulse de nuevo para el escenario mostrado: lo que difiere parpadea</translation>
+    </message>
+    <message>
+        <source>There is only one scenario. Change a building or design a tower, then compare</source>
+        <translation>Solo hay un escenario. Cambie un edificio o diseñe una torre y compare después</translation>
+    </message>
+    <message>
+        <source>Left: %1. Right: %2</source>
+        <translation>Izquierda: %1. Derecha: %2</translation>
+    </message>
+    <message>
+        <source>shown: %1</source>
+        <translation>se muestra: %1</translation>
+    </message>
+    <message>
+        <source>sun and shadow of the same moment</source>
+        <translation>sol y sombra del mismo momento</translation>
+    </message>
+    <message>
+        <source>the same study, in the same colours</source>
+        <translation>el mismo estudio, con los mismos colores</translation>
+    </message>
+    <message>
+        <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
+        <translation>%1 aún no se ha medido: Escenario &gt; Medir todos los escenarios</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CompareStrip</name>
+    <message>
+        <source>The scenario on the left, or under the key C</source>
+        <translation>El escenario de la izquierda, o con la tecla C</translation>
+    </message>
+    <message>
+        <source>The displayed scenario, which edits change</source>
+        <translation>El escenario mostrado, el que se edita</translation>
+    </message>
+    <message>
+        <source>Ends the comparison in the view</source>
+        <translation>Termina la comparación en la vista</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContextMenu</name>
@@ -2598,6 +2706,17 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::DomeDisplay</name>
+    <message>
+        <source>Sun path dome</source>
+        <translation>Cúpula de trayectorias solares</translation>
+    </message>
+    <message>
+        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the dock Point</source>
+        <translation>Las trayectorias del sol de los meses y las horas en una cúpula en torno a lo que mira la cámara, o al alfiler del panel Punto</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::EditActions</name>
     <message>
         <source>%1 is not a building of the displayed city</source>
@@ -2654,10 +2773,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>&amp;Demolish</source>
         <translation>De&amp;rribar</translation>
-    </message>
-    <message>
-        <source>Removes the selected building</source>
-        <translation>Quita el edificio seleccionado</translation>
     </message>
     <message>
         <source>Replace by &amp;tower</source>
@@ -2718,6 +2833,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Shows the sunlight of a building&apos;s facades while it is designed or changed</source>
         <translation>Muestra el soleamiento de las fachadas de un edificio mientras se diseña o modifica</translation>
+    </message>
+    <message>
+        <source>Removes the selected building, or all of several</source>
+        <translation>Quita el edificio seleccionado, o todos si son varios</translation>
     </message>
 </context>
 <context>
@@ -3785,6 +3904,13 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Open samp&amp;le</source>
         <translation>Abrir eje&amp;mplo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OtherScenario</name>
+    <message>
+        <source>Showing %1</source>
+        <translation>Mostrando %1</translation>
     </message>
 </context>
 <context>
@@ -5611,10 +5737,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Más alto, con media planta</translation>
     </message>
     <message>
-        <source>Click a building in the view to select it.</source>
-        <translation>Haga clic en un edificio de la vista para seleccionarlo.</translation>
-    </message>
-    <message>
         <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
         <translation>Añade un edificio de OBJ, PLY, glTF, IFC, DXF o CityJSON, colocado con un clic en el suelo</translation>
     </message>
@@ -5629,6 +5751,18 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Height above ground</source>
         <translation>Altura sobre el terreno</translation>
+    </message>
+    <message>
+        <source>Demolish all</source>
+        <translation>Derribar todos</translation>
+    </message>
+    <message>
+        <source>Removes the selected buildings, as one step of undo (Delete)</source>
+        <translation>Quita los edificios seleccionados, en un solo paso que se puede deshacer (Supr)</translation>
+    </message>
+    <message>
+        <source>Click a building in the view to select it. Ctrl+click selects another too, a drag with Ctrl+Shift all in a rectangle.</source>
+        <translation>Haga clic en un edificio de la vista para seleccionarlo. Ctrl+clic añade otro; arrastrar con Ctrl+Mayús, todos los de un rectángulo.</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6629,10 @@ del año, otras tantas semanas</translation>
     <message>
         <source>place</source>
         <translation>lugar</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>

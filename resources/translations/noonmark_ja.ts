@@ -628,10 +628,6 @@
         <translation>全画素</translation>
     </message>
     <message>
-        <source>%1, %2 m</source>
-        <translation>%1, %2 m</translation>
-    </message>
-    <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
@@ -1982,10 +1978,6 @@ All sides %2, area %3</source>
         <translation>水平面</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it: drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。Shift+M: 計測。Shift+X: 断面ボックス。B: 面またはワイヤーフレーム。G: 地面の地図。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し、矢印をドラッグするか高さを入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
-    </message>
-    <message>
         <source>the floor plate is smaller</source>
         <translation>基準階を縮小</translation>
     </message>
@@ -2223,6 +2215,36 @@ All sides %2, area %3</source>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>by rays</source>
+        <translation>光線による</translation>
+    </message>
+    <message>
+        <source>by shadow accrual maps</source>
+        <translation>影の累積マップによる</translation>
+    </message>
+    <message>
+        <source>%1, %2 m, %3</source>
+        <translation>%1、%2 m、%3</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
+        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。Shift+M: 計測。Shift+X: 断面ボックス。B: 面またはワイヤーフレーム。G: 地面の地図。D: 太陽軌道ドーム。C: 比較するシナリオ、Shift+C: 並べて表示、Shift+D: スワイプ。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し (Ctrl+クリックで追加、Ctrl+Shift+ドラッグで矩形内すべて)、矢印をドラッグするか高さを入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
+    </message>
+    <message>
+        <source>, storeys of %1</source>
+        <translation>、階高 %1</translation>
+    </message>
+    <message>
+        <source>; %1 without a storey on the ground</source>
+        <translation>(地面に階のない %1 棟を除く)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) selected</source>
+        <translation>
+            <numerusform>%1 棟を選択中</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2450,6 +2472,90 @@ as published. Approximate: the legend states the measured error</source>
         <translation>%1, %2
 延べ面積 %3</translation>
     </message>
+    <message numerus="yes">
+        <source>demolish %1 building(s)</source>
+        <translation>
+            <numerusform>%1 棟を除却</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CompareActions</name>
+    <message>
+        <source>Scenarios side by side</source>
+        <translation>シナリオを並べて表示</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Two scenarios with one camera and at one time, the other one on the left</source>
+        <translation>2 つのシナリオを同じカメラ・同じ時刻で表示します。左が比較するシナリオです</translation>
+    </message>
+    <message>
+        <source>Swipe between scenarios</source>
+        <translation>シナリオをスワイプ</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Drag the line in the view: the other scenario lies to its left</source>
+        <translation>ビューの線をドラッグします。線の左側が比較するシナリオです</translation>
+    </message>
+    <message>
+        <source>Show the other scenario</source>
+        <translation>比較するシナリオを表示</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Press again for the displayed scenario: what differs flickers</source>
+        <translation>もう一度押すと表示中のシナリオに戻ります。異なる部分がちらつきます</translation>
+    </message>
+    <message>
+        <source>There is only one scenario. Change a building or design a tower, then compare</source>
+        <translation>シナリオは 1 つだけです。建物を変更するかタワーを設計してから比較してください</translation>
+    </message>
+    <message>
+        <source>Left: %1. Right: %2</source>
+        <translation>左: %1。右: %2</translation>
+    </message>
+    <message>
+        <source>shown: %1</source>
+        <translation>表示中: %1</translation>
+    </message>
+    <message>
+        <source>sun and shadow of the same moment</source>
+        <translation>同じ時刻の日照と影</translation>
+    </message>
+    <message>
+        <source>the same study, in the same colours</source>
+        <translation>同じ解析を同じ配色で表示</translation>
+    </message>
+    <message>
+        <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
+        <translation>%1 はまだ測定されていません: シナリオ &gt; すべてのシナリオを測定</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CompareStrip</name>
+    <message>
+        <source>The scenario on the left, or under the key C</source>
+        <translation>左側、または C キーで表示するシナリオ</translation>
+    </message>
+    <message>
+        <source>The displayed scenario, which edits change</source>
+        <translation>編集の対象となる、表示中のシナリオ</translation>
+    </message>
+    <message>
+        <source>Ends the comparison in the view</source>
+        <translation>ビューでの比較を終了します</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContextMenu</name>
@@ -2577,6 +2683,17 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::DomeDisplay</name>
+    <message>
+        <source>Sun path dome</source>
+        <translation>太陽軌道ドーム</translation>
+    </message>
+    <message>
+        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the dock Point</source>
+        <translation>カメラが見ている点、または「点」パネルのピンを中心とするドームに、各月の太陽の軌道と時刻を表示します</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::EditActions</name>
     <message>
         <source>%1 is not a building of the displayed city</source>
@@ -2631,10 +2748,6 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>&amp;Demolish</source>
         <translation>除却(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Removes the selected building</source>
-        <translation>選択した建物を取り除く</translation>
     </message>
     <message>
         <source>Replace by &amp;tower</source>
@@ -2695,6 +2808,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Shows the sunlight of a building&apos;s facades while it is designed or changed</source>
         <translation>設計・変更中の建物のファサードの日照を表示します</translation>
+    </message>
+    <message>
+        <source>Removes the selected building, or all of several</source>
+        <translation>選択した建物、または選択したすべての建物を除却します</translation>
     </message>
 </context>
 <context>
@@ -3758,6 +3875,13 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Open samp&amp;le</source>
         <translation>サンプルを開く(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OtherScenario</name>
+    <message>
+        <source>Showing %1</source>
+        <translation>%1 を表示中</translation>
     </message>
 </context>
 <context>
@@ -5580,10 +5704,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>基準階を半分にして高く</translation>
     </message>
     <message>
-        <source>Click a building in the view to select it.</source>
-        <translation>表示の建物をクリックして選択。</translation>
-    </message>
-    <message>
         <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
         <translation>OBJ、PLY、glTF、IFC、DXF、CityJSON から建物を追加し、地面のクリックで配置する</translation>
     </message>
@@ -5598,6 +5718,18 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Height above ground</source>
         <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>Demolish all</source>
+        <translation>すべて除却</translation>
+    </message>
+    <message>
+        <source>Removes the selected buildings, as one step of undo (Delete)</source>
+        <translation>選択した建物をまとめて除却します。1 回で元に戻せます (Delete)</translation>
+    </message>
+    <message>
+        <source>Click a building in the view to select it. Ctrl+click selects another too, a drag with Ctrl+Shift all in a rectangle.</source>
+        <translation>ビューの建物をクリックして選択します。Ctrl+クリックで追加、Ctrl+Shift を押しながらドラッグすると矩形内のすべてを選択します。</translation>
     </message>
 </context>
 <context>
@@ -6464,6 +6596,10 @@ of the year, as many weeks</source>
     <message>
         <source>place</source>
         <translation>場所</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>

@@ -49,6 +49,8 @@ public:
         std::vector<std::uint32_t> all(city.buildings.size());
         std::iota(all.begin(), all.end(), 0U);
         faces_ = makeCasterFaces(city, all);
+        if (std::getenv("NOONMARK_TRIANGLES") == nullptr)
+            view_.setRays(RayScene::over(city).value(), city.buildings);
         view_.camera()->addComponent(clock_);
         view_.show();
         wait(2000);
@@ -57,6 +59,7 @@ public:
     CityView& view() { return view_; }
 
     void showSun(double hour) {
+        if (view_.isTraced()) return view_.showTracedSun(towardsSun(hour));
         const ViewBounds& bounds = view_.viewBounds();
         view_.sun().show(
             drawSunDepths(faces_, towardsSun(hour), {bounds.box, bounds.groundM, bounds.topM}, 2048));

@@ -9,8 +9,8 @@ namespace {
 
 using test::waitFor;
 
-/// Several cities opened in turn in one view, checked by pixel.
-struct DrawOrder : ::testing::Test {
+/// Several cities opened in turn in one view, checked by pixel: drawn by rays and drawn as triangles.
+struct DrawOrder : ::testing::TestWithParam<bool> {
     ViewPanel panel;
 
     void SetUp() override {
@@ -20,6 +20,7 @@ struct DrawOrder : ::testing::Test {
 
     void show() {
         panel.showCity(test::smallOpenCity());
+        if (!GetParam()) panel.view().clearRays();
         panel.navigator().showSlanting({{-120, -80}, {100, 80}});
     }
 
@@ -62,7 +63,7 @@ struct DrawOrder : ::testing::Test {
 
 // The roof's front edge borders a face above and a face below: an edge drawn before the faces would be hidden
 // there.
-TEST_F(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
+TEST_P(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
     for (int city = 1; city <= 8; ++city) {
         show();
         EXPECT_TRUE(edgeIsSeen({0, -60, 60})) << "city " << city;
@@ -70,7 +71,7 @@ TEST_F(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
 }
 
 // Far from a low eye the ground lies outside of its pictures, where the filter of a texture must not run.
-TEST_F(DrawOrder, ALowViewFromNearByIsDrawnToTheHorizon) {
+TEST_P(DrawOrder, ALowViewFromNearByIsDrawnToTheHorizon) {
     show();
     for (const double pitchDeg : {35.0, 20.0, 10.0, 3.0}) {
         panel.view().setPose(
@@ -80,7 +81,7 @@ TEST_F(DrawOrder, ALowViewFromNearByIsDrawnToTheHorizon) {
 }
 
 // The region's outline must be visible through buildings.
-TEST_F(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
+TEST_P(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
     const auto isRed = [this] {
         const QImage image = captured();
         const QRect near = around({0, -40, 0}, 3);  // behind the southern house
@@ -97,6 +98,9 @@ TEST_F(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
         EXPECT_TRUE(waitFor(isRed, 5000)) << "city " << city;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(ByRays, DrawOrder, ::testing::Values(true));
+INSTANTIATE_TEST_SUITE_P(AsTriangles, DrawOrder, ::testing::Values(false));
 
 }  // namespace
 }  // namespace noonmark

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "app/window/frame/main_window.h"
+#include "app/window/time/sun_at_moment.h"
 #include "app/window/time/time_strip.h"
 #include "app/window/view/view_panel.h"
 #include "tests/gui/wait_for.h"
@@ -18,8 +19,9 @@ namespace {
 using namespace std::chrono_literals;
 using test::waitFor;
 
-/// The window with the sample at 15:00 on 21 March, seen from above.
-struct MomentWindow : ::testing::Test {
+/// The window with the sample at 15:00 on 21 March, seen from above; drawn by rays, or as triangles with a
+/// map of the shadow.
+struct MomentWindow : ::testing::TestWithParam<bool> {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
     MainWindow window{settings};
@@ -29,7 +31,33 @@ struct MomentWindow : ::testing::Test {
         window.show();
         window.open({QStringLiteral("sample:grid")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
-        window.panel().navigator().lookFromAbove();
+        if (!GetParam()) window.panel().view().clearRays();
+        window.panel().navigator().show({{-120, -120}, {120, 120}});
+    }
+
+    [[nodiscard]] bool hasMap() const { return window.shadow().map() != nullptr; }
+
+    /// Until the finest shadow is drawn.
+    [[nodiscard]] bool waitForShadow() {
+        if (GetParam()) return window.panel().view().isTraced();
+        return waitFor([this] { return hasMap() && window.shadow().map()->size == 4096; }, 30000);
+    }
+
+    /// Whether the city hides the moment's sun from a point of the ground.
+    [[nodiscard]] bool isShaded(glm::dvec3 point) {
+        const StudySettings& study = window.workbench().document().settings();
+        const City& city = window.workbench().city()->city();
+        const auto sun = computeSunAt(makeObserver(city, study), study.period, window.panel().time().look());
+        return window.panel().navigator().scene().scene()->occluded(glm::vec3(point) + glm::vec3(0, 0, 0.1F),
+                                                                    glm::vec3(sun->towards));
+    }
+
+    /// The point's neighbours have the same sun or shadow, so that a pixel beside it is as good.
+    bool isEven(glm::dvec3 point) {
+        const bool shaded = isShaded(point);
+        return std::ranges::all_of(
+            std::array{glm::dvec3(2, 0, 0), glm::dvec3(-2, 0, 0), glm::dvec3(0, 2, 0), glm::dvec3(0, -2, 0)},
+            [&](glm::dvec3 step) { return isShaded(point + step) == shaded; });
     }
 
     [[nodiscard]] QSlider& time() {
@@ -55,29 +83,21 @@ struct MomentWindow : ::testing::Test {
     }
 };
 
-// The point's neighbours have the same sun or shadow, so that a pixel beside it is as good.
-bool isEven(const SunDepthMap& map, glm::dvec3 point) {
-    const bool shaded = map.shades(point, 0.1);
-    return std::ranges::all_of(
-        std::array{glm::dvec3(2, 0, 0), glm::dvec3(-2, 0, 0), glm::dvec3(0, 2, 0), glm::dvec3(0, -2, 0)},
-        [&](glm::dvec3 step) { return map.shades(point + step, 0.1) == shaded; });
-}
-
-TEST_F(MomentWindow, TheGroundIsDarkWhereSomethingHidesTheSun) {
+TEST_P(MomentWindow, TheGroundIsDarkWhereSomethingHidesTheSun) {
     time().setValue(15 * 60);
     EXPECT_EQ(window.panel().time().look().span, LookSpan::moment);
     EXPECT_FALSE(window.exploration().working()) << "the moment is shown instead";
-    const SunShadow& shadow = window.shadow();
-    ASSERT_TRUE(waitFor([&] { return shadow.map() && shadow.map()->size == 4096; }, 30000));
+    ASSERT_TRUE(waitForShadow());
+    captured();  // frames lag behind the scene
     const QImage image = captured();
     int dark = 0, lit = 0, wrong = 0;
-    for (double x = -200; x <= 200; x += 9)
-        for (double y = -200; y <= 200; y += 9) {
+    for (double x = -110; x <= 110; x += 4)
+        for (double y = -110; y <= 110; y += 4) {
             const glm::dvec3 point(x, y, 0);
             const auto pick = window.panel().navigator().pickAt(pixelAt(point));
             const QColor colour = colourAt(image, point);
-            if (!pick || pick->building || !colour.isValid() || !isEven(*shadow.map(), point)) continue;
-            const bool shaded = shadow.map()->shades(point, 0.1);
+            if (!pick || pick->building || !colour.isValid() || !isEven(point)) continue;
+            const bool shaded = isShaded(point);
             ++(shaded ? dark : lit);
             wrong += (colour.lightness() < 160) != shaded;
         }
@@ -86,23 +106,28 @@ TEST_F(MomentWindow, TheGroundIsDarkWhereSomethingHidesTheSun) {
     EXPECT_LE(wrong, (dark + lit) / 20);
 }
 
-TEST_F(MomentWindow, TheWholePeriodAndTheNightHaveNoShadowMap) {
+TEST_P(MomentWindow, TheWholePeriodAndTheNightHaveNoShadow) {
+    CityView& view = window.panel().view();
     time().setValue(15 * 60);
-    ASSERT_TRUE(waitFor([this] { return window.shadow().map() != nullptr; }));
+    ASSERT_TRUE(waitForShadow());
+    EXPECT_EQ(view.sun().shown(), !GetParam()) << "rays need no map";
     time().setValue(60);
-    EXPECT_EQ(window.shadow().map(), nullptr) << "at one in the morning";
+    EXPECT_FALSE(hasMap()) << "at one in the morning";
     const auto* sun = window.panel().time().findChild<QLabel*>(QStringLiteral("sunText"));
     EXPECT_EQ(sun->text(), QStringLiteral("Sun below the horizon"));
-    EXPECT_FALSE(window.panel().view().sun().shown());
+    EXPECT_FALSE(view.sun().shown());
     time().setValue(12 * 60);
-    ASSERT_TRUE(waitFor([this] { return window.shadow().map() != nullptr; }));
+    ASSERT_TRUE(waitForShadow());
     TimeLook period = window.panel().time().look();
     period.span = LookSpan::period;
     window.panel().time().setLook(period);
     Q_EMIT window.panel().time().lookChanged(period);
-    EXPECT_EQ(window.shadow().map(), nullptr);
+    EXPECT_FALSE(hasMap());
     ASSERT_TRUE(waitFor([this] { return window.exploration().answer() != nullptr; }, 20000));
 }
+
+INSTANTIATE_TEST_SUITE_P(ByRays, MomentWindow, ::testing::Values(true));
+INSTANTIATE_TEST_SUITE_P(AsTriangles, MomentWindow, ::testing::Values(false));
 
 }  // namespace
 }  // namespace noonmark

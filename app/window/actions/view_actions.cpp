@@ -6,6 +6,7 @@
 #include "app/window/project/project_dock.h"
 #include "app/window/view/section_dialog.h"
 #include "app/window/view/view_panel.h"
+#include "render/view/software_drawing.h"
 
 namespace noonmark {
 
@@ -21,9 +22,12 @@ QString mouseAndKeys() {
         "from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section "
         "box. B: solid "
         "buildings or "
-        "wireframe. G: map on the ground. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. "
+        "wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, "
+        "Shift+D: swipe. F5: exploration, F6: analysis, F7: ray "
+        "reference. Ctrl+R: run. "
         "Click a building to "
-        "select it: drag its arrow or type its height and press Enter, Delete demolishes it, M "
+        "select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or "
+        "type its height and press Enter, Delete demolishes it, M "
         "moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): "
         "click corners, with Shift at right angles to the last side; double click, Enter or right click "
         "finishes, Backspace removes the last corner, Esc cancels.");
@@ -54,7 +58,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
       byMaps_(makeSwitch(this, tr("&Explore by shadow accrual maps"), {},
                          tr("As in the paper, instead of rays: inexact at shadow edges, but hours that "
                             "look alike are computed once"),
-                         false)),
+                         !drawsInSoftware())),
       measure_(
           makeSwitch(this, tr("Me&asure distances"), QKeySequence(tr("Shift+M")),
                      tr("Click points on roofs, walls and ground: distance, height, area. Backspace removes "
@@ -74,6 +78,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
     connect(faces_, &QAction::toggled, &panel_.view(), &CityView::showFaces);
     connect(map_, &QAction::toggled, &panel_.map(), &MapLayer::setShown);
     connect(byMaps_, &QAction::toggled, &exploration, &Exploration::setByMaps);
+    exploration.setByMaps(byMaps_->isChecked());
     connect(measure_, &QAction::triggered, this, &ViewActions::setMeasuring);
     connect(&panel_.measureTool(), &MeasureTool::activeChanged, measure_, &QAction::setChecked);
     connect(section_, &QAction::triggered, this, &ViewActions::setSection);

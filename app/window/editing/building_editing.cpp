@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
 
 #include "app/window/editing/building_facts.h"
 #include "app/window/editing/selection_panel.h"
@@ -16,16 +19,19 @@ namespace noonmark {
 
 namespace {
 
-City only(const std::shared_ptr<const Building>& building) {
+City only(const City& city, const std::vector<std::uint32_t>& buildings) {
     City some;
-    some.buildings.push_back(building);
+    for (const std::uint32_t building : buildings) some.buildings.push_back(city.buildings[building]);
     return some;
 }
 
-std::optional<std::uint32_t> indexOf(const City& city, const std::string& id) {
-    const auto found = std::ranges::find(city.buildings, id, [](const auto& b) { return b->sourceId; });
-    if (id.empty() || found == city.buildings.end()) return std::nullopt;
-    return std::uint32_t(found - city.buildings.begin());
+// Those that are still there.
+std::vector<std::uint32_t> findIds(const City& city, const std::vector<std::string>& ids) {
+    const std::unordered_set<std::string_view> wanted(ids.begin(), ids.end());
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < city.buildings.size(); ++i)
+        if (wanted.contains(city.buildings[i]->sourceId)) found.push_back(i);
+    return found;
 }
 
 QString describe(const Edit& edit) { return QString::fromStdString(noonmark::formatText(edit)); }
@@ -67,19 +73,33 @@ void BuildingEditing::cityChanged() {
     move_.end();
     panel_.setMoving(false);
     hover(std::nullopt);
-    const std::string wanted = next_.empty() ? id_ : next_;
+    const std::vector<std::string> wanted = next_.empty() ? ids_ : std::vector{next_};
     next_.clear();
     selected_.reset();
-    select(indexOf(context_.city->city(), wanted));
+    all_.clear();
+    selectAll(findIds(context_.city->city(), wanted));
 }
 
 void BuildingEditing::select(std::optional<std::uint32_t> building) {
+    selectAll(building ? std::vector{*building} : std::vector<std::uint32_t>());
+}
+
+void BuildingEditing::selectAll(std::vector<std::uint32_t> buildings) {
     if (context_.preview.shown()) context_.preview.clear();
     setMoving(false);
-    selected_ = building;
-    id_ = building ? this->building().sourceId : std::string();
+    all_ = std::move(buildings);
+    ids_.clear();
+    for (const std::uint32_t one : all_) ids_.push_back(context_.city->city().buildings[one]->sourceId);
+    selected_ = all_.size() == 1 ? std::optional(all_.front()) : std::nullopt;
+    id_ = selected_ ? ids_.front() : std::string();
     show();
     Q_EMIT selectionChanged();
+}
+
+void BuildingEditing::toggle(std::uint32_t building) {
+    std::vector<std::uint32_t> next = all_;
+    if (std::erase(next, building) == 0) next.push_back(building);
+    selectAll(std::move(next));
 }
 
 void BuildingEditing::standBack() {
@@ -95,9 +115,15 @@ void BuildingEditing::show() {
     OverlayBodies& overlay = context_.panel.view().overlay();
     overlay.show(OverlayBodies::Tint::hovered, {});
     const City& city = context_.city->city();
-    overlay.show(OverlayBodies::Tint::selected, selected_ ? only(city.buildings[*selected_]) : City{});
-    panel_.show(selected_ ? std::optional(collectFacts(building(), city)) : std::nullopt);
+    overlay.show(OverlayBodies::Tint::selected, only(city, all_));
+    showFacts();
     showHandle();
+}
+
+void BuildingEditing::showFacts() {
+    const City& city = context_.city->city();
+    if (all_.size() > 1) return panel_.showGroup(collectFacts(std::span(all_), city));
+    panel_.show(selected_ ? std::optional(collectFacts(building(), city)) : std::nullopt);
 }
 
 void BuildingEditing::showHandle() {
@@ -114,14 +140,17 @@ void BuildingEditing::showHandle() {
 void BuildingEditing::hover(std::optional<std::uint32_t> building) {
     if (building == hovered_) return;
     hovered_ = building;
-    const bool tinted = building && building != selected_;
+    const bool tinted = building && std::ranges::find(all_, *building) == all_.end();
     context_.panel.view().overlay().show(OverlayBodies::Tint::hovered,
-                                         tinted ? only(context_.city->city().buildings[*building]) : City{});
+                                         tinted ? only(context_.city->city(), {*building}) : City{});
 }
 
 void BuildingEditing::preview(const Edit& edit) {
-    if (!selected_) return;
-    const auto shown = context_.preview.show({edit});
+    if (selected_) previewAll({edit});
+}
+
+void BuildingEditing::previewAll(const std::vector<Edit>& edits) {
+    const auto shown = context_.preview.show(edits);
     panel_.showError(shown ? QString() : describeError(shown.error()));
     context_.panel.view().overlay().show(OverlayBodies::Tint::selected, {});
     const auto& added = context_.preview.changes().added;
@@ -135,17 +164,25 @@ void BuildingEditing::preview(const Edit& edit) {
                            computeElevation(city, {middle, ground})});
 }
 
-// The project answers with a changed city; until then the preview stays.
 void BuildingEditing::make(const Edit& edit) {
-    if (!selected_) return;
-    if (const auto sound = applied(context_.city->city(), std::vector{edit}); !sound)
+    if (selected_) makeAll({edit}, describe(edit));
+}
+
+// The project answers with a changed city; until then the preview stays.
+void BuildingEditing::makeAll(const std::vector<Edit>& edits, const QString& what) {
+    if (const auto sound = applied(context_.city->city(), edits); !sound)
         return panel_.showError(describeError(sound.error()));
-    preview(edit);
-    Q_EMIT editsMade({edit}, describe(edit));
+    previewAll(edits);
+    Q_EMIT editsMade(edits, what);
 }
 
 void BuildingEditing::demolish() {
-    if (selected_) make(Demolish{id_});
+    if (selected_) return make(Demolish{id_});
+    std::vector<Edit> edits;
+    for (const std::string& id : ids_) edits.emplace_back(Demolish{id});
+    if (edits.empty()) return;
+    makeAll(edits,
+            tr("demolish %1 building(s)", "", pluralNumber(edits.size())).arg(formatCount(edits.size())));
 }
 
 void BuildingEditing::setMoving(bool on) {

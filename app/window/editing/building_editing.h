@@ -3,6 +3,7 @@
 #include <QObject>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/window/editing/edit_context.h"
 #include "app/window/editing/move_tool.h"
@@ -11,7 +12,8 @@ namespace noonmark {
 
 class SelectionPanel;
 
-/// The selected building and the edits of it. The selection follows the building's id when the city changes.
+/// The selected building and the edits of it, or several that can be demolished together. The selection
+/// follows the ids of the buildings when the city changes.
 class BuildingEditing final : public QObject {
     Q_OBJECT
 public:
@@ -19,13 +21,18 @@ public:
                     QObject* parent = nullptr);  ///< both outlive it
 
     void cityChanged();
-    void select(std::optional<std::uint32_t> building);  ///< index in the city; none: clear the selection
+    void select(std::optional<std::uint32_t> building);    ///< index in the city; none: clear the selection
+    void selectAll(std::vector<std::uint32_t> buildings);  ///< each once; of one building as select()
+    void toggle(std::uint32_t building);                   ///< adds it to the selection, or removes it
     void selectNext(std::string id) { next_ = std::move(id); }  ///< selects it when the next city arrives
     void hover(std::optional<std::uint32_t> building);
+    /// The building that is selected alone: the tools for one building work on it.
     [[nodiscard]] std::optional<std::uint32_t> selected() const { return selected_; }
-    [[nodiscard]] const std::string& id() const { return id_; }
+    [[nodiscard]] const std::string& id() const { return id_; }  ///< of that building; else empty
+    /// All that are selected, in the order of their selection.
+    [[nodiscard]] const std::vector<std::uint32_t>& all() const { return all_; }
 
-    void demolish();
+    void demolish();  ///< all, as one step of undo
     void setMoving(bool on);
     [[nodiscard]] MoveTool& moveTool() { return move_; }
     void endTool();  ///< on Esc: ends the move tool or, if it is off, the selection
@@ -49,7 +56,10 @@ Q_SIGNALS:
 private:
     void connectPanel();
     void preview(const Edit& edit);
+    void previewAll(const std::vector<Edit>& edits);
     void make(const Edit& edit);
+    void makeAll(const std::vector<Edit>& edits, const QString& what);
+    void showFacts();
     void makeVariant(double plateFactor);
     void showHandle();
     [[nodiscard]] const Building& building() const;
@@ -57,7 +67,9 @@ private:
     EditContext& context_;
     SelectionPanel& panel_;
     MoveTool move_;
-    std::optional<std::uint32_t> selected_;
+    std::vector<std::uint32_t> all_;
+    std::vector<std::string> ids_;           // of all_
+    std::optional<std::uint32_t> selected_;  // the only one of all_
     std::string id_;
     std::string next_;
     std::optional<std::uint32_t> hovered_;

@@ -55,6 +55,15 @@ BuildingFacts collectFacts(const Building& building, const City& city) {
     return facts;
 }
 
+GroupFacts collectFacts(std::span<const std::uint32_t> buildings, const City& city) {
+    GroupFacts facts{.buildings = buildings.size()};
+    for (const std::uint32_t building : buildings) {
+        const auto mass = massOf(*city.buildings[building], city);
+        mass ? void(facts.grossFloorM2 += mass->grossFloorM2) : void(++facts.unmeasured);
+    }
+    return facts;
+}
+
 std::optional<Footprint> lotUnder(const Building& building, const City& city) {
     const auto mass = massOf(building, city);
     if (!mass) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <optional>
+#include <span>
 
 #include "core/city/city.h"
 
@@ -21,6 +22,14 @@ struct BuildingFacts {
     double grossFloorM2 = 0;   ///< at usualStoreyM per storey
     int estimatedStoreys = 0;  ///< storeys of that area that are estimated, because the mesh is open
 };
+
+/// Facts about several buildings.
+struct GroupFacts {
+    std::size_t buildings = 0;
+    double grossFloorM2 = 0;     ///< together, at usualStoreyM per storey
+    std::size_t unmeasured = 0;  ///< buildings without a storey on the ground, which that sum lacks
+};
+GroupFacts collectFacts(std::span<const std::uint32_t> buildings, const City& city);
 
 /// Takes some ms for a building of hundreds of points.
 BuildingFacts collectFacts(const Building& building, const City& city);

@@ -26,7 +26,8 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizo
       context_(view, std::move(horizons)),
       building_(context_, *selection_),
       tower_(context_, *massing_),
-      mesh_(context_, *placing_) {
+      mesh_(context_, *placing_),
+      box_(view.view()) {
     auto* column = new QVBoxLayout(dock_);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(placing_);
@@ -61,7 +62,8 @@ void EditTools::makeActions() {
     const auto draw =
         action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
                tr("Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels"));
-    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building"));
+    demolish_ =
+        action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building, or all of several"));
     const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
                                 tr("Replaces the selected building by a tower on its lot or footprint"));
     const auto move =
@@ -70,12 +72,12 @@ void EditTools::makeActions() {
         action(tr("Lot from foot&print"), {}, tr("Creates a lot from the selected building's outline"));
     const auto mesh =
         action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
-    ofBuilding_ = {demolish, replace, move, lot};
+    ofBuilding_ = {replace, move, lot};
     draw->setIcon(makeIcon(QStringLiteral("lot")));
-    demolish->setIcon(makeIcon(QStringLiteral("delete")));
+    demolish_->setIcon(makeIcon(QStringLiteral("delete")));
     replace->setIcon(makeIcon(QStringLiteral("tower")));
     connect(draw, &QAction::triggered, this, &EditTools::drawLot);
-    connect(demolish, &QAction::triggered, &building_, &BuildingEditing::demolish);
+    connect(demolish_, &QAction::triggered, &building_, &BuildingEditing::demolish);
     connect(replace, &QAction::triggered, this, &EditTools::replace);
     connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
     connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
@@ -96,6 +98,8 @@ void EditTools::makeFacadesAction() {
 void EditTools::connectView() {
     ViewNavigator& navigator = context_.panel.navigator();
     connect(&navigator, &ViewNavigator::clicked, this, &EditTools::click);
+    connect(&navigator, &ViewNavigator::boxDragged, this, &EditTools::dragBox);
+    connect(&navigator, &ViewNavigator::boxDropped, this, &EditTools::dropBox);
     connect(&navigator, &ViewNavigator::hovered, this, &EditTools::hover);
     connect(&navigator, &ViewNavigator::left, this, [this] { building_.hover(std::nullopt); });
     connect(&context_.panel, &ViewPanel::keyPressed, this, &EditTools::key);
@@ -221,7 +225,8 @@ void EditTools::showLots() {
 
 void EditTools::enableActions() {
     for (QAction* one : ofBuilding_) one->setEnabled(building_.selected().has_value());
-    if (building_.selected()) Q_EMIT selectionMade();
+    demolish_->setEnabled(!building_.all().empty());
+    if (!building_.all().empty()) Q_EMIT selectionMade();
 }
 
 void EditTools::click(QPointF pixel) {
@@ -233,7 +238,25 @@ void EditTools::click(QPointF pixel) {
         return;
     }
     const auto pick = navigator.pickAt(pixel);
-    building_.select(pick ? pick->building : std::nullopt);
+    const auto building = pick ? pick->building : std::nullopt;
+    if (!navigator.clickModifiers().testFlag(Qt::ControlModifier)) return building_.select(building);
+    if (building) building_.toggle(*building);
+}
+
+bool EditTools::isBusy() const {
+    return !context_.city || context_.panel.drawing() || tower_.active() || mesh_.active();
+}
+
+void EditTools::dragBox(const QRectF& pixels) {
+    if (!isBusy()) box_.show(pixels.translated(context_.panel.navigator().pictureLeft(), 0));
+}
+
+void EditTools::dropBox(const QRectF& pixels) {
+    box_.hide();
+    if (isBusy()) return;
+    const CityView& view = context_.panel.view();
+    building_.selectAll(
+        findBuildingsIn(pixels, context_.city->city(), view.pose(), view.lens(), view.section()));
 }
 
 void EditTools::clickNeighbour(QPointF pixel) {
@@ -244,8 +267,7 @@ void EditTools::clickNeighbour(QPointF pixel) {
 }
 
 void EditTools::hover(QPointF pixel) {
-    const bool busy = context_.panel.drawing() || tower_.active() || mesh_.active();
-    if (!context_.city || busy) return building_.hover(std::nullopt);
+    if (isBusy()) return building_.hover(std::nullopt);
     const auto pick = context_.panel.navigator().pickAt(pixel);
     building_.hover(pick ? pick->building : std::nullopt);
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/window/editing/box_selection.h"
 #include "app/window/editing/building_editing.h"
 #include "app/window/editing/mesh_placing.h"
 #include "app/window/massing/massing_panel.h"
@@ -84,6 +85,9 @@ private:
     void connectView();
     void connectTools();
     void click(QPointF pixel);
+    void dragBox(const QRectF& pixels);
+    void dropBox(const QRectF& pixels);
+    [[nodiscard]] bool isBusy() const;  ///< clicks belong to something else than the selection
     void hover(QPointF pixel);
     void key(int key);
     void extrude(double heightM);
@@ -106,6 +110,8 @@ private:
     MeshPlacing mesh_;
     std::vector<QAction*> actions_;
     std::vector<QAction*> ofBuilding_;
+    QAction* demolish_ = nullptr;
+    BoxSelection box_;
     bool storeyLines_ = true;
     QAction* facades_ = nullptr;
 };

@@ -33,10 +33,22 @@ QString describeEstimate(int storeys) {
     return QObject::tr("; mesh is open: %1 estimated").arg(describeStoreys(storeys));
 }
 
+QString row(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
+}
+
+QString makeRows(const GroupFacts& facts) {
+    QString floors = describeSmallArea(facts.grossFloorM2) +
+                     QObject::tr(", storeys of %1").arg(describeLength(usualStoreyM));
+    if (facts.unmeasured > 0)
+        floors += QObject::tr("; %1 without a storey on the ground").arg(facts.unmeasured);
+    const QString selected = QObject::tr("%1 building(s) selected", "", pluralNumber(facts.buildings))
+                                 .arg(formatCount(facts.buildings));
+    return QStringLiteral("<b>%1</b><table>").arg(selected) + row(QObject::tr("Floor area"), floors) +
+           QStringLiteral("</table>");
+}
+
 QString makeRows(const BuildingFacts& facts) {
-    const auto row = [](const QString& name, const QString& value) {
-        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
-    };
     const QString storeys =
         facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeStoreys(facts.storeys);
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
@@ -58,6 +70,8 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     : QWidget(parent),
       facts_(new QLabel),
       tools_(new QWidget),
+      demolishAll_(pushButton(tr("Demolish all"), "demolishAll",
+                              tr("Removes the selected buildings, as one step of undo (Delete)"))),
       height_(lengthField(0.1, 2000, 1, 3.5)),
       heightLabel_(new QLabel),
       east_(lengthField(-10000, 10000, 1, 1)),
@@ -79,9 +93,11 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->addWidget(facts_);
     column->addWidget(tools_);
+    column->addWidget(demolishAll_);
     column->addWidget(error_);
     column->addWidget(import);
     column->addStretch(1);
+    connect(demolishAll_, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
     connect(import, &QPushButton::clicked, this, &SelectionPanel::importRequested);
     connectFields();
     show(std::nullopt);
@@ -193,8 +209,11 @@ void SelectionPanel::takeTurn() {
 
 void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
     showing_ = true;
-    facts_->setText(facts ? makeRows(*facts) : tr("Click a building in the view to select it."));
+    facts_->setText(facts ? makeRows(*facts)
+                          : tr("Click a building in the view to select it. Ctrl+click selects another too, a "
+                               "drag with Ctrl+Shift all in a rectangle."));
     tools_->setVisible(facts.has_value());
+    demolishAll_->hide();
     heightM_ = facts ? facts->heightM : 0;
     const bool datum = heightReferenceInUse() == HeightReference::datum;
     heightLabel_->setText(datum ? tr("Top above datum") : tr("Height above ground"));
@@ -203,6 +222,12 @@ void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
     for (QDoubleSpinBox* field : {east_, north_, turn_}) field->setValue(0);
     showing_ = false;
     showError({});
+}
+
+void SelectionPanel::showGroup(const GroupFacts& facts) {
+    show(std::nullopt);
+    facts_->setText(makeRows(facts));
+    demolishAll_->show();
 }
 
 void SelectionPanel::showHeight(double heightM) {

@@ -14,14 +14,15 @@ namespace noonmark {
 
 class LengthField;
 
-/// The dock of the selected building: its facts and edits. A number being changed is previewed at once; Enter
-/// makes the edit.
+/// The dock of the selected building, or of several: facts and edits. A number being changed is previewed at
+/// once; Enter makes the edit.
 class SelectionPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit SelectionPanel(QWidget* parent = nullptr);
 
     void show(const std::optional<BuildingFacts>& facts);  ///< none: no selection
+    void showGroup(const GroupFacts& facts);               ///< instead of one building
     /// While the handle is dragged; without a signal.
     void showHeight(double heightM);
     void showMove(glm::dvec2 byM);        ///< likewise
@@ -30,7 +31,7 @@ public:
     [[nodiscard]] QString message() const;
 
 Q_SIGNALS:
-    void demolishRequested();
+    void demolishRequested();  ///< of all that are selected
     void replaceRequested();
     void lotRequested();
     void moveToolRequested(bool on);
@@ -58,6 +59,7 @@ private:
 
     QLabel* facts_;
     QWidget* tools_;
+    QPushButton* demolishAll_;
     LengthField* height_;
     QLabel* heightLabel_;
     QDoubleSpinBox* east_;

@@ -14,6 +14,10 @@ const std::vector<float>& minutesOf(const ExploredView& view, ShadowMeasure meas
     return measure == ShadowMeasure::gross ? view.shadow.grossMin : view.shadow.continuousMin;
 }
 
+QString describeMethod(const std::string& engine) {
+    return engine.starts_with("Ray") ? QObject::tr("by rays") : QObject::tr("by shadow accrual maps");
+}
+
 bool isInstant(const ExploredView& view) { return view.days == 1 && view.shadow.sunlitMinutesPerDay <= 1; }
 
 }  // namespace
@@ -51,7 +55,9 @@ QString describeDetail(const ExploredView& view, double distanceM) {
                                 ? QObject::tr("every pixel")
                                 : QObject::tr("a sample every %1 pixel(s)", "", view.spacingPx)
                                       .arg(formatCount(quint64(view.spacingPx)));
-    const QString detail = QObject::tr("%1, %2 m").arg(samples, formatShort(view.sampleM(distanceM), 2));
+    const QString detail =
+        QObject::tr("%1, %2 m, %3")
+            .arg(samples, formatShort(view.sampleM(distanceM), 2), describeMethod(view.shadow.engine));
     if (!view.running.empty())
         return QObject::tr("%1; %2").arg(QString::fromStdString(view.running)).arg(detail);
     if (!isSoFar(view)) return detail;

@@ -99,7 +99,9 @@ MainWindow::MainWindow(QSettings& settings)
       search_(workbench_, tools_, *panel_),
       help_(opening_, settings_, *this),
       time_(workbench_, mode_, *panel_, horizons_),
+      dome_(settings_, workbench_, *panel_, time_, points_),
       presets_(*panel_, time_),
+      comparing_(workbench_, *panel_, time_),
       preferences_(settings_, panel_->messages(), *this),
       tours_(opening_, {*this, workbench_, review_, *panel_}),
       savedViews_(workbench_.session(), *panel_, *docks_.project, *this),
@@ -128,14 +130,32 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::fillMenus(const QList<QAction*>& docks) {
-    const WindowActions actions{opening_,        saving_,      results_,
-                                movies_,         copying_,     edits_,
-                                scenarios_,      study_,       region_,
-                                places_,         photograph_,  reviews_,
-                                camera_,         presets_,     savedViews_,
-                                search_,         preferences_, help_,
-                                tours_,          towers_,      new ThemeMenu(settings_, this),
-                                mode_.actions(), docks,        time_.actions()};
+    const WindowActions actions{opening_,
+                                saving_,
+                                results_,
+                                movies_,
+                                copying_,
+                                edits_,
+                                scenarios_,
+                                study_,
+                                region_,
+                                places_,
+                                photograph_,
+                                reviews_,
+                                camera_,
+                                presets_,
+                                savedViews_,
+                                search_,
+                                preferences_,
+                                help_,
+                                tours_,
+                                towers_,
+                                new ThemeMenu(settings_, this),
+                                comparing_.actions(),
+                                mode_.actions(),
+                                docks,
+                                time_.actions(),
+                                dome_.action()};
     QAction* quit = noonmark::fillMenus(*menuBar(), actions);
     makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());
@@ -174,8 +194,8 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.opening());
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
-    for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing(),
-                          &places_.reading(), &photograph_.reading(), &movies_.writing()})
+    for (JobSlot* slot : {&comparing_.other().preparing(), &workbench_.reading(), &workbench_.writing(),
+                          &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing()})
         progress_->follow(*slot);
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});

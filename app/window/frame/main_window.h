@@ -23,6 +23,7 @@
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/tower_display.h"
 #include "app/window/actions/view_actions.h"
+#include "app/window/compare/compare_actions.h"
 #include "app/window/editing/edit_tools.h"
 #include "app/window/elements/element_links.h"
 #include "app/window/elements/element_picking.h"
@@ -41,6 +42,7 @@
 #include "app/window/review/windows/verdict_links.h"
 #include "app/window/review/windows/window_session.h"
 #include "app/window/study_form/what_form.h"
+#include "app/window/time/dome_display.h"
 #include "app/window/time/time_display.h"
 #include "app/window/view/context_menu.h"
 #include "app/window/view/mode_switch.h"
@@ -86,6 +88,8 @@ public:
     [[nodiscard]] ContextMenu& context() { return context_; }
     [[nodiscard]] ViewActions& camera() { return camera_; }
     [[nodiscard]] ViewPresets& presets() { return presets_; }
+    [[nodiscard]] CompareActions& comparing() { return comparing_; }
+    [[nodiscard]] DomeDisplay& dome() { return dome_; }
     [[nodiscard]] SavedViews& savedViews() { return savedViews_; }
     [[nodiscard]] PointInspector& points() { return points_; }
 
@@ -154,7 +158,9 @@ private:
     SearchActions search_;
     HelpActions help_;
     TimeDisplay time_;
+    DomeDisplay dome_;
     ViewPresets presets_;
+    CompareActions comparing_;
     PreferencesActions preferences_;
     TourActions tours_;
     SavedViews savedViews_;

@@ -74,12 +74,15 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addAction(actions.view.measure());
     menu.addAction(actions.view.sectionBox());
     menu.addSeparator();
+    menu.addActions(actions.comparing);
+    menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.mapOnGround());
     menu.addAction(actions.photograph.showAction());
     menu.addAction(actions.towers.storeyLines());
     menu.addAction(actions.towers.aboveDatum());
     menu.addAction(actions.places.showAction());
+    menu.addAction(actions.sunDome);
     menu.addMenu(QObject::tr("S&un"))->addActions(actions.sun);
     menu.addMenu(QObject::tr("Mo&de"))->addActions(actions.modes);
     menu.addAction(actions.view.exploreByMaps());

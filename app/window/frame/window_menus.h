@@ -52,9 +52,11 @@ struct WindowActions {
     const TourActions& tours;
     const TowerDisplay& towers;
     QMenu* themes;
+    QList<QAction*> comparing;  ///< two scenarios in the view
     QList<QAction*> modes;
     QList<QAction*> docks;  ///< each shows and hides a dock
     QList<QAction*> sun;    ///< plays and moves the sun
+    QAction* sunDome;
 };
 
 /// Creates the menus and arranges the entries in them. Returns the entry that quits, for the window to

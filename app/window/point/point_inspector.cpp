@@ -113,6 +113,7 @@ QStringList PointInspector::scenarios() const {
 
 void PointInspector::mark() {
     panel_.view().overlay().showPin(visible_ && pick_ ? std::optional(pick_->position) : std::nullopt);
+    Q_EMIT marked();
 }
 
 void PointInspector::follow() {

@@ -116,7 +116,21 @@ void ResultLayer::noteLive(const QString& note) {
     if (live_) strip_.setNote(note, true);
 }
 
+bool ResultLayer::showsStudy() const {
+    const bool ground = mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles();
+    return ground && !showsElements() && study_ && this->ground() == &*study_;
+}
+
+double ResultLayer::studyTop() const {
+    return makeLegend(*study_, strip_.measure(), strip_.changeScale()).scale.top;
+}
+
 void ResultLayer::show() {
+    showWhatIsWanted();
+    if (whenShown_) whenShown_();
+}
+
+void ResultLayer::showWhatIsWanted() {
     if (showsTiles()) return showTiles();
     painted_.reset();
     if (shownElements() == nullptr) view_.tiles().clear();

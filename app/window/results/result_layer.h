@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/window/elements/element_picture.h"
@@ -55,11 +56,18 @@ public:
     /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
     void noteLive(const QString& note);
 
+    /// Whether the ground shows a study of one scenario.
+    [[nodiscard]] bool showsStudy() const;
+    [[nodiscard]] double studyTop() const;  ///< minutes of its last colour; only while showsStudy()
+    /// Called after something else is shown.
+    void whenShown(std::function<void()> called) { whenShown_ = std::move(called); }
+
     void show();  ///< again, for instance after the measure has changed
 
     [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< text; empty if not known
 
 private:
+    void showWhatIsWanted();
     void showExplored();
     void showGround();
     void showElements();
@@ -71,6 +79,7 @@ private:
     void showNothing();
     void showMoment();
 
+    std::function<void()> whenShown_;
     CityView& view_;
     LegendStrip& strip_;
     ViewMode mode_ = ViewMode::exploration;

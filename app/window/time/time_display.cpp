@@ -66,9 +66,15 @@ void TimeDisplay::connectView() {
         const auto map = shadow_.map();
         map ? panel_.view().sun().show(*map) : panel_.view().sun().clear();
     });
+    connect(&otherShadow_, &SunShadow::changed, this, [this] {
+        const auto map = otherShadow_.map();
+        SunLayer& sun = panel_.view().other().sun();
+        map ? sun.show(*map) : sun.clear();
+    });
     connect(rest_, &QTimer::timeout, this, &TimeDisplay::drawShadow);
+    connect(&panel_.view(), &CityView::tracedChanged, this, &TimeDisplay::showSun);
     connect(&panel_.view(), &CityView::poseChanged, this, [this] {
-        if (showsMoment()) rest_->start();
+        if (showsMoment() && !panel_.view().isTraced()) rest_->start();
     });
     connect(&panel_.navigator(), &ViewNavigator::sunDragged, this, &TimeDisplay::turnSun);
 }
@@ -134,14 +140,29 @@ void TimeDisplay::showSun() {
     const bool moment = showsMoment(), visible = moment && sun_.towards.z > lowestSunZ;
     panel_.results().setMoment(moment ? tr("%1. %2").arg(describe(strip.look()), describe(sun_)) : QString());
     rest_->stop();
-    if (!visible) return shadow_.look(std::nullopt);
-    shadow_.look(SunView{glm::normalize(sun_.towards), seenSpace(), movingSize});
+    CityView& view = panel_.view();
+    Q_EMIT sunChanged();
+    const bool traced = view.isTraced();
+    view.showTracedSun(traced && visible ? std::optional(glm::normalize(sun_.towards)) : std::nullopt);
+    if (!visible || traced) return lookFrom(std::nullopt);
+    lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), movingSize});
     rest_->start();
 }
 
 void TimeDisplay::drawShadow() {
     if (showsMoment() && !panel_.time().playing() && sun_.towards.z > lowestSunZ)
-        shadow_.look(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize});
+        lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize});
+}
+
+void TimeDisplay::lookFrom(const std::optional<SunView>& view) {
+    shadow_.look(view);
+    otherShadow_.look(otherShown_ ? view : std::nullopt);
+}
+
+void TimeDisplay::setOtherCity(std::shared_ptr<const City> city) {
+    otherShown_ = city != nullptr;
+    otherShadow_.setCity(std::move(city));
+    showSun();
 }
 
 // The ground in sight, so that close views have fine shadows.

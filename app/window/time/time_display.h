@@ -31,11 +31,14 @@ public:
     [[nodiscard]] const TimeLooking& looking() const { return looking_; }
     [[nodiscard]] const SunShadow& shadow() const { return shadow_; }
     [[nodiscard]] const SunAtMoment& sun() const { return sun_; }  ///< at the date and time of the strip
+    /// Another city whose shadows the view shows beside those of the displayed one; null: none.
+    void setOtherCity(std::shared_ptr<const City> city);
     /// Plays and moves the sun, for a menu.
     [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
 
 Q_SIGNALS:
     void momentChanged();  ///< showsMoment() may have changed
+    void sunChanged();     ///< sun(), or what it was computed for
 
 private:
     void connectWorkbench();
@@ -45,6 +48,7 @@ private:
     void show();
     void showSun();
     void drawShadow();
+    void lookFrom(const std::optional<SunView>& view);
     [[nodiscard]] LitSpace seenSpace() const;
     void turnSun(QPointF byPx);
     void study(const TimeLook& look);
@@ -54,6 +58,8 @@ private:
     ViewPanel& panel_;
     TimeLooking looking_;
     SunShadow shadow_;
+    SunShadow otherShadow_;  // of CityView::other()
+    bool otherShown_ = false;
     SunAtMoment sun_;
     QTimer* rest_;    // then the shadow is drawn finely
     QPointF turned_;  // minutes and days of a drag that are not whole yet

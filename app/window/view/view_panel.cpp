@@ -31,6 +31,7 @@ bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::Sh
 
 ViewPanel::ViewPanel(QWidget* parent)
     : QWidget(parent),
+      column_(new QVBoxLayout(this)),
       view_(new CityView),
       navigator_(new ViewNavigator(*view_)),
       regionTool_(new PolygonTool(tr("region"), this)),
@@ -47,13 +48,13 @@ ViewPanel::ViewPanel(QWidget* parent)
     QWidget* container = QWidget::createWindowContainer(view_, this);
     container->setMinimumSize(240, 160);
     container->setFocusPolicy(Qt::StrongFocus);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(messages_);
-    column->addWidget(container, 1);
-    column->addWidget(time_);
-    column->addWidget(legend_);
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(0);
+    column_->addWidget(messages_);
+    column_->addWidget(container, 1);
+    column_->addWidget(time_);
+    column_->addWidget(legend_);
+    label_->setLeft([this] { return navigator_->pictureLeft(); });
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window inside the container receives the drops
     connect(view_, &CityView::poseChanged, this, [this] {
@@ -174,6 +175,7 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
         view_->showCity(city_->arrays);
     }
     view_->showChanges(computeDifference(*city_->arrays, city_->city()));
+    if (const auto& rays = city_->picker.scene()) view_->setRays(*rays, city_->city().buildings);
     results_->forget();
     map_->showCity(city_->city());
     markPlaces();
@@ -251,6 +253,8 @@ void ViewPanel::takePicture(const QString& title, const QString& when, std::func
     if (city_)
         frame.credit =
             describeData(joinAttribution(city_->loaded.read.attribution, city_->city().context.get()));
+    if (!comparison_.isEmpty())
+        frame.note = frame.note.isEmpty() ? comparison_ : tr("%1. %2").arg(comparison_, frame.note);
     const CameraPose pose = view_->pose();
     frame.headingDeg = pose.headingDeg;
     frame.fromAbove = pose.pitchDeg >= straightDownDeg;
@@ -282,7 +286,8 @@ void ViewPanel::dropEvent(QDropEvent* event) {
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) files << url.toLocalFile();
     event->acceptProposedAction();
-    if (!files.isEmpty()) Q_EMIT filesDropped(files, event->position());
+    const QPointF pixel = event->position() - QPointF(view_->sideOffset(event->position()), 0);
+    if (!files.isEmpty()) Q_EMIT filesDropped(files, pixel);
 }
 
 }  // namespace noonmark

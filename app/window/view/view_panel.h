@@ -5,6 +5,7 @@
 // (view_mode); view_picture composes the saved picture; ground_lines, hover_text and visible_ground are what
 // the view shows and reports of the ground.
 
+#include <QVBoxLayout>
 #include <QWidget>
 #include <array>
 #include <memory>
@@ -56,6 +57,11 @@ public:
     [[nodiscard]] ResultLayer& results() { return *results_; }
     [[nodiscard]] MapLayer& map() { return *map_; }
 
+    /// Adds a widget between the messages and the view, and owns it.
+    void addStrip(QWidget* strip) { column_->insertWidget(1, strip); }
+    /// Which scenarios the view shows on its sides, for pictures; empty: one alone.
+    void setComparison(const QString& words) { comparison_ = words; }
+
     /// The visible ground, cut to the neighbourhood of the city; without polygons if there is none.
     [[nodiscard]] Region visibleGround() const;
 
@@ -89,12 +95,14 @@ private:
     void tellWhatIsAt(QPointF pixel);
     void toolKey(int key);
 
+    QVBoxLayout* column_;
     CityView* view_;
     ViewNavigator* navigator_;
     PolygonTool* regionTool_;
     PolygonTool* lotTool_;
     PolygonTool* placeTool_;
     MeasureTool* measureTool_;
+    QString comparison_;
     UnitSystem units_ = UnitSystem::metric;
     CursorLabel* label_;
     SectionTool* section_;

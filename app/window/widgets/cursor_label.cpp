@@ -26,7 +26,7 @@ void CursorLabel::show(QPointF pixel, const QString& text) {
     if (text.isEmpty()) return hide();
     setText(text);
     adjustSize();
-    move(view_.mapToGlobal(pixel.toPoint()) + besideCursor);
+    move(view_.mapToGlobal((pixel + QPointF(left_(), 0)).toPoint()) + besideCursor);
     QLabel::show();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLabel>
+#include <functional>
 
 class QWindow;
 
@@ -13,11 +14,14 @@ class CursorLabel final : public QLabel {
 public:
     CursorLabel(QWindow& view, QWidget* parent);  ///< `view` must outlive it
 
-    /// Shows the text beside this pixel of the view; an empty text hides it.
+    /// Where the picture begins in the view whose pixels show() counts, in pixels.
+    void setLeft(std::function<double()> left) { left_ = std::move(left); }
+    /// Shows the text beside this pixel of the picture; an empty text hides it.
     void show(QPointF pixel, const QString& text);
 
 private:
     QWindow& view_;
+    std::function<double()> left_ = [] { return 0.0; };
 };
 
 }  // namespace noonmark

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QColor>
+#include <QSize>
+#include <Qt3DRender/QFrameGraphNode>
+#include <array>
+#include <optional>
+
+#include "render/view/section_box.h"
+#include "render/view/view_sides.h"
+
+namespace Qt3DRender {
+class QCamera;
+class QLayer;
+class QParameter;
+class QRenderCapture;
+class QRenderStateSet;
+class QSubtreeEnabler;
+class QViewport;
+}  // namespace Qt3DRender
+
+namespace noonmark {
+
+/// What is drawn where there is nothing; what is far away fades into it.
+inline constexpr QColor backgroundColour{0xf3, 0xf5, 0xf7};
+
+/// The layers of the view's nodes; nothing is owned.
+struct ViewLayers {
+    Qt3DRender::QLayer* overlay;               ///< drawn over the city
+    Qt3DRender::QLayer* blended;               ///< edges, lines and translucent faces
+    std::array<Qt3DRender::QLayer*, 2> sides;  ///< what only one of two sides shows, see ViewSides
+};
+
+/// The order in which the view is drawn: each side first depths, then colours; in each the city before the
+/// overlay and faces before what is blended with them. All nodes are below root().
+class FrameGraph {
+public:
+    /// `surface`: the window.
+    FrameGraph(QObject* surface, Qt3DRender::QCamera* camera, const ViewLayers& layers);
+
+    [[nodiscard]] Qt3DRender::QFrameGraphNode* root() const { return root_; }
+    /// Takes pictures of what is drawn.
+    [[nodiscard]] Qt3DRender::QRenderCapture* capture() const { return capture_; }
+    /// Draws only what lies inside the box; empty: everything.
+    void showSection(const std::optional<SectionBox>& box);
+    /// `size` of the view in device pixels.
+    void setSides(const ViewSides& sides, QSize size);
+
+private:
+    struct Side {
+        Qt3DRender::QSubtreeEnabler* enabler;
+        Qt3DRender::QViewport* viewport;
+        Qt3DRender::QRenderStateSet* states;
+    };
+    Side makeSide(Qt3DRender::QCamera* camera, Qt3DRender::QLayer* hidden);
+    void clearAll();
+    void makeCapture();
+    void drawSide(Qt3DRender::QFrameGraphNode* side);
+    Qt3DRender::QFrameGraphNode* passes(const char* pass, Qt3DRender::QFrameGraphNode* parent);
+    void draw(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
+
+    Qt3DRender::QFrameGraphNode* root_;
+    ViewLayers layers_;
+    Qt3DRender::QParameter* sectionLow_;
+    Qt3DRender::QParameter* sectionHigh_;
+    std::array<Side, 2> sides_{};
+    Qt3DRender::QRenderCapture* capture_ = nullptr;
+    bool clipped_ = false;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,122 @@
+#include "render/view/traced_city.h"
+
+#include <QVector2D>
+#include <QVector3D>
+#include <algorithm>
+
+#include "core/engines/ray/traced_view.h"
+#include "render/scene/array_entity.h"
+#include "render/scene/picture_texture.h"
+#include "render/scene/qt_vectors.h"
+#include "render/scene/shader_material.h"
+#include "render/view/explored_view.h"
+
+namespace noonmark {
+
+namespace {
+
+// A triangle that covers the picture.
+ArrayGeometry* makeWholePicture() {
+    auto* geometry = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
+    geometry->addPoints(QStringLiteral("vertexPosition"), {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}});
+    geometry->setIndices({0, 1, 2});
+    return geometry;
+}
+
+Qt3DCore::QEntity* makePixels(ShaderMaterial& material, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent) {
+    Qt3DCore::QEntity* entity = makeArrayEntity(makeWholePicture(), material, parent, side);
+    entity->setEnabled(false);
+    return entity;
+}
+
+PixelCamera makeTracedCamera(const CameraPose& pose, const ViewLens& lens,
+                             const std::optional<SectionBox>& section) {
+    PixelCamera camera = makeExploredCamera(pose, lens, 1);
+    if (section) camera.section = VisibleBox{glm::vec3(section->lowM), glm::vec3(section->highM)};
+    return camera;
+}
+
+// OpenGL's depth buffer, from 0 at the near to 1 at the far plane: x + y / depth; x + y * depth if parallel.
+QVector2D depthScale(const CameraPose& pose, const ClipRange& clip) {
+    const double range = clip.farM - clip.nearM;
+    if (pose.isParallel()) return {float(-clip.nearM / range), float(1 / range)};
+    return {float(clip.farM / range), float(-clip.farM * clip.nearM / range)};
+}
+
+}  // namespace
+
+TracedCity::TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
+    : parent_(parent),
+      material_(new ShaderMaterial(QStringLiteral("traced"), parent)),
+      pixels_(makePixels(*material_, side, parent)) {}
+
+void TracedCity::setScene(RayScene scene, Buildings buildings, float groundM) {
+    scene_ = std::move(scene);
+    buildings_ = std::move(buildings);
+    groundM_ = groundM;
+    hidden_.clear();
+}
+
+void TracedCity::clear() {
+    show(false);
+    scene_.reset();
+    buildings_.clear();
+}
+
+bool TracedCity::showOnly(std::vector<const Building*> shown) {
+    std::ranges::sort(shown);
+    hidden_.assign(buildings_.size(), 0);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < buildings_.size(); ++i) {
+        hidden_[i] = std::ranges::binary_search(shown, buildings_[i].get()) ? 0 : 1;
+        seen += 1U - hidden_[i];
+    }
+    return seen == shown.size();
+}
+
+void TracedCity::show(bool shown) { pixels_->setEnabled(shown); }
+
+void TracedCity::setSun(const std::optional<glm::vec3>& towardsSun) {
+    towardsSun_ = towardsSun;
+    material_->include(QStringLiteral("SUNLIT"), towardsSun.has_value());
+    if (towardsSun) set("sunDirection", toVector(glm::dvec3(*towardsSun)));
+}
+
+void TracedCity::trace(const Picture& picture) {
+    if (!scene_ || picture.columns.last <= picture.columns.first) return;
+    const CameraPose& pose = picture.pose;
+    const PixelCamera camera = makeTracedCamera(pose, picture.lens, picture.section);
+    traceView(*scene_, camera,
+              {.groundM = groundM_,
+               .nearM = float(picture.clip.nearM),
+               .farM = float(picture.clip.farM),
+               .firstColumn = picture.columns.first,
+               .lastColumn = picture.columns.last,
+               .hidden = hidden_,
+               .towardsSun = towardsSun_},
+              view_);
+    const double pixel = 1 / samplesPerMetre(camera, 1);
+    set("tracedEye", toVector(camera.eye));
+    set("tracedForward", toVector(camera.forward));
+    set("tracedRight", toVector(camera.right * pixel));
+    set("tracedUp", toVector(camera.up * pixel));
+    set("tracedClip", depthScale(pose, picture.clip));
+    set("tracedParallel", pose.isParallel() ? 1.0F : 0.0F);
+    set("tracedLeft", float(picture.leftPx));
+    layTexture();
+}
+
+void TracedCity::set(const char* uniform, const QVariant& value) {
+    material_->set(QString::fromLatin1(uniform), value);
+}
+
+void TracedCity::layTexture() {
+    if (texture_ && texture_->width() == view_.widthPx && texture_->height() == view_.heightPx)
+        return replaceTexture(*texture_, view_);
+    Qt3DRender::QAbstractTexture* made = makeTexture(view_, parent_);
+    set("traced", QVariant::fromValue(made));
+    delete texture_;
+    texture_ = made;
+}
+
+}  // namespace noonmark

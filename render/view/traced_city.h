@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Qt3DCore/QEntity>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/engines/ray/traced_view.h"
+#include "render/view/section_box.h"
+#include "render/view/view_sides.h"
+
+namespace Qt3DRender {
+class QAbstractTexture;
+class QLayer;
+}  // namespace Qt3DRender
+
+namespace noonmark {
+
+class ShaderMaterial;
+
+/// Buildings and ground drawn by rays, for processors without graphics hardware: software OpenGL takes 0.2 to
+/// 0.5 s for the triangles of a large city, rays take 20 ms to find what each pixel shows. Shaders colour the
+/// pixels as they colour triangles; depths are written, so that everything else is drawn as before.
+class TracedCity {
+public:
+    using Buildings = std::vector<std::shared_ptr<const Building>>;
+
+    /// `parent` owns the nodes, which belong to the layer `side`.
+    TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent);
+
+    /// What is traced: a scene, its buildings in the scene's order, and the z of the level ground around.
+    void setScene(RayScene scene, Buildings buildings, float groundM);
+    void clear();
+    [[nodiscard]] bool hasScene() const { return scene_.has_value(); }
+    /// Leaves out the other buildings. Returns whether the scene has all of these.
+    bool showOnly(std::vector<const Building*> shown);
+
+    void show(bool shown);
+    /// The sun of a moment, a unit vector; empty: none. trace() draws its shadows.
+    void setSun(const std::optional<glm::vec3>& towardsSun);
+    struct Picture {
+        CameraPose pose;
+        ViewLens lens;  ///< in device pixels
+        ClipRange clip;
+        std::optional<SectionBox> section;
+        SideColumns columns;  ///< of the picture that are wanted
+        int leftPx = 0;       ///< column of the window where the picture begins
+    };
+    /// Traces a picture, on all cores.
+    void trace(const Picture& picture);
+
+    /// Colours buildings and ground.
+    [[nodiscard]] ShaderMaterial* material() const { return material_; }
+
+private:
+    void set(const char* uniform, const QVariant& value);
+    void layTexture();
+
+    Qt3DCore::QEntity* parent_;
+    ShaderMaterial* material_;
+    Qt3DCore::QEntity* pixels_;  ///< one triangle over the picture
+    Qt3DRender::QAbstractTexture* texture_ = nullptr;
+    TracedView view_;
+    std::optional<RayScene> scene_;
+    Buildings buildings_;
+    std::vector<std::uint8_t> hidden_;  ///< by building, 1: left out; empty: nothing is
+    std::optional<glm::vec3> towardsSun_;
+    float groundM_ = 0;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,197 @@
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QMouseEvent>
+#include <utility>
+
+#include "app/window/compare/compare_strip.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+/// The small project with a tower, compared with the existing city in the view.
+struct CompareWindow : test::ProjectWindow {
+    void SetUp() override {
+        ProjectWindow::SetUp();
+        window->resize(1400, 900);
+        build();
+    }
+
+    CityView& view() { return window->panel().view(); }
+    QAction& way(const char* name) {
+        return *window->comparing().findChild<QAction*>(QString::fromLatin1(name));
+    }
+    QComboBox& others() { return *window->findChild<QComboBox*>(QStringLiteral("compareOther")); }
+    QString note() { return strip().findChild<QLabel*>(QStringLiteral("compareNote"))->text(); }
+    CompareStrip& strip() { return *window->findChild<CompareStrip*>(); }
+
+    void show(const char* name) {
+        way(name).trigger();
+        ASSERT_TRUE(waitFor([this] { return view().sides().layout != SideLayout::one; }))
+            << message().toStdString();
+    }
+
+    // Frames lag behind the scene, and names come when the camera rests.
+    QImage captured() {
+        QImage before, now = take();
+        EXPECT_TRUE(waitFor([&] {
+            before = std::exchange(now, take());
+            return before == now;
+        }));
+        return now;
+    }
+
+    QImage take() {
+        QImage image;
+        view().capture([&image](const QImage& made) { image = made; });
+        EXPECT_TRUE(waitFor([&image] { return !image.isNull(); }));
+        return image;
+    }
+
+    static int differing(const QImage& a, const QImage& b, int fromX, int toX) {
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = fromX; x < toX; ++x)
+                count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 12 ? 1 : 0;
+        return count;
+    }
+
+    void lookAtTower() { window->panel().navigator().showSlanting({{-30, -40}, {90, 80}}); }
+};
+
+TEST_F(CompareWindow, TheOtherScenarioIsTheExistingCityUntilAnotherIsChosen) {
+    show("compareSwipe");
+    EXPECT_TRUE(strip().isVisible());
+    EXPECT_EQ(others().currentText().toStdString(), existingCity);
+    EXPECT_EQ(view().sides(), (ViewSides{SideLayout::swipe, 0.5}));
+    way("compareSwipe").trigger();
+    EXPECT_EQ(view().sides().layout, SideLayout::one);
+    EXPECT_FALSE(strip().isVisible());
+}
+
+TEST_F(CompareWindow, OnlyOneWayIsChosen) {
+    show("compareSwipe");
+    show("compareBeside");
+    EXPECT_FALSE(way("compareSwipe").isChecked());
+    EXPECT_EQ(view().sides().layout, SideLayout::beside);
+    way("compareFlicker").trigger();
+    EXPECT_EQ(view().sides(), (ViewSides{SideLayout::swipe, 1}));
+    way("compareFlicker").trigger();
+    EXPECT_EQ(view().sides().layout, SideLayout::one);
+}
+
+// The tower is in the middle of the picture.
+TEST_F(CompareWindow, ASwipeShowsTheOtherScenarioToTheLeftOfItsDivider) {
+    window->mode().setMode(ViewMode::analysis);  // without a study nothing is computed meanwhile
+    show("compareSwipe");
+    lookAtTower();
+    const auto dividedAt = [this](double share) {
+        view().setSides({SideLayout::swipe, share});
+        return captured();
+    };
+    const QImage with = dividedAt(0), without = dividedAt(1), swiped = dividedAt(0.5);
+    const int middle = with.width() / 2, border = 8;
+    ASSERT_GT(differing(with, without, 0, middle - border), 500);
+    ASSERT_GT(differing(with, without, middle + border, with.width()), 500);
+    EXPECT_EQ(differing(swiped, without, border, middle - border), 0);
+    EXPECT_EQ(differing(swiped, with, middle + border, with.width() - border), 0);
+}
+
+TEST_F(CompareWindow, TheDividerIsDragged) {
+    show("compareSwipe");
+    const double width = view().width();
+    const auto send = [&](QEvent::Type type, double x, Qt::MouseButtons buttons) {
+        QMouseEvent event(type, QPointF(x, 100), QPointF(x, 100), Qt::LeftButton, buttons, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view(), &event);
+    };
+    const CameraPose before = view().pose();
+    send(QEvent::MouseButtonPress, width / 2 + 3, Qt::LeftButton);
+    send(QEvent::MouseMove, width / 4, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, width / 4, Qt::NoButton);
+    EXPECT_NEAR(view().sides().divider, 0.25, 0.01);
+    EXPECT_EQ(view().pose(), before) << "the camera stays";
+}
+
+// Beside each other, a pixel of either picture shows the same place.
+TEST_F(CompareWindow, PicturesBesideEachOtherShareTheCamera) {
+    show("compareBeside");
+    EXPECT_EQ(view().lens().widthPx, view().width() / 2);
+    const double half = view().width() / 2.0;
+    EXPECT_EQ(view().sideOffset({10, 10}), 0);
+    EXPECT_EQ(view().sideOffset({half + 10, 10}), half);
+    QPointF hovered;
+    QObject::connect(&window->panel().navigator(), &ViewNavigator::hovered, &view(),
+                     [&hovered](QPointF pixel) { hovered = pixel; });
+    QMouseEvent event(QEvent::MouseMove, QPointF(half + 40, 50), QPointF(half + 40, 50), Qt::NoButton,
+                      Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view(), &event);
+    EXPECT_EQ(hovered, QPointF(40, 50));
+}
+
+TEST_F(CompareWindow, TheStudyOfTheOtherScenarioIsShownInTheSameColours) {
+    lookAtTower();
+    show("compareSwipe");
+    window->mode().setMode(ViewMode::analysis);
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }, 20000)) << message().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("not measured yet"))) << note().toStdString();
+    const QImage before = captured();
+    workbench().measureAll();
+    ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }, 20000));
+    EXPECT_EQ(note(), QStringLiteral("the same study, in the same colours"));
+    const QImage after = captured();
+    EXPECT_GT(differing(before, after, 0, after.width() / 2 - 8), 500);
+    EXPECT_EQ(differing(before, after, after.width() / 2 + 8, after.width()), 0);
+}
+
+TEST_F(CompareWindow, AStudyWithOtherSettingsIsNotTheSame) {
+    show("compareSwipe");
+    window->mode().setMode(ViewMode::analysis);
+    workbench().measureAll();
+    ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }, 20000));
+    StudySettings settings = workbench().document().settings();
+    settings.period.hours = 3;
+    workbench().document().change(settings, QStringLiteral("hours"));
+    workbench().run();
+    ASSERT_TRUE(waitFor([&] { return workbench().study()->settings == settings; }, 20000));
+    EXPECT_TRUE(note().contains(QStringLiteral("not measured yet"))) << note().toStdString();
+}
+
+TEST_F(CompareWindow, TheOtherScenarioFollowsItsNameAndGivesWayWhenItIsGone) {
+    session().goTo(existingCity);
+    show("compareSwipe");
+    const std::string tower = session().project().scenarios.front().name;
+    EXPECT_EQ(others().currentText().toStdString(), tower);
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, tower, "Renamed"));
+    EXPECT_EQ(window->comparing().other().name(), "Renamed");
+    EXPECT_EQ(others().currentText(), QStringLiteral("Renamed"));
+    Project without = session().project();
+    without.scenarios.clear();
+    ASSERT_TRUE(session().change(std::move(without), QStringLiteral("none")));
+    EXPECT_EQ(view().sides().layout, SideLayout::one);
+}
+
+TEST_F(CompareWindow, EndsWithTheScenarioAndSaysSoWithOne) {
+    show("compareSwipe");
+    window->workbench().document().undoStack().undo();  // the tower, and with it the only scenario
+    ASSERT_TRUE(waitFor([this] { return view().sides().layout == SideLayout::one; }));
+    way("compareSwipe").trigger();
+    EXPECT_FALSE(way("compareSwipe").isChecked());
+    EXPECT_TRUE(message().contains(QStringLiteral("only one scenario"))) << message().toStdString();
+}
+
+TEST(ViewSides, ColumnsAreDividedWithoutAGap) {
+    EXPECT_EQ(columnsOf({}, 0, 101).last, 101);
+    EXPECT_EQ(columnsOf({}, 1, 101).last, 0);
+    const ViewSides swipe{SideLayout::swipe, 0.3};
+    EXPECT_EQ(columnsOf(swipe, 1, 101).first, 0);
+    EXPECT_EQ(columnsOf(swipe, 1, 101).last, 30);
+    EXPECT_EQ(columnsOf(swipe, 0, 101).first, 30);
+    EXPECT_EQ(columnsOf(swipe, 0, 101).last, 101);
+}
+
+}  // namespace
+}  // namespace noonmark
