@@ -40,10 +40,14 @@ void drop(Node*& node) {
 
 }  // namespace
 
-OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent)
-    : root_(new Qt3DCore::QEntity(parent)), layer_(new Qt3DRender::QLayer(root_)), blended_(blended) {
+OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
+    : root_(new Qt3DCore::QEntity(parent)),
+      edited_(new Qt3DCore::QEntity(root_)),
+      layer_(new Qt3DRender::QLayer(root_)),
+      blended_(blended) {
     layer_->setRecursive(true);
     root_->addComponent(layer_);
+    edited_->addComponent(side);
     const auto made = [this](const char* name) {
         return new ShaderMaterial(QString::fromLatin1(name), QStringLiteral("overlay"), root_);
     };
@@ -84,11 +88,11 @@ void OverlayBodies::show(Tint tint, const City& some) {
     const CityArrays arrays = makeBuildingArrays(some);
     body.faces = makeArrayEntity(
         makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
-        *body.material, root_, tint == Tint::proposed ? nullptr : blended_);
+        *body.material, edited_, tint == Tint::proposed ? nullptr : blended_);
     if (tint != Tint::proposed) return;
     body.edges = makeArrayEntity(
-        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), *edge_, root_,
-        blended_);
+        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), *edge_,
+        edited_, blended_);
 }
 
 void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
@@ -108,20 +112,20 @@ void OverlayBodies::showFloors(const std::vector<std::vector<glm::vec3>>& rings)
     }
     if (points.empty()) return;
     floors_ = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, points, ends),
-                              *floor_, root_, blended_);
+                              *floor_, edited_, blended_);
 }
 
-void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at) {
+void OverlayBodies::show(Mark& mark, std::optional<glm::dvec3> at, Qt3DCore::QEntity* parent) {
     mark.at = at;
     if (!at) return drop(mark.entity);
     mark.material->set(QStringLiteral("anchor"), QVector3D(float(at->x), float(at->y), float(at->z)));
     if (mark.entity) return;
-    mark.entity = makeArrayEntity(makeMeshGeometry(mark.shape), *mark.material, root_);
+    mark.entity = makeArrayEntity(makeMeshGeometry(mark.shape), *mark.material, parent);
 }
 
-void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) { show(handle_, foot); }
+void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) { show(handle_, foot, edited_); }
 
-void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip); }
+void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip, root_); }
 
 void OverlayBodies::lightHandle(bool lit) {
     handle_.material->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));

@@ -29,8 +29,9 @@ public:
     enum class Tint { hovered, selected, proposed };
     static constexpr double handlePx = 48;  ///< height of the handle on the screen, device-independent pixels
 
-    /// `parent` owns the nodes of this object. Translucent faces, edges and lines also belong to `blended`.
-    OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
+    /// `parent` owns the nodes of this object. Translucent faces, edges and lines also belong to `blended`,
+    /// buildings, floors and handle to `side`, a recursive layer: of the side that shows the edited city.
+    OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent);
     ~OverlayBodies();
     OverlayBodies(const OverlayBodies&) = delete;
     OverlayBodies& operator=(const OverlayBodies&) = delete;
@@ -69,9 +70,10 @@ private:
         std::optional<glm::dvec3> at;
     };
     Body& of(Tint tint) { return bodies_[std::size_t(tint)]; }
-    void show(Mark& mark, std::optional<glm::dvec3> at);
+    void show(Mark& mark, std::optional<glm::dvec3> at, Qt3DCore::QEntity* parent);
 
     Qt3DCore::QEntity* root_;
+    Qt3DCore::QEntity* edited_;  ///< below root_: what belongs to the side
     Qt3DRender::QLayer* layer_;
     Qt3DRender::QLayer* blended_;
     std::array<Body, 3> bodies_;

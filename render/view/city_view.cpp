@@ -96,8 +96,9 @@ void CityView::followFrames() {
 }
 
 void CityView::makeLayers() {
+    for (Qt3DRender::QLayer* side : sideLayers_) side->setRecursive(true);
     tiles_ = std::make_unique<ElementTiles>(blended_, root_);
-    overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
+    overlay_ = std::make_unique<OverlayBodies>(blended_, sideLayers_[0], root_);
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
     dome_ = std::make_unique<DomeMarks>(overlay_->layer(), blended_, root_);
     sectionMarks_ = std::make_unique<SectionMarks>(overlay_->layer(), blended_, root_);

@@ -2564,6 +2564,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
         <translation>%1 wurde noch nicht berechnet: Szenario &gt; Alle Szenarien messen</translation>
     </message>
+    <message>
+        <source>explored: %1 only</source>
+        <translation>erkundet: nur %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CompareStrip</name>

@@ -2564,6 +2564,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
         <translation>%1 aún no se ha medido: Escenario &gt; Medir todos los escenarios</translation>
     </message>
+    <message>
+        <source>explored: %1 only</source>
+        <translation>explorado: solo %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CompareStrip</name>

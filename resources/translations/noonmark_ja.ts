@@ -2541,6 +2541,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
         <translation>%1 はまだ測定されていません: シナリオ &gt; すべてのシナリオを測定</translation>
     </message>
+    <message>
+        <source>explored: %1 only</source>
+        <translation>探索表示: %1 のみ</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CompareStrip</name>

@@ -100,6 +100,26 @@ TEST_F(CompareWindow, ASwipeShowsTheOtherScenarioToTheLeftOfItsDivider) {
     EXPECT_EQ(differing(swiped, with, middle + border, with.width() - border), 0);
 }
 
+// What is edited belongs to the displayed scenario.
+TEST_F(CompareWindow, FloorsAndProposalsAreDrawnOnTheSideOfTheDisplayedScenario) {
+    window->mode().setMode(ViewMode::analysis);
+    show("compareSwipe");
+    lookAtTower();
+    const auto drawnWith = [this](double share, bool floors) {
+        view().setSides({SideLayout::swipe, share});
+        view().overlay().showFloors(floors ? std::vector<std::vector<glm::vec3>>{{{10, -5, 30},
+                                                                                  {50, -5, 30},
+                                                                                  {50, -5, 40},
+                                                                                  {10, -5, 40}}}
+                                           : std::vector<std::vector<glm::vec3>>{});
+        return captured();
+    };
+    const QImage other = drawnWith(1, false), otherFloors = drawnWith(1, true);
+    EXPECT_EQ(differing(other, otherFloors, 0, other.width()), 0);
+    const QImage displayed = drawnWith(0, false), displayedFloors = drawnWith(0, true);
+    EXPECT_GT(differing(displayed, displayedFloors, 0, displayed.width()), 20);
+}
+
 TEST_F(CompareWindow, TheDividerIsDragged) {
     show("compareSwipe");
     const double width = view().width();

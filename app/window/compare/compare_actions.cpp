@@ -139,6 +139,8 @@ std::shared_ptr<const Study> CompareActions::findStudy() const {
 QString CompareActions::describe() const {
     if (flicker_->isChecked()) return tr("shown: %1").arg(QString::fromStdString(other_.name()));
     if (time_.showsMoment()) return tr("sun and shadow of the same moment");
+    if (panel_.results().showsExplored())
+        return tr("explored: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
     if (!panel_.results().showsStudy()) return {};
     return findStudy() ? tr("the same study, in the same colours")
                        : tr("%1 was not measured yet: Scenario > Measure all scenarios")

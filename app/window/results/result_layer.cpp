@@ -116,6 +116,10 @@ void ResultLayer::noteLive(const QString& note) {
     if (live_) strip_.setNote(note, true);
 }
 
+bool ResultLayer::showsExplored() const {
+    return mode_ == ViewMode::exploration && moment_.isEmpty() && !live_ && !showsTiles() && explored_;
+}
+
 bool ResultLayer::showsStudy() const {
     const bool ground = mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles();
     return ground && !showsElements() && study_ && this->ground() == &*study_;

@@ -56,6 +56,8 @@ public:
     /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
     void noteLive(const QString& note);
 
+    /// Whether surfaces show what was explored.
+    [[nodiscard]] bool showsExplored() const;
     /// Whether the ground shows a study of one scenario.
     [[nodiscard]] bool showsStudy() const;
     [[nodiscard]] double studyTop() const;  ///< minutes of its last colour; only while showsStudy()
