@@ -19,7 +19,10 @@ namespace {
 
 constexpr int sidePx = PixelBlock::sidePx;
 constexpr float sharedM = 0.01F;  // surfaces in a side of the section belong to it
-constexpr int leastTurn = 36;     // of the normal at an edge, in 127ths: 16 degrees
+// Rays are traced a little farther than they end: the bottom of a building lies in the ground, and is seen
+// before it where a section opens the building.
+constexpr float beyond = 1.00001F;
+constexpr int leastTurn = 36;  // of the normal at an edge, in 127ths: 16 degrees
 
 using Bits = std::array<std::uint32_t, HitPacket::lanes>;
 
@@ -40,9 +43,13 @@ public:
         packet.distance.fill(space_.farM);
         if (camera_.section) limitToSection(packet);
         const std::uint32_t ground = endAtGround(space_.groundM, packet);
+        const HitPacket::Lanes ends = packet.distance;
+        for (float& distance : packet.distance) distance *= beyond;
         const HitPacket::Lanes farthest = packet.distance;
         scene_.firstHits(packet);
         if (!space_.hidden.empty()) passHidden(packet, farthest);
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
+            if (packet.hit[lane] == HitPacket::nothing) packet.distance[lane] = ends[lane];
         Bits bits;
         packPixels(packet, ground, camera_.section.has_value(), bits.data());
         const HitPacket::Lanes depths = packet.distance;

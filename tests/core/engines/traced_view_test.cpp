@@ -156,6 +156,13 @@ TEST(TracedView, ASectionShowsTheInsideOfWhatItCuts) {
     EXPECT_EQ(kindOf(view.pixels[box.pixelOf({0, 0, 10})]), SeenKind::cut);
     EXPECT_EQ(kindOf(view.pixels[box.pixelOf({0, -25, 0})]), SeenKind::ground);
     EXPECT_EQ(kindOf(view.pixels[box.pixelOf({0, -38, 0})]), SeenKind::sky) << "outside of the box";
+    for (const double heightM : {90.0, 200.0, 300.0, 1000.0}) {
+        box.camera = makeCamera({0, 0, heightM}, {0, 0, 0}, 40, width, height);
+        box.camera.section = VisibleBox{{-30, -30, -1}, {30, 30, 10}};
+        const TracedView above = trace(box.city, box.camera, {});
+        EXPECT_EQ(kindOf(above.pixels[box.pixelOf({0, 0, 10})]), SeenKind::cut) << heightM;
+        EXPECT_EQ(kindOf(above.pixels[box.pixelOf({25, 0, 0})]), SeenKind::ground) << heightM;
+    }
 }
 
 // The sun stands 45 degrees high in the south: the shadow of the box is as long as the box is high.
