@@ -51,7 +51,6 @@ CompareActions::CompareActions(Workbench& workbench, ViewPanel& panel, TimeDispl
     });
     connect(&workbench_.session(), &ProjectSession::changed, this, &CompareActions::follow);
     connect(&workbench_, &Workbench::projectOpened, this, &CompareActions::end);
-    connect(&workbench_, &Workbench::studyDone, this, &CompareActions::showPicture);
     panel_.results().whenShown([this] { showPicture(); });
 }
 
@@ -117,14 +116,15 @@ void CompareActions::showPicture() {
     if (panel_.view().sides().layout == SideLayout::one) return;
     DrawnCity& other = panel_.view().other();
     other.clearPicture();
-    if (const auto study = findStudy()) {
+    const auto study = findStudy();
+    strip_->setNote(describe(study != nullptr));
+    if (study) {
         const GroundAnswer answer = makeGroundAnswer(study);
         const double top = panel_.results().studyTop();
         other.showPicture(makePicture(answer, panel_.legend().measure(), top), false);
         if (const auto roofs = roofPictureOf(answer, panel_.legend().measure(), top))
             other.showRoofPicture(*roofs);
     }
-    strip_->setNote(describe());
 }
 
 std::shared_ptr<const Study> CompareActions::findStudy() const {
@@ -136,15 +136,15 @@ std::shared_ptr<const Study> CompareActions::findStudy() const {
     return same ? found->second : nullptr;
 }
 
-QString CompareActions::describe() const {
+QString CompareActions::describe(bool measured) const {
     if (flicker_->isChecked()) return tr("shown: %1").arg(QString::fromStdString(other_.name()));
     if (time_.showsMoment()) return tr("sun and shadow of the same moment");
     if (panel_.results().showsExplored())
         return tr("explored: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
     if (!panel_.results().showsStudy()) return {};
-    return findStudy() ? tr("the same study, in the same colours")
-                       : tr("%1 was not measured yet: Scenario > Measure all scenarios")
-                             .arg(QString::fromStdString(other_.name()));
+    return measured ? tr("the same study, in the same colours")
+                    : tr("%1 was not measured yet: Scenario > Measure all scenarios")
+                          .arg(QString::fromStdString(other_.name()));
 }
 
 }  // namespace noonmark

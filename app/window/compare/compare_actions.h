@@ -40,7 +40,8 @@ private:
     /// Of the other scenario with the settings of the study that is shown; null: not measured, or none shown.
     [[nodiscard]] std::shared_ptr<const Study> findStudy() const;
     [[nodiscard]] QString nameSides() const;
-    [[nodiscard]] QString describe() const;
+    /// What the two sides show. `measured`: the other scenario has the study that is shown.
+    [[nodiscard]] QString describe(bool measured) const;
 
     Workbench& workbench_;
     ViewPanel& panel_;
