@@ -52,14 +52,8 @@ ShadowStatistics computeStatistics(const ShadowField& field) {
 }
 
 ShadowStatistics computeStatistics(const ShadowField& field, const Region& region) {
-    std::vector<bool> inside(field.grid.size(), false);
-    for (const Footprint& polygon : region.polygons)
-        forEachRun(polygon, field.grid, [&](int row, int first, int end) {
-            for (int column = first; column < end; ++column) inside[field.grid.index(column, row)] = true;
-        });
     ShadowSums sums;
-    for (std::size_t cell = 0; cell < inside.size(); ++cell)
-        if (inside[cell]) addCell(sums, field, cell);
+    for (const std::uint32_t cell : collectCells(region.polygons, field.grid)) addCell(sums, field, cell);
     return computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
 }
 

@@ -58,4 +58,17 @@ void forEachRun(const Footprint& footprint, const Grid& grid,
     }
 }
 
+std::vector<std::uint32_t> collectCells(const std::vector<Footprint>& footprints, const Grid& grid) {
+    std::vector<std::uint32_t> cells;
+    for (const Footprint& footprint : footprints)
+        forEachRun(footprint, grid, [&](int row, int first, int end) {
+            for (int column = first; column < end; ++column)
+                cells.push_back(std::uint32_t(grid.index(column, row)));
+        });
+    std::ranges::sort(cells);
+    const auto again = std::ranges::unique(cells);
+    cells.erase(again.begin(), again.end());
+    return cells;
+}
+
 }  // namespace noonmark

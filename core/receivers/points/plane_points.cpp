@@ -11,18 +11,6 @@ namespace noonmark {
 
 namespace {
 
-std::vector<std::uint32_t> cellsIn(const Region& region, const Grid& grid) {
-    std::vector<std::uint8_t> inside(grid.size());
-    for (const Footprint& polygon : region.polygons)
-        forEachRun(polygon, grid, [&](int row, int first, int end) {
-            for (int column = first; column < end; ++column) inside[grid.index(column, row)] = 1;
-        });
-    std::vector<std::uint32_t> cells;
-    for (std::uint32_t cell = 0; cell < inside.size(); ++cell)
-        if (inside[cell] != 0) cells.push_back(cell);
-    return cells;
-}
-
 glm::dvec2 centreOf(const Grid& grid, std::uint32_t cell) {
     return grid.centre(int(cell % std::uint32_t(grid.columns)), int(cell / std::uint32_t(grid.columns)));
 }
@@ -50,7 +38,7 @@ double findMeanGroundM(const City& city, const Region& region) {
     ReceiverSettings cells;
     cells.cellM = std::clamp(double(std::max(size.x, size.y)) / 1000, 1.0, ReceiverSettings::maxCellM);
     const auto grid = gridOver(region, cells);
-    return grid ? meanGround(city, *grid, cellsIn(region, *grid)) : 0;
+    return grid ? meanGround(city, *grid, collectCells(region.polygons, *grid)) : 0;
 }
 
 Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
@@ -65,7 +53,7 @@ Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const R
             fmt::format("The plane has {} cells", grid->size()), region.name,
             fmt::format("Choose larger cells or a smaller region; the limit is {}", mostReceivers));
     const SolidParts solids(city);
-    const std::vector<std::uint32_t> cells = cellsIn(region, *grid);
+    const std::vector<std::uint32_t> cells = collectCells(region.polygons, *grid);
     PlanePoints plane;
     plane.planeM = meanGround(city, *grid, cells) + heightM;
     for (const std::uint32_t cell : cells) {
