@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "core/receivers/rasterize.h"
 
@@ -44,14 +45,13 @@ private:
     ChangeFigures figures_;  // areas count cells until figures()
 };
 
-template <class IsCounted>
-ImpactFigures countCells(const Impact& impact, double thresholdMin, IsCounted&& isCounted) {
+template <class Cells>
+ImpactFigures countCells(const Impact& impact, double thresholdMin, const Cells& cells) {
     const double cellM2 = impact.grid.cellAreaM2();
     ImpactFigures figures{.thresholdMin = thresholdMin};
     Sum gross(thresholdMin), continuous(thresholdMin);
     double receivers = 0;
-    for (std::size_t i = 0; i < impact.grossMin.size(); ++i) {
-        if (!isCounted(i)) continue;
+    for (const std::size_t i : cells) {
         figures.becameBuildingM2 += impact.change[i] == CellChange::becameBuilding ? cellM2 : 0;
         figures.becameGroundM2 += impact.change[i] == CellChange::becameGround ? cellM2 : 0;
         if (std::isnan(impact.grossMin[i])) continue;
@@ -71,16 +71,16 @@ ImpactFigures countCells(const Impact& impact, double thresholdMin, IsCounted&& 
 }  // namespace
 
 ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
-    return countCells(impact, thresholdMin, [](std::size_t) { return true; });
+    return countCells(impact, thresholdMin, std::views::iota(std::size_t{0}, impact.grossMin.size()));
 }
 
 ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin) {
-    std::vector<bool> inside(impact.grid.size(), false);
-    for (const Footprint& polygon : region.polygons)
-        forEachRun(polygon, impact.grid, [&](int row, int first, int end) {
-            for (int column = first; column < end; ++column) inside[impact.grid.index(column, row)] = true;
-        });
-    return countCells(impact, thresholdMin, [&](std::size_t i) { return inside[i]; });
+    return computeFigures(impact, collectCells(region.polygons, impact.grid), thresholdMin);
+}
+
+ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
+                             double thresholdMin) {
+    return countCells(impact, thresholdMin, cells);
 }
 
 }  // namespace noonmark

@@ -35,4 +35,8 @@ ImpactFigures computeFigures(const Impact& impact, double thresholdMin = 30);
 /// Figures over the cells whose centres lie in the region.
 ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin = 30);
 
+/// Figures over these cells of the grid, each listed once. O(cells listed).
+ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
+                             double thresholdMin = 30);
+
 }  // namespace noonmark
