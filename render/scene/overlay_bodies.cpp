@@ -28,7 +28,8 @@ constexpr QColor lotColour{0x0a, 0x6f, 0x4f, 235};
 constexpr QColor handleColour{0xc2, 0x18, 0x8b, 255};
 constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
 constexpr QColor pinColour{0xd5, 0x5e, 0x00, 255};
-constexpr double pinPx = 34;
+constexpr QColor worstColour{0x7b, 0x0d, 0x2c, 255};
+constexpr double pinPx = 34, worstPx = 24;
 
 QVector4D vectorOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
 
@@ -76,6 +77,8 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
     lightHandle(false);
     pin_ = {makePin(float(pinPx)), made("mark"), nullptr, {}};
     pin_.material->set(QStringLiteral("tint"), vectorOf(pinColour));
+    worst_ = {makePin(float(worstPx)), made("mark"), nullptr, {}};
+    worst_.material->set(QStringLiteral("tint"), vectorOf(worstColour));
 }
 
 OverlayBodies::~OverlayBodies() { delete root_; }
@@ -127,6 +130,8 @@ void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) { show(handle_, f
 
 void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip, root_); }
 
+void OverlayBodies::showWorstSpot(std::optional<glm::dvec3> tip) { show(worst_, tip, edited_); }
+
 void OverlayBodies::lightHandle(bool lit) {
     handle_.material->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));
 }
@@ -140,7 +145,7 @@ std::optional<glm::dvec2> OverlayBodies::handlePixel(const CameraPose& pose, con
 
 void OverlayBodies::setLens(const CameraPose& pose, const ViewLens& lens) {
     const double atOneMetre = metresPerPixel(pose, lens, 1);
-    for (const Mark* mark : {&handle_, &pin_})
+    for (const Mark* mark : {&handle_, &pin_, &worst_})
         mark->material->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
     line_->set(QStringLiteral("viewSize"), QVector2D(float(lens.widthPx), float(lens.heightPx)));
 }

@@ -47,6 +47,9 @@ public:
     /// Shows a pin whose tip is at this point, with a constant size in pixels and in front of everything.
     void showPin(std::optional<glm::dvec3> tip);
     [[nodiscard]] const std::optional<glm::dvec3>& pin() const { return pin_.at; }
+    /// Shows a smaller pin in another colour: the spot with the most new shadow of what is edited.
+    void showWorstSpot(std::optional<glm::dvec3> tip);
+    [[nodiscard]] const std::optional<glm::dvec3>& worstSpot() const { return worst_.at; }
 
     /// The pixel of the handle's centre; empty without a handle, or where it is behind the eye.
     [[nodiscard]] std::optional<glm::dvec2> handlePixel(const CameraPose& pose, const ViewLens& lens) const;
@@ -82,7 +85,7 @@ private:
     Qt3DCore::QEntity* lines_ = nullptr;
     ShaderMaterial* floor_;
     Qt3DCore::QEntity* floors_ = nullptr;
-    Mark handle_, pin_;
+    Mark handle_, pin_, worst_;
 };
 
 }  // namespace noonmark

@@ -828,14 +828,6 @@
         <translation>diesem Zeitpunkt</translation>
     </message>
     <message>
-        <source>With the proposal: exact at %1</source>
-        <translation>Mit dem Entwurf: genau zu %1</translation>
-    </message>
-    <message>
-        <source>With the proposal: %1, within 0.25° of azimuth</source>
-        <translation>Mit dem Entwurf: %1, auf 0,25° des Azimuts genau</translation>
-    </message>
-    <message>
         <source>%1; continuous shadow follows</source>
         <translation>%1; Dauerschatten folgt</translation>
     </message>
@@ -2132,13 +2124,6 @@ Alle Seiten %2, Fläche %3</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>With the proposal: exact at %1 of %2 step(s)</source>
-        <translation>
-            <numerusform>Mit dem Entwurf: genau zu %1 von %2 Schritt</numerusform>
-            <numerusform>Mit dem Entwurf: genau zu %1 von %2 Schritten</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 storey(s)</source>
         <translation>
             <numerusform>%1 Geschoss</numerusform>
@@ -2266,6 +2251,76 @@ Alle Seiten %2, Fläche %3</translation>
             <numerusform>%1 Gebäude ausgewählt</numerusform>
             <numerusform>%1 Gebäude ausgewählt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 over %2 min</source>
+        <translation>%1 über %2 min</translation>
+    </message>
+    <message>
+        <source>No new shadow</source>
+        <translation>Kein neuer Schatten</translation>
+    </message>
+    <message>
+        <source>New shadow: %1</source>
+        <translation>Neuer Schatten: %1</translation>
+    </message>
+    <message>
+        <source>New shadow a day: %1</source>
+        <translation>Neuer Schatten am Tag: %1</translation>
+    </message>
+    <message>
+        <source>Worst spot: +%1 min a day</source>
+        <translation>Stärkste Zunahme: +%1 min am Tag</translation>
+    </message>
+    <message>
+        <source>Less shadow: %1</source>
+        <translation>Weniger Schatten: %1</translation>
+    </message>
+    <message>
+        <source>Less shadow a day: %1</source>
+        <translation>Weniger Schatten am Tag: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, up to +%3 min</source>
+        <translation>%1: %2, bis zu +%3 min</translation>
+    </message>
+    <message>
+        <source> (of the part that is measured)</source>
+        <translation> (des gemessenen Teils)</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more place(s)</source>
+        <translation>
+            <numerusform>und %1 weiterer Ort</numerusform>
+            <numerusform>und %1 weitere Orte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>exact at %1</source>
+        <translation>genau an %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>genau an %1 von %2 Schritt</numerusform>
+            <numerusform>genau an %1 von %2 Schritten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, within 0.25° of azimuth</source>
+        <translation>%1, Azimut auf 0,25° genau</translation>
+    </message>
+    <message>
+        <source>With the proposal: %1</source>
+        <translation>Mit dem Entwurf: %1</translation>
+    </message>
+    <message>
+        <source>Change by the proposal, compared with %1: %2</source>
+        <translation>Änderung durch den Entwurf gegenüber %1: %2</translation>
     </message>
 </context>
 <context>
@@ -2841,6 +2896,18 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Removes the selected building, or all of several</source>
         <translation>Entfernt das ausgewählte Gebäude, oder alle ausgewählten</translation>
+    </message>
+    <message>
+        <source>Live chan&amp;ge</source>
+        <translation>Än&amp;derung mitführen</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
+        <translation>Zeigt, was ein Gebäude gegenüber dem Vergleich ändert, während es entworfen oder geändert wird, statt des Schattens mit ihm</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3721,14 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
     <message>
         <source>Shows the hours of shadow on the tower&apos;s facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study&apos;s form.</source>
         <translation>Zeigt die Schattenstunden an den Fassaden des Turms, grob, während er sich ändert. Klicken Sie in der Ansicht auf andere Gebäude, um auch deren Fassaden zu sehen. Achsen und Geschosse sind die des Studienformulars.</translation>
+    </message>
+    <message>
+        <source>Change of shadow</source>
+        <translation>Änderung des Schattens</translation>
+    </message>
+    <message>
+        <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
+        <translation>Zeigt, wo das Hochhaus dem Vergleich Schatten hinzufügt oder wegnimmt, statt des gesamten Schattens mit ihm. Eine Nadel zeigt die am stärksten betroffene Stelle.</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5264,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Export the review</source>
         <translation>Prüfung exportieren</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -46,13 +46,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>With the proposal: exact at %1 of %2 step(s)</source>
-        <translation>
-            <numerusform>With the proposal: exact at %1 of %2 step</numerusform>
-            <numerusform>With the proposal: exact at %1 of %2 steps</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 storey(s)</source>
         <translation>
             <numerusform>%1 storey</numerusform>
@@ -151,6 +144,20 @@
         <translation>
             <numerusform>%1 building selected</numerusform>
             <numerusform>%1 buildings selected</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more place(s)</source>
+        <translation>
+            <numerusform>and %1 more place</numerusform>
+            <numerusform>and %1 more places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>exact at %1 of %2 step</numerusform>
+            <numerusform>exact at %1 of %2 steps</numerusform>
         </translation>
     </message>
 </context>

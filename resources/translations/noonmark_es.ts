@@ -828,14 +828,6 @@
         <translation>este momento</translation>
     </message>
     <message>
-        <source>With the proposal: exact at %1</source>
-        <translation>Con la propuesta: exacto en %1</translation>
-    </message>
-    <message>
-        <source>With the proposal: %1, within 0.25° of azimuth</source>
-        <translation>Con la propuesta: %1, con 0,25° de acimut</translation>
-    </message>
-    <message>
         <source>%1; continuous shadow follows</source>
         <translation>%1; la sombra continua viene después</translation>
     </message>
@@ -2132,13 +2124,6 @@ Todos los lados %2, área %3</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>With the proposal: exact at %1 of %2 step(s)</source>
-        <translation>
-            <numerusform>Con la propuesta: exacto en %1 de %2 paso</numerusform>
-            <numerusform>Con la propuesta: exacto en %1 de %2 pasos</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 storey(s)</source>
         <translation>
             <numerusform>%1 planta</numerusform>
@@ -2266,6 +2251,76 @@ Todos los lados %2, área %3</translation>
             <numerusform>%1 edificio seleccionado</numerusform>
             <numerusform>%1 edificios seleccionados</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 over %2 min</source>
+        <translation>%1 por encima de %2 min</translation>
+    </message>
+    <message>
+        <source>No new shadow</source>
+        <translation>Sin sombra nueva</translation>
+    </message>
+    <message>
+        <source>New shadow: %1</source>
+        <translation>Sombra nueva: %1</translation>
+    </message>
+    <message>
+        <source>New shadow a day: %1</source>
+        <translation>Sombra nueva al día: %1</translation>
+    </message>
+    <message>
+        <source>Worst spot: +%1 min a day</source>
+        <translation>Peor punto: +%1 min al día</translation>
+    </message>
+    <message>
+        <source>Less shadow: %1</source>
+        <translation>Menos sombra: %1</translation>
+    </message>
+    <message>
+        <source>Less shadow a day: %1</source>
+        <translation>Menos sombra al día: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, up to +%3 min</source>
+        <translation>%1: %2, hasta +%3 min</translation>
+    </message>
+    <message>
+        <source> (of the part that is measured)</source>
+        <translation> (de la parte medida)</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more place(s)</source>
+        <translation>
+            <numerusform>y %1 lugar más</numerusform>
+            <numerusform>y %1 lugares más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>exact at %1</source>
+        <translation>exacta en %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>exacta en %1 de %2 paso</numerusform>
+            <numerusform>exacta en %1 de %2 pasos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, within 0.25° of azimuth</source>
+        <translation>%1, con 0,25° de acimut</translation>
+    </message>
+    <message>
+        <source>With the proposal: %1</source>
+        <translation>Con la propuesta: %1</translation>
+    </message>
+    <message>
+        <source>Change by the proposal, compared with %1: %2</source>
+        <translation>Cambio por la propuesta respecto a %1: %2</translation>
     </message>
 </context>
 <context>
@@ -2841,6 +2896,18 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Removes the selected building, or all of several</source>
         <translation>Quita el edificio seleccionado, o todos si son varios</translation>
+    </message>
+    <message>
+        <source>Live chan&amp;ge</source>
+        <translation>Cam&amp;bio en vivo</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
+        <translation>Muestra lo que cambia un edificio respecto a la referencia mientras se diseña o se modifica, en lugar de la sombra con él</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3721,14 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Shows the hours of shadow on the tower&apos;s facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study&apos;s form.</source>
         <translation>Muestra las horas de sombra en las fachadas de la torre, de forma aproximada mientras cambia. Haga clic en otros edificios de la vista para ver también sus fachadas. Los vanos y plantas son los del formulario del estudio.</translation>
+    </message>
+    <message>
+        <source>Change of shadow</source>
+        <translation>Cambio de la sombra</translation>
+    </message>
+    <message>
+        <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
+        <translation>Muestra dónde la torre añade sombra a la referencia o la quita, en lugar de toda la sombra con ella. Una chincheta marca el peor punto.</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5264,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Export the review</source>
         <translation>Exportar la revisión</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

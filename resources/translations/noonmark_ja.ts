@@ -828,14 +828,6 @@
         <translation>この時刻</translation>
     </message>
     <message>
-        <source>With the proposal: exact at %1</source>
-        <translation>計画案あり: %1 で厳密</translation>
-    </message>
-    <message>
-        <source>With the proposal: %1, within 0.25° of azimuth</source>
-        <translation>計画案あり: %1、方位角 0.25° 以内</translation>
-    </message>
-    <message>
         <source>%1; continuous shadow follows</source>
         <translation>%1。連続日影は後で表示</translation>
     </message>
@@ -2126,12 +2118,6 @@ All sides %2, area %3</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>With the proposal: exact at %1 of %2 step(s)</source>
-        <translation>
-            <numerusform>計画案あり: %2 ステップ中 %1 で厳密</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 storey(s)</source>
         <translation>
             <numerusform>%1 階</numerusform>
@@ -2244,6 +2230,74 @@ All sides %2, area %3</source>
         <translation>
             <numerusform>%1 棟を選択中</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 over %2 min</source>
+        <translation>%2 分超 %1</translation>
+    </message>
+    <message>
+        <source>No new shadow</source>
+        <translation>新しい影なし</translation>
+    </message>
+    <message>
+        <source>New shadow: %1</source>
+        <translation>新しい影: %1</translation>
+    </message>
+    <message>
+        <source>New shadow a day: %1</source>
+        <translation>1日の新しい影: %1</translation>
+    </message>
+    <message>
+        <source>Worst spot: +%1 min a day</source>
+        <translation>最大の地点: 1日 +%1 分</translation>
+    </message>
+    <message>
+        <source>Less shadow: %1</source>
+        <translation>減った影: %1</translation>
+    </message>
+    <message>
+        <source>Less shadow a day: %1</source>
+        <translation>1日の減った影: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, up to +%3 min</source>
+        <translation>%1: %2、最大 +%3 分</translation>
+    </message>
+    <message>
+        <source> (of the part that is measured)</source>
+        <translation> (計測した部分)</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more place(s)</source>
+        <translation>
+            <numerusform>ほか %1 か所</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>exact at %1</source>
+        <translation>%1で厳密</translation>
+    </message>
+    <message numerus="yes">
+        <source>exact at %1 of %2 step(s)</source>
+        <translation>
+            <numerusform>%2 ステップ中 %1 で厳密</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, within 0.25° of azimuth</source>
+        <translation>%1、方位角 0.25° 以内</translation>
+    </message>
+    <message>
+        <source>With the proposal: %1</source>
+        <translation>提案を含む: %1</translation>
+    </message>
+    <message>
+        <source>Change by the proposal, compared with %1: %2</source>
+        <translation>提案による変化（%1 と比較）: %2</translation>
     </message>
 </context>
 <context>
@@ -2816,6 +2870,18 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Removes the selected building, or all of several</source>
         <translation>選択した建物、または選択したすべての建物を除却します</translation>
+    </message>
+    <message>
+        <source>Live chan&amp;ge</source>
+        <translation>ライブ変化(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
+        <translation>設計中または変更中の建物について、影全体の代わりに、比較の基準からの変化を示します</translation>
     </message>
 </context>
 <context>
@@ -3627,6 +3693,14 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Shows the hours of shadow on the tower&apos;s facades, coarsely while it changes. Click other buildings in the view to see their facades too. Bays and storeys are those of the study&apos;s form.</source>
         <translation>タワーのファサードの日影時間を表示します(変更中は粗く)。ビューで他の建物をクリックすると、そのファサードも表示します。スパンと階高は検討フォームの値です。</translation>
+    </message>
+    <message>
+        <source>Change of shadow</source>
+        <translation>影の変化</translation>
+    </message>
+    <message>
+        <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
+        <translation>タワーを含む影全体の代わりに、比較の基準に対して影が増える場所と減る場所を示します。ピンは最も影響の大きい地点です。</translation>
     </message>
 </context>
 <context>
@@ -5156,6 +5230,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Export the review</source>
         <translation>審査を書き出す</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

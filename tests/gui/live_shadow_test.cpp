@@ -51,14 +51,13 @@ TEST(LiveRule, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
 }
 
 TEST(LiveRule, WordsSayHowExactItIs) {
-    EXPECT_EQ(describeLive(LiveEngine::shadows, 360, 360, true), "With the proposal: exact at all 360 steps");
-    EXPECT_EQ(describeLive(LiveEngine::moments, 120, 175200, false),
-              "With the proposal: exact at 120 of 175,200 steps");
-    const QString gross = describeLive(LiveEngine::horizons, 175200, 175200, false);
+    EXPECT_EQ(describeExactness(LiveEngine::shadows, 360, 360, true), "exact at all 360 steps");
+    EXPECT_EQ(describeExactness(LiveEngine::moments, 120, 175200, false), "exact at 120 of 175,200 steps");
+    const QString gross = describeExactness(LiveEngine::horizons, 175200, 175200, false);
     EXPECT_TRUE(gross.contains("all 175,200 steps")) << gross.toStdString();
     EXPECT_TRUE(gross.contains("0.25°")) << gross.toStdString();
     EXPECT_TRUE(gross.contains("continuous shadow follows")) << gross.toStdString();
-    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("follows"));
+    EXPECT_FALSE(describeExactness(LiveEngine::horizons, 1, 1, true).contains("follows"));
 }
 
 TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {

@@ -29,6 +29,7 @@ EditActions::EditActions(Workbench& workbench, EditTools& tools, const ModeSwitc
     connectTools();
     connect(&mode_, &ModeSwitch::changed, this, &EditActions::askLive);
     connect(&workbench_.document(), &StudyDocument::changed, this, &EditActions::askLive);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &EditActions::askLive);
 }
 
 void EditActions::connectTools() {
@@ -72,9 +73,18 @@ void EditActions::askLive() {
     tools_.setQuestion({{settings.period, makeObserver(workbench_.city()->city(), settings)},
                         settings.region,
                         settings.receivers,
-                        mode_.mode() != ViewMode::exploration});
+                        mode_.mode() != ViewMode::exploration,
+                        workbench_.session().project().places});
     const auto& elements = workbench_.document().elements();
     tools_.setFacades(elements ? elements->facades : FacadeSettings());
+    setBaseline();
+}
+
+// The existing city, unless another baseline is chosen.
+void EditActions::setBaseline() {
+    ProjectSession& session = workbench_.session();
+    const std::string baseline = session.baseline().empty() ? existingCity : session.baseline();
+    tools_.setBaseline(session.cityOf(baseline).value_or(nullptr), baseline);
 }
 
 // Goes to the building that a warning refers to, and selects it.

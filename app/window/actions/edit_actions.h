@@ -31,6 +31,7 @@ private:
     void connectTools();
     void showProject();
     void askLive();
+    void setBaseline();
     void showBuilding(const QString& where);
 
     Workbench& workbench_;

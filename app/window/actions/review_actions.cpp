@@ -9,6 +9,7 @@
 #include "app/window/files/file_dialogs.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/review/review_dock.h"
+#include "app/window/review/verdict_words.h"
 #include "app/window/review/windows/window_session.h"
 #include "app/window/sheets/page_settings.h"
 #include "app/window/sheets/sheets_dialog.h"
@@ -17,8 +18,8 @@
 namespace noonmark {
 
 ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, WindowSession& windows,
-                             ReviewDock& dock, const EditPreview& preview, PlaceActions& places,
-                             ViewPanel& panel, QSettings& settings, QWidget& window)
+                             ReviewDock& dock, EditPreview& preview, PlaceActions& places, ViewPanel& panel,
+                             QSettings& settings, QWidget& window)
     : workbench_(workbench),
       review_(review),
       windows_(windows),
@@ -44,6 +45,14 @@ ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, Window
     });
     connect(&review_, &ReviewSession::noted, &panel_.messages(), &MessageBar::showNote);
     connect(&preview, &EditPreview::shapeChanged, &review_, &ReviewSession::shape);
+    connect(&review_, &ReviewSession::answered, this, [this, &preview] { tellVerdicts(preview); });
+}
+
+// On the building that is being shaped.
+void ReviewActions::tellVerdicts(EditPreview& preview) const {
+    if (!review_.isLive()) return preview.setVerdicts({});
+    const ReviewStudy& study = review_.shown()->study;
+    preview.setVerdicts(tr("%1: %2").arg(QString::fromStdString(study.rule.name), describeVerdicts(study)));
 }
 
 void ReviewActions::closeSheets() { delete sheets_; }

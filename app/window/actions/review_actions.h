@@ -25,7 +25,7 @@ class ReviewActions final : public QObject {
 public:
     /// Dialogs belong to `window`. All must outlive this object.
     ReviewActions(Workbench& workbench, ReviewSession& review, WindowSession& windows, ReviewDock& dock,
-                  const EditPreview& preview, PlaceActions& places, ViewPanel& panel, QSettings& settings,
+                  EditPreview& preview, PlaceActions& places, ViewPanel& panel, QSettings& settings,
                   QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {show_, export_}; }
@@ -35,6 +35,7 @@ Q_SIGNALS:
     void dockWanted();
 
 private:
+    void tellVerdicts(EditPreview& preview) const;
     void exportReview();
     void exportWindows();
     void showSheets();

@@ -11,6 +11,7 @@ namespace noonmark {
 namespace {
 
 const QString storeyLinesKey = QStringLiteral("storeyLines");
+const QString liveChangeKey = QStringLiteral("liveChange");
 
 }  // namespace
 
@@ -28,6 +29,9 @@ TowerDisplay::TowerDisplay(QSettings& settings, EditTools& tools)
     aboveDatum_->setChecked(readHeightReference(settings_) == HeightReference::datum);
     connect(storeyLines_, &QAction::toggled, this, &TowerDisplay::setStoreyLines);
     connect(aboveDatum_, &QAction::toggled, this, &TowerDisplay::setAboveDatum);
+    tools_.changeAction().setChecked(settings_.value(liveChangeKey, true).toBool());
+    connect(&tools_.changeAction(), &QAction::toggled, this,
+            [this](bool on) { settings_.setValue(liveChangeKey, on); });
     tools_.setStoreyLines(storeyLines_->isChecked());
     applyHeightReference(readHeightReference(settings_));
     tools_.heightReferenceChanged();

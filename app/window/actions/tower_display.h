@@ -9,8 +9,8 @@ namespace noonmark {
 
 class EditTools;
 
-/// How proposed towers are shown: lines at their floors, and heights above the ground or above the datum.
-/// Both switches are remembered in the settings.
+/// How proposed towers are shown: lines at their floors, heights above the ground or above the datum, and the
+/// change while they are designed (on at first). The switches are remembered in the settings.
 class TowerDisplay final : public QObject {
     Q_OBJECT
 public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/window/editing/effect_words.h"
 #include "app/window/study/open_city.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/widgets/error_words.h"
@@ -50,6 +51,30 @@ void EditPreview::setQuestion(const LiveQuestion& question) {
     begin();
     live_.follow(changes_.added);
     followFacades();
+}
+
+void EditPreview::setBaseline(std::shared_ptr<const City> city, const std::string& scenario) {
+    const bool another = city != baseline_;
+    baseline_ = std::move(city);
+    baselineName_ = scenario;
+    if (!another || !shown_) return;
+    begin();
+    live_.follow(changes_.added);
+    followFacades();
+}
+
+void EditPreview::showChange(bool shown) {
+    changeShown_ = shown;
+    if (!shown_) return;
+    beginFacades();
+    followFacades();
+    if (live_.answer()) showLive();
+}
+
+void EditPreview::setVerdicts(const QString& words) {
+    if (words == verdicts_) return;
+    verdicts_ = words;
+    if (shown_) tellEffect();
 }
 
 void EditPreview::setFacades(const FacadeSettings& facades) {
@@ -103,7 +128,9 @@ void EditPreview::clear() {
     panel_.results().setLiveFacades(std::nullopt);
     panel_.view().overlay().show(OverlayBodies::Tint::proposed, {});
     panel_.results().setLive(std::nullopt);
+    panel_.view().overlay().showWorstSpot(std::nullopt);
     hide({});
+    Q_EMIT effectChanged({});
     Q_EMIT shownChanged(false);
     Q_EMIT shapeChanged(nullptr);
 }
@@ -116,15 +143,20 @@ void EditPreview::begin() {
     const ChangedVolume volume = computeVolume(changes_);
     beginFacades();
     if (volume.box.empty()) return live_.end();
-    live_.begin({without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose())},
-                question_);
+    live_.begin(
+        {without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose()), baseline_},
+        question_);
 }
 
-// Nothing is measured where nothing is built.
+bool EditPreview::showsChange() const {
+    return changeShown_ && baseline_ && question_.receivers.places != ReceiverPlaces::roofs;
+}
+
+// Nothing is measured where nothing is built. Sunlight of facades has no place in the scale of a change.
 void EditPreview::beginFacades() {
     facades_.end();
     panel_.results().setLiveFacades(std::nullopt);
-    if (!shown_ || !facadesShown_ || changes_.added.empty()) return;
+    if (!shown_ || !facadesShown_ || showsChange() || changes_.added.empty()) return;
     facades_.begin(without(city_->city(), changes_.removed), question_.sun, facadeSettings_);
 }
 
@@ -142,10 +174,28 @@ void EditPreview::showLiveFacades() {
         ElementView{std::shared_ptr<const ElementMap>(answer, &answer->map), note.arg(formatCount(points))});
 }
 
-void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.answer())); }
+GroundAnswer EditPreview::makeLiveAnswer() const {
+    const auto answer = live_.answer();
+    return showsChange() && answer->change ? makeChangeAnswer(answer, baselineName_)
+                                           : makeGroundAnswer(answer);
+}
+
+void EditPreview::showLive() {
+    panel_.results().setLive(makeLiveAnswer());
+    const LiveAnswer& answer = *live_.answer();
+    const bool marked = showsChange() && answer.change && answer.change->worst;
+    panel_.view().overlay().showWorstSpot(
+        marked ? std::optional(glm::dvec3(answer.receivers.position(*answer.change->worst))) : std::nullopt);
+    tellEffect();
+}
+
+void EditPreview::tellEffect() {
+    const auto answer = live_.answer();
+    Q_EMIT effectChanged(answer && answer->change ? describeEffect(*answer->change, verdicts_) : verdicts_);
+}
 
 void EditPreview::tellAge() {
-    const auto answer = makeGroundAnswer(live_.answer());
+    const auto answer = makeLiveAnswer();
     panel_.results().noteLive(
         tr("%1. Shape of %2 s ago").arg(answer.note, groupDigits(live_.ageSeconds(), 1)));
 }
@@ -153,6 +203,7 @@ void EditPreview::tellAge() {
 // Without a live shadow only the buildings are shown.
 void EditPreview::tellWhy(const Error& error) {
     panel_.results().setLive(std::nullopt);
+    panel_.view().overlay().showWorstSpot(std::nullopt);
     Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
                                    : tr("No live shadow. %1").arg(describeError(error)));
 }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/window/live/live_facades.h"
@@ -10,6 +11,7 @@
 
 namespace noonmark {
 
+struct GroundAnswer;
 struct OpenCity;
 class ViewPanel;
 
@@ -23,6 +25,12 @@ public:
 
     void setCity(std::shared_ptr<const OpenCity> city);  ///< ends the preview
     void setQuestion(const LiveQuestion& question);
+    /// The city that edits are compared with, and its scenario's name; null: none.
+    void setBaseline(std::shared_ptr<const City> city, const std::string& scenario);
+    /// Shows the change against the baseline instead of the shadow, without facades; at first it does not.
+    void showChange(bool shown);
+    /// The verdicts on what is shown, for describeEffect(); empty: none.
+    void setVerdicts(const QString& words);
     void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
     void showFacades(bool shown);                    ///< the sunlight of the added buildings' facades
     /// Shows the facades of another building of the city too, or no longer; until the preview ends.
@@ -40,6 +48,8 @@ public:
     [[nodiscard]] JobSlot& measuringFacades() { return facades_.working(); }  ///< jobs of the live facades
 
 Q_SIGNALS:
+    /// What the edits change, in the words of describeEffect(); empty: not known yet, or no longer shown.
+    void effectChanged(QString words);
     void told(QString text);  ///< the reason why there is no live shadow
     void shownChanged(bool shown);
     /// The city with the edits shown; null: they are no longer shown.
@@ -52,6 +62,9 @@ private:
     void followFacades();
     void showLiveFacades();
     void showLive();
+    void tellEffect();
+    [[nodiscard]] bool showsChange() const;
+    [[nodiscard]] GroundAnswer makeLiveAnswer() const;
     void tellAge();
     void tellWhy(const Error& error);
 
@@ -60,6 +73,10 @@ private:
     CityChanges changes_;
     bool shown_ = false;
     LiveQuestion question_;
+    std::shared_ptr<const City> baseline_;
+    std::string baselineName_;
+    bool changeShown_ = false;
+    QString verdicts_;
     LiveFollower live_;
     LiveFacades facades_;
     FacadeSettings facadeSettings_;

@@ -82,17 +82,29 @@ void EditTools::makeActions() {
     connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
     connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
     connect(mesh, &QAction::triggered, this, &EditTools::importMesh);
-    makeFacadesAction();
+    makeLiveActions();
 }
 
-void EditTools::makeFacadesAction() {
+void EditTools::makeLiveActions() {
     facades_ = action(tr("Li&ve facades"), QKeySequence(tr("Shift+F")),
                       tr("Shows the sunlight of a building's facades while it is designed or changed"));
-    facades_->setCheckable(true);
+    change_ = action(tr("Live chan&ge"), QKeySequence(tr("Shift+L")),
+                     tr("Shows what a building changes while it is designed or changed, compared with the "
+                        "baseline, instead of the shadow with it"));
+    for (QAction* one : {facades_, change_}) one->setCheckable(true);
     facades_->setChecked(true);
-    connect(facades_, &QAction::toggled, this, [this](bool on) { context_.preview.showFacades(on); });
+    connect(facades_, &QAction::toggled, this, [this](bool on) {
+        if (on) change_->setChecked(false);
+        context_.preview.showFacades(on);
+    });
+    connect(change_, &QAction::toggled, this, [this](bool on) {
+        if (on) facades_->setChecked(false);
+        context_.preview.showChange(on);
+    });
     connect(facades_, &QAction::toggled, massing_, &MassingPanel::setFacadesShown);
+    connect(change_, &QAction::toggled, massing_, &MassingPanel::setChangeShown);
     connect(massing_, &MassingPanel::facadesShownChosen, facades_, &QAction::setChecked);
+    connect(massing_, &MassingPanel::changeShownChosen, change_, &QAction::setChecked);
 }
 
 void EditTools::connectView() {
@@ -127,6 +139,7 @@ void EditTools::connectTools() {
     });
     connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
     connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
+    connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
     connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
@@ -213,6 +226,17 @@ void EditTools::setLots(const std::vector<NamedLot>& lots) {
 }
 
 void EditTools::setQuestion(const LiveQuestion& question) { context_.preview.setQuestion(question); }
+
+void EditTools::setBaseline(std::shared_ptr<const City> city, const std::string& scenario) {
+    context_.preview.setBaseline(std::move(city), scenario);
+}
+
+// Beside the cursor that drags, and in both docks for edits that are typed.
+void EditTools::showEffect(const QString& words) {
+    context_.panel.cursorLabel().setLinesBelow(words);
+    selection_->showEffect(words);
+    massing_->showEffect(words);
+}
 
 void EditTools::setFacades(const FacadeSettings& facades) { context_.preview.setFacades(facades); }
 

@@ -44,6 +44,11 @@ public:
     void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
     /// Shows the sunlight of the edited building's facades too; at first it does.
     [[nodiscard]] QAction& facadesAction() { return *facades_; }
+    /// The city that edits are compared with while they are shown, and its scenario's name; null: none.
+    void setBaseline(std::shared_ptr<const City> city, const std::string& scenario);
+    /// Shows the change against the baseline instead of the shadow with the edited building; at first it does
+    /// not. It excludes facadesAction(): both have a scale of their own.
+    [[nodiscard]] QAction& changeAction() { return *change_; }
 
     [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership
     [[nodiscard]] QWidget* massingDock() const;  ///< panel of lots and towers; likewise
@@ -79,7 +84,8 @@ Q_SIGNALS:
 
 private:
     void makeActions();
-    void makeFacadesAction();
+    void makeLiveActions();
+    void showEffect(const QString& words);
     void clickNeighbour(QPointF pixel);
     QAction* action(const QString& text, const QKeySequence& keys, const QString& tip);
     void connectView();
@@ -114,6 +120,7 @@ private:
     BoxSelection box_;
     bool storeyLines_ = true;
     QAction* facades_ = nullptr;
+    QAction* change_ = nullptr;
 };
 
 }  // namespace noonmark

@@ -77,9 +77,14 @@ SelectionPanel::SelectionPanel(QWidget* parent)
       east_(lengthField(-10000, 10000, 1, 1)),
       north_(lengthField(-10000, 10000, 1, 1)),
       turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      effect_(new QLabel),
       error_(new QLabel) {
     facts_->setWordWrap(true);
     facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    effect_->setWordWrap(true);
+    effect_->setTextFormat(Qt::PlainText);
+    effect_->setObjectName(QStringLiteral("editEffect"));
+    effect_->hide();
     error_->setWordWrap(true);
     showAsError(*error_);
     auto* inside = new QVBoxLayout(tools_);
@@ -94,6 +99,7 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     column->addWidget(facts_);
     column->addWidget(tools_);
     column->addWidget(demolishAll_);
+    column->addWidget(effect_);
     column->addWidget(error_);
     column->addWidget(import);
     column->addStretch(1);
@@ -244,6 +250,11 @@ void SelectionPanel::showMove(glm::dvec2 byM) {
 void SelectionPanel::setMoving(bool moving) {
     const QSignalBlocker block(moveTool_);
     moveTool_->setChecked(moving);
+}
+
+void SelectionPanel::showEffect(const QString& words) {
+    effect_->setText(words);
+    effect_->setVisible(!words.isEmpty());
 }
 
 void SelectionPanel::showError(const QString& text) {

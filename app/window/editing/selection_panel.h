@@ -25,8 +25,10 @@ public:
     void showGroup(const GroupFacts& facts);               ///< instead of one building
     /// While the handle is dragged; without a signal.
     void showHeight(double heightM);
-    void showMove(glm::dvec2 byM);        ///< likewise
-    void setMoving(bool moving);          ///< the move tool is active
+    void showMove(glm::dvec2 byM);  ///< likewise
+    void setMoving(bool moving);    ///< the move tool is active
+    /// What the edit being previewed changes, in lines; empty: not known, or no edit.
+    void showEffect(const QString& words);
     void showError(const QString& text);  ///< empty: none
     [[nodiscard]] QString message() const;
 
@@ -66,6 +68,7 @@ private:
     QDoubleSpinBox* north_;
     QDoubleSpinBox* turn_;
     QPushButton* moveTool_;
+    QLabel* effect_;
     QLabel* error_;
     double heightM_ = 0;  // of the building, or as entered last
     bool showing_ = false;

@@ -22,18 +22,17 @@ std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std
     return {LiveEngine::horizons, LiveEngine::moments};
 }
 
-QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
+QString describeExactness(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
     switch (engine) {
         case LiveEngine::shadows:
-            return QObject::tr("With the proposal: exact at %1").arg(describeStep(steps));
+            return QObject::tr("exact at %1").arg(describeStep(steps));
         case LiveEngine::moments:
-            return QObject::tr("With the proposal: exact at %1 of %2 step(s)", "", pluralNumber(steps))
+            return QObject::tr("exact at %1 of %2 step(s)", "", pluralNumber(steps))
                 .arg(formatCount(counted), formatCount(steps));
         case LiveEngine::horizons:
             break;
     }
-    const QString words =
-        QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(describeStep(steps));
+    const QString words = QObject::tr("%1, within 0.25° of azimuth").arg(describeStep(steps));
     return runs ? words : QObject::tr("%1; continuous shadow follows").arg(words);
 }
 

@@ -35,8 +35,8 @@ struct LiveRule {
 /// ground and if horizons cannot be cached.
 std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps);
 
-/// The note beside the legend: what is shown and how exact it is. `counted` of `steps` steps are computed;
+/// How exact a live shadow is, for the note beside the legend. `counted` of `steps` steps are computed;
 /// `runs`: continuous shadow is included.
-QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
+QString describeExactness(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
 
 }  // namespace noonmark

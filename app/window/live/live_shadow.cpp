@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "core/engines/common/shadow_reach.h"
+#include "core/measures/has_runs.h"
+#include "core/receivers/roof_receivers.h"
 
 namespace noonmark {
 
@@ -22,7 +24,7 @@ SunSteps spread(const SunSteps& sun) {
 }
 
 // Only what can shade: each picture looks through it.
-City shading(const City& city, const Receivers& receivers, const SunSteps& sun) {
+City keepShading(const City& city, const Receivers& receivers, const SunSteps& sun) {
     City around{.frame = city.frame, .terrain = city.terrain};
     for (const std::uint32_t building : findBuildingsInReach(city, receivers, sun))
         around.buildings.push_back(city.buildings[building]);
@@ -49,16 +51,20 @@ ReceiverSettings makeCacheSettings(ReceiverSettings settings) {
     return settings;
 }
 
-Result<LiveReceivers> receiversOf(const LivePlace& place, const LiveQuestion& question, const SunSteps& sun,
-                                  const std::stop_token& stop) {
-    if (suits(question, place, sun))
-        return LiveReceivers::of(place.rest, question.region, makeCacheSettings(question.receivers), stop);
+// Where the shadow is measured.
+struct LiveArea {
+    Region region;
+    ReceiverSettings settings;
+};
+
+LiveArea chooseArea(const LivePlace& place, const LiveQuestion& question, const SunSteps& sun) {
+    LiveArea area{question.region, makeCacheSettings(question.receivers)};
+    if (suits(question, place, sun)) return area;
     const glm::vec2 centre = (place.volume.box.low + place.volume.box.high) / 2.0F;
     const auto half = glm::vec2(float(place.halfM));
-    ReceiverSettings settings = makeCacheSettings(question.receivers);
-    settings.cellM = 2 * place.halfM / cellsToASide;
-    return LiveReceivers::of(place.rest, makeRegionFromLocalBox({centre - half, centre + half}), settings,
-                             stop);
+    area.region = makeRegionFromLocalBox({centre - half, centre + half});
+    area.settings.cellM = 2 * place.halfM / cellsToASide;
+    return area;
 }
 
 }  // namespace
@@ -68,12 +74,19 @@ Result<std::shared_ptr<LiveShadow>> LiveShadow::at(LivePlace place, const LiveQu
                                                    Progress& progress, const std::stop_token& stop) {
     const auto sun = computeDaylightSteps(question.sun.period, question.sun.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    auto receivers = receiversOf(place, question, *sun, stop);
+    const LiveArea area = chooseArea(place, question, *sun);
+    auto receivers = LiveReceivers::of(place.rest, area.region, area.settings, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
     std::shared_ptr<LiveShadow> live(
         new LiveShadow(std::move(place.rest), *std::move(receivers), question, std::move(horizons)));
-    if (const auto begun = live->begin(*sun, progress, stop); !begun)
-        return tl::make_unexpected(begun.error());
+    auto begun = live->begin(*sun, progress, stop);
+    if (begun && place.baseline && question.receivers.places != ReceiverPlaces::roofs) {
+        auto before = placeReceivers(*place.baseline, area.region, area.settings, stop);
+        if (!before) return tl::make_unexpected(before.error());
+        live->placeCells_ = findPlaceCells(question.places, before->grid);
+        begun = live->addBaseline({*place.baseline, *std::move(before)}, *sun, progress, stop);
+    }
+    if (!begun) return tl::make_unexpected(begun.error());
     return live;
 }
 
@@ -96,11 +109,37 @@ Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress&
         return fieldOf(city_, receivers(), ShadowCounts::gross, progress, stop).map([](const ShadowField&) {
         });
     const SunSteps steps = engine == LiveEngine::moments ? spread(sun) : sun;
-    City around = shading(city_, receivers(), steps);
+    City around = keepShading(city_, receivers(), steps);
     auto cache = ShadowCache::make(around, receivers(), steps, progress, stop);
     if (!cache) return tl::make_unexpected(cache.error());
     city_ = std::move(around);
     shadows_ = std::move(*cache);
+    return {};
+}
+
+Result<void> LiveShadow::addBaseline(Baseline baseline, const SunSteps& sun, Progress& progress,
+                                     const std::stop_token& stop) {
+    if (shadows_)
+        baseline.city = keepShading(baseline.city, baseline.receivers,
+                                    engine_ == LiveEngine::moments ? spread(sun) : sun);
+    auto field = fieldOf(baseline.city, baseline.receivers, ShadowCounts::gross, progress, stop);
+    if (!field) return tl::make_unexpected(field.error());
+    baseline.field = *std::move(field);
+    baseline_ = std::move(baseline);
+    return {};
+}
+
+// Continuous shadow of the baseline, where it costs more, is counted when it is first asked for.
+Result<void> LiveShadow::compare(ShadowCounts counts, LiveAnswer& answer, Progress& progress,
+                                 const std::stop_token& stop) {
+    const bool countsRuns = engine_ == LiveEngine::horizons && counts == ShadowCounts::grossAndRuns;
+    if (countsRuns && !hasRuns(baseline_->field)) {
+        auto field = fieldOf(baseline_->city, baseline_->receivers, counts, progress, stop);
+        if (!field) return tl::make_unexpected(field.error());
+        baseline_->field = *std::move(field);
+    }
+    answer.change = computeLiveChange(baseline_->receivers, baseline_->field, answer.receivers, answer.field,
+                                      placeCells_);
     return {};
 }
 
@@ -117,6 +156,9 @@ Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, ShadowCou
     auto field = fieldOf(city, answer.receivers, counts, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     answer.field = *std::move(field);
+    if (baseline_)
+        if (const auto done = compare(counts, answer, progress, stop); !done)
+            return tl::make_unexpected(done.error());
     if (places_ == ReceiverPlaces::roofs) leaveGroundOut(answer);
     return answer;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "app/window/live/live_change.h"
 #include "app/window/live/live_receivers.h"
 #include "app/window/live/live_rule.h"
 #include "app/window/live/shared_horizon_cache.h"
@@ -20,6 +21,8 @@ struct LiveQuestion {
     ReceiverSettings receivers;
     /// On the region's cells if possible; else in a square around the shape.
     bool onRegion = false;
+    /// Where the change is measured too.
+    std::vector<Place> places{};
     bool operator==(const LiveQuestion&) const = default;
 };
 
@@ -28,6 +31,8 @@ struct LivePlace {
     City rest;             ///< the city without the buildings that the shape replaces
     ChangedVolume volume;  ///< around the buildings removed and added first; not empty
     double halfM = 200;    ///< half width of the square
+    /// The city that the shape is compared with; null: none.
+    std::shared_ptr<const City> baseline{};
 };
 
 /// The shadow with a shape, and how it was computed.
@@ -38,6 +43,8 @@ struct LiveAnswer {
     std::size_t counted = 0;  ///< steps computed
     std::size_t steps = 0;    ///< steps of the period
     bool runs = true;
+    /// Against the baseline; none: there is none, or receivers are on roofs only.
+    std::optional<LiveChange> change{};
 };
 
 /// The shadow around a place while a shape is edited there. The shadow of the rest of the city is computed
@@ -46,8 +53,9 @@ struct LiveAnswer {
 class LiveShadow {
 public:
     /// Uses the region's cells if the question says so, they are not too many and a shadow from the place can
-    /// reach them; else a square of 400 x 400 cells. Error: the sun never rises, no method succeeds,
-    /// cancelled(). Polygons take about 0.2 s for 43,000 buildings; horizons of a year up to some seconds.
+    /// reach them; else a square of 400 x 400 cells. The baseline's shadow is computed too. Error: the
+    /// sun never rises, no method succeeds, cancelled(). Polygons take about 0.2 s for 43,000 buildings;
+    /// horizons of a year up to some seconds.
     static Result<std::shared_ptr<LiveShadow>> at(LivePlace place, const LiveQuestion& question,
                                                   std::shared_ptr<SharedHorizonCache> horizons,
                                                   Progress& progress, const std::stop_token& stop);
@@ -62,6 +70,12 @@ public:
     [[nodiscard]] LiveEngine engine() const { return engine_; }
 
 private:
+    /// What each shape is compared with.
+    struct Baseline {
+        City city;
+        Receivers receivers;
+        ShadowField field{};
+    };
     LiveShadow(City city, LiveReceivers receivers, const LiveQuestion& question,
                std::shared_ptr<SharedHorizonCache> horizons)
         : city_(std::move(city)),
@@ -72,6 +86,10 @@ private:
     Result<void> begin(const SunSteps& sun, Progress& progress, const std::stop_token& stop);
     Result<void> begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
                        const std::stop_token& stop);
+    Result<void> addBaseline(Baseline baseline, const SunSteps& sun, Progress& progress,
+                             const std::stop_token& stop);
+    Result<void> compare(ShadowCounts counts, LiveAnswer& answer, Progress& progress,
+                         const std::stop_token& stop);
     Result<ShadowField> fieldOf(const City& city, const Receivers& receivers, ShadowCounts counts,
                                 Progress& progress, const std::stop_token& stop);
     void spreadMoments(ShadowField& field) const;
@@ -82,6 +100,8 @@ private:
     SunQuestion sun_;
     ReceiverPlaces places_;
     std::shared_ptr<SharedHorizonCache> horizons_;
+    std::optional<Baseline> baseline_;
+    std::vector<PlaceCells> placeCells_;
     std::optional<ShadowCache> shadows_;  // if the method caches polygons
     LiveEngine engine_ = LiveEngine::shadows;
     std::size_t counted_ = 0;

@@ -64,7 +64,7 @@ MassingPanel::MassingPanel(QWidget* parent)
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addLayout(names);
     inside->addWidget(form_);
-    inside->addWidget(makeFacades());
+    inside->addWidget(makeLiveChoices());
     inside->addWidget(makeFigures());
     auto* column = new QVBoxLayout(this);
     column->addWidget(makeLotRow());
@@ -115,23 +115,47 @@ std::optional<NamedLot> MassingPanel::chosenLot() const {
     return lots_[std::size_t(chosen)];
 }
 
-QWidget* MassingPanel::makeFacades() {
+// One or the other, or the shadow with the tower on the ground alone.
+QWidget* MassingPanel::makeLiveChoices() {
+    change_ = new QCheckBox(tr("Change of shadow"));
+    change_->setObjectName(QStringLiteral("liveChange"));
+    change_->setToolTip(
+        tr("Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with "
+           "it. A pin marks the worst spot."));
     facades_ = new QCheckBox(tr("Sunlight of its facades"));
     facades_->setObjectName(QStringLiteral("liveFacades"));
     facades_->setChecked(true);
     facades_->setToolTip(tr(
         "Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings "
         "in the view to see their facades too. Bays and storeys are those of the study's form."));
+    connect(change_, &QCheckBox::clicked, this, &MassingPanel::changeShownChosen);
     connect(facades_, &QCheckBox::clicked, this, &MassingPanel::facadesShownChosen);
-    return facades_;
+    auto* choices = new QWidget;
+    auto* column = new QVBoxLayout(choices);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(change_);
+    column->addWidget(facades_);
+    return choices;
 }
 
 void MassingPanel::setFacadesShown(bool shown) { facades_->setChecked(shown); }
+
+void MassingPanel::setChangeShown(bool shown) { change_->setChecked(shown); }
+
+void MassingPanel::showEffect(const QString& words) {
+    effect_->setText(words);
+    effect_->setVisible(!words.isEmpty());
+}
 
 QWidget* MassingPanel::makeFigures() {
     figures_ = new QLabel;
     figures_->setTextFormat(Qt::RichText);
     figures_->setObjectName(QStringLiteral("figures"));
+    effect_ = new QLabel;
+    effect_->setTextFormat(Qt::PlainText);
+    effect_->setWordWrap(true);
+    effect_->setObjectName(QStringLiteral("towerEffect"));
+    effect_->hide();
     error_ = new QLabel;
     error_->setWordWrap(true);
     error_->setObjectName(QStringLiteral("massingError"));
@@ -147,6 +171,7 @@ QWidget* MassingPanel::makeFigures() {
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(figures_);
+    column->addWidget(effect_);
     column->addWidget(error_);
     column->addLayout(buttons);
     connect(apply_, &QPushButton::clicked, this, &MassingPanel::applied);

@@ -30,6 +30,9 @@ public:
     /// `groundElevationM`: of the ground under the tower, above the datum.
     void showFigures(const MassingFigures& figures, std::size_t demolished, double groundElevationM);
     void setFacadesShown(bool shown);  ///< without a signal
+    void setChangeShown(bool shown);   ///< likewise
+    /// What the tower changes, in lines; empty: not known.
+    void showEffect(const QString& words);
     void showError(const Error& error);
     [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
 
@@ -39,13 +42,14 @@ Q_SIGNALS:
     void copyRequested(noonmark::NamedLot lot);    ///< the tower selected or designed, on this lot
     void edited();
     void facadesShownChosen(bool shown);
+    void changeShownChosen(bool shown);
     void applied();
     void cancelled();
 
 private:
     QWidget* makeLotRow();
     [[nodiscard]] std::optional<NamedLot> chosenLot() const;
-    QWidget* makeFacades();
+    QWidget* makeLiveChoices();
     QWidget* makeFigures();
     void setDesigning(bool designing);
 
@@ -59,7 +63,9 @@ private:
     QLineEdit* name_;
     MassingForm* form_;
     QCheckBox* facades_;
+    QCheckBox* change_;
     QLabel* figures_;
+    QLabel* effect_;
     QLabel* error_;
     QPushButton* apply_;
 };

@@ -41,6 +41,10 @@ QString describeError(const Study& study) {
              groupDigits(study.error->gross.percent(study.error->gross.meanMin), 2));
 }
 
+QString describeExactness(const LiveAnswer& live) {
+    return noonmark::describeExactness(live.engine, live.counted, live.steps, live.runs);
+}
+
 QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }
 
 }  // namespace
@@ -74,7 +78,14 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const TimeAnswer>& time) {
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const LiveAnswer>& live) {
     return {std::shared_ptr<const ShadowField>(live, &live->field),
             std::shared_ptr<const Receivers>(live, &live->receivers),
-            describeLive(live->engine, live->counted, live->steps, live->runs), false, !live->runs};
+            QObject::tr("With the proposal: %1").arg(describeExactness(*live)), false, !live->runs};
+}
+
+GroundAnswer makeChangeAnswer(const std::shared_ptr<const LiveAnswer>& live, const std::string& baseline) {
+    return {std::shared_ptr<const Impact>(live, &live->change->impact), nullptr,
+            QObject::tr("Change by the proposal, compared with %1: %2")
+                .arg(nameOf(baseline), describeExactness(*live)),
+            false, !live->runs};
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison) {

@@ -35,6 +35,8 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const TimeAnswer>& time);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const LiveAnswer>& live);
+/// The change of a live shadow, which must have one, against the scenario `baseline`.
+GroundAnswer makeChangeAnswer(const std::shared_ptr<const LiveAnswer>& live, const std::string& baseline);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
 

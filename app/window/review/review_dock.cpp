@@ -39,17 +39,6 @@ namespace {
 constexpr int estimateDelayMs = 600;
 constexpr int formWidth = 250;
 
-/// "3 places: 1 fail, 2 pass"
-QString describeVerdicts(const ReviewStudy& study) {
-    QStringList parts;
-    for (const Verdict verdict :
-         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable, Verdict::notChecked}) {
-        const auto count = std::ranges::count(study.places, verdict, &PlaceReview::verdict);
-        if (count > 0) parts << QStringLiteral("%1 %2").arg(count).arg(describeVerdict(verdict));
-    }
-    return parts.join(QStringLiteral(", "));
-}
-
 QString describeSums(const ReviewTotals& sums, UnitSystem units) {
     const auto share = [&](double m2h) {
         return sums.theoreticalM2h > 0 ? 100 * m2h / sums.theoreticalM2h : 0.0;

@@ -209,9 +209,12 @@ void ReviewSession::shape(std::shared_ptr<const City> proposed) {
     if (std::exchange(live_, nullptr)) Q_EMIT answered();
 }
 
+// The last run of this project.
+bool ReviewSession::wasQuick() const { return answer_ && answer_->seconds <= quickSeconds; }
+
 // One shape is computed at a time; when it is ready, the newest that arrived meanwhile is next.
 void ReviewSession::follow() {
-    const bool shaping = proposed_ && following_;
+    const bool shaping = proposed_ && (following_ || wasQuick());
     if (!shaping || (!choice_.to.empty() && choice_.to != workbench_.session().scenario())) return;
     const auto rule = this->rule();
     const bool ofPlaces = rule && rule->receivers.surface != RuleSurface::windows;
@@ -248,7 +251,7 @@ void ReviewSession::takeLive(Result<ReviewAnswer> answer) {
 // A review that was quick is computed again, as studies are.
 void ReviewSession::cityChanged() {
     Q_EMIT answered();
-    if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;
+    if (!following_ || proposed_ || !wasQuick()) return;
     const auto now = question();
     if (now && hasFewDays(now->rule) && !isSame(*now, answer_->question)) run();
 }

@@ -50,7 +50,7 @@ public:
     [[nodiscard]] Result<std::shared_ptr<const ReviewAnswer>> finished() const;
 
     /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While
-    /// `following`, the verdicts follow if the rule has few days.
+    /// `following`, or after a run that was quick, the verdicts follow if the rule has few days.
     void shape(std::shared_ptr<const City> proposed);
     void setFollowing(bool following);
 
@@ -78,6 +78,7 @@ Q_SIGNALS:
 
 private:
     void follow();
+    [[nodiscard]] bool wasQuick() const;
     void takeLive(Result<ReviewAnswer> answer);
     void takeScreening(const ReviewQuestion& question, const std::vector<ScreenedPlace>& screened);
     void rename(ProjectPart part, const std::string& from, const std::string& to);

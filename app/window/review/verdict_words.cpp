@@ -1,6 +1,8 @@
 #include "app/window/review/verdict_words.h"
 
 #include <QObject>
+#include <QStringList>
+#include <algorithm>
 
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
@@ -36,6 +38,16 @@ QColor verdictColour(Verdict verdict) {
             break;
     }
     return {0x5c, 0x61, 0x6b};
+}
+
+QString describeVerdicts(const ReviewStudy& study) {
+    QStringList parts;
+    for (const Verdict verdict :
+         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable, Verdict::notChecked}) {
+        const auto count = std::ranges::count(study.places, verdict, &PlaceReview::verdict);
+        if (count > 0) parts << QStringLiteral("%1 %2").arg(count).arg(describeVerdict(verdict));
+    }
+    return parts.join(QStringLiteral(", "));
 }
 
 QString describeStatus(const Rule& rule) {

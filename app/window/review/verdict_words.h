@@ -5,6 +5,7 @@
 
 #include "core/review/criteria/verdict.h"
 #include "core/review/rule/rule.h"
+#include "core/study/review_study.h"
 
 namespace noonmark {
 
@@ -12,6 +13,9 @@ namespace noonmark {
 QString describeVerdict(Verdict verdict);
 /// Dark enough to be read on white, and told apart by people who do not see red and green apart.
 QColor verdictColour(Verdict verdict);
+
+/// "1 ✗ fail, 2 ✓ pass": the number of places of each verdict, the worst first.
+QString describeVerdicts(const ReviewStudy& study);
 
 /// How sure the figures of a rule are, in a sentence.
 QString describeStatus(const Rule& rule);

@@ -1,5 +1,6 @@
 #include "app/window/widgets/cursor_label.h"
 
+#include <QScreen>
 #include <QWindow>
 
 namespace noonmark {
@@ -24,10 +25,29 @@ CursorLabel::CursorLabel(QWindow& view, QWidget* parent)
 
 void CursorLabel::show(QPointF pixel, const QString& text) {
     if (text.isEmpty()) return hide();
-    setText(text);
-    adjustSize();
-    move(view_.mapToGlobal((pixel + QPointF(left_(), 0)).toPoint()) + besideCursor);
+    pixel_ = pixel;
+    text_ = text;
+    place();
     QLabel::show();
+}
+
+void CursorLabel::setLinesBelow(const QString& lines) {
+    below_ = lines;
+    if (isVisible()) place();
+}
+
+// On the other side of the cursor where it would reach beyond the screen.
+void CursorLabel::place() {
+    setText(below_.isEmpty() ? text_ : text_ + u'\n' + below_);
+    adjustSize();
+    const QPoint cursor = view_.mapToGlobal((pixel_ + QPointF(left_(), 0)).toPoint());
+    QPoint corner = cursor + besideCursor;
+    if (const QScreen* on = view_.screen()) {
+        const QRect free = on->availableGeometry();
+        if (corner.x() + width() > free.right()) corner.setX(cursor.x() - besideCursor.x() - width());
+        if (corner.y() + height() > free.bottom()) corner.setY(cursor.y() - besideCursor.y() - height());
+    }
+    move(corner);
 }
 
 }  // namespace noonmark

@@ -7,7 +7,7 @@ class QWindow;
 
 namespace noonmark {
 
-/// A line or two of text beside the cursor over the view, such as the measures of what is being drawn or
+/// Some lines of text beside the cursor over the view, such as the measures of what is being drawn or
 /// dragged. Takes no clicks.
 class CursorLabel final : public QLabel {
     Q_OBJECT
@@ -18,9 +18,15 @@ public:
     void setLeft(std::function<double()> left) { left_ = std::move(left); }
     /// Shows the text beside this pixel of the picture; an empty text hides it.
     void show(QPointF pixel, const QString& text);
+    /// More lines below the text of show(), until they are replaced; empty: none.
+    void setLinesBelow(const QString& lines);
 
 private:
+    void place();
+
     QWindow& view_;
+    QPointF pixel_;
+    QString text_, below_;
     std::function<double()> left_ = [] { return 0.0; };
 };
 
