@@ -43,12 +43,13 @@ void EditActions::connectTools() {
     connect(&tools_, &EditTools::failed, &panel_.messages(), &MessageBar::showError);
 }
 
-// The lots, and the towers of the scenario that is shown.
+// The lots, the towers of the scenario that is shown, and the places of the live change.
 void EditActions::showProject() {
     const ProjectSession& session = workbench_.session();
     tools_.setLots(session.project().lots);
     const auto edits = collectEdits(session.project().scenarios, session.scenario());
     tools_.setTowers(edits ? findProposedTowers(*edits) : std::map<std::string, ProposedTower>());
+    askLive();
 }
 
 void EditActions::listenTo(ProjectDock& tree, WarningsDock& warnings) {

@@ -23,7 +23,7 @@ QString mouseAndKeys() {
         "box. B: solid "
         "buildings or "
         "wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, "
-        "Shift+D: swipe. F5: exploration, F6: analysis, F7: ray "
+        "Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray "
         "reference. Ctrl+R: run. "
         "Click a building to "
         "select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or "

@@ -194,8 +194,8 @@ void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); 
 
 void MassingPanel::showDraft(const TowerDraft& draft) {
     draft_ = draft;
-    on_->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(draft.lot.name),
-                                              describeArea(area(draft.lot.outline))));
+    const QString lot = QString::fromStdString(draft.lot.name), size = describeArea(area(draft.lot.outline));
+    on_->setText(lot.isEmpty() ? size : QStringLiteral("%1, %2").arg(lot, size));
     const QString name = QString::fromStdString(draft.tower);
     if (name_->text() != name) name_->setText(name);
     lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(draft.lot.name))));
