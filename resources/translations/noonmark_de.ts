@@ -2898,8 +2898,8 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Entfernt das ausgewählte Gebäude, oder alle ausgewählten</translation>
     </message>
     <message>
-        <source>Live chan&amp;ge</source>
-        <translation>Live-Än&amp;derung</translation>
+        <source>Live change</source>
+        <translation>Live-Änderung</translation>
     </message>
     <message>
         <source>Shift+L</source>

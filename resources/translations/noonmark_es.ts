@@ -2898,8 +2898,8 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Quita el edificio seleccionado, o todos si son varios</translation>
     </message>
     <message>
-        <source>Live chan&amp;ge</source>
-        <translation>Cam&amp;bio en vivo</translation>
+        <source>Live change</source>
+        <translation>Cambio en vivo</translation>
     </message>
     <message>
         <source>Shift+L</source>

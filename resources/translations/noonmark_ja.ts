@@ -2872,8 +2872,8 @@ as published. Approximate: the legend states the measured error</source>
         <translation>選択した建物、または選択したすべての建物を除却します</translation>
     </message>
     <message>
-        <source>Live chan&amp;ge</source>
-        <translation>ライブ変化(&amp;G)</translation>
+        <source>Live change</source>
+        <translation>ライブ変化</translation>
     </message>
     <message>
         <source>Shift+L</source>

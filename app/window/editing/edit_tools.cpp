@@ -88,7 +88,7 @@ void EditTools::makeActions() {
 void EditTools::makeLiveActions() {
     facades_ = action(tr("Li&ve facades"), QKeySequence(tr("Shift+F")),
                       tr("Shows the sunlight of a building's facades while it is designed or changed"));
-    change_ = action(tr("Live chan&ge"), QKeySequence(tr("Shift+L")),
+    change_ = action(tr("Live change"), QKeySequence(tr("Shift+L")),
                      tr("Shows what a building changes while it is designed or changed, compared with the "
                         "baseline, instead of the shadow with it"));
     for (QAction* one : {facades_, change_}) one->setCheckable(true);
