@@ -2701,6 +2701,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Measure from here</source>
         <translation>Von hier messen</translation>
     </message>
+    <message>
+        <source>Demolish the %1 selected</source>
+        <translation>Die %1 ausgewählten abreißen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CopyActions</name>

@@ -2701,6 +2701,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Measure from here</source>
         <translation>Medir desde aquí</translation>
     </message>
+    <message>
+        <source>Demolish the %1 selected</source>
+        <translation>Demoler los %1 seleccionados</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CopyActions</name>

@@ -2677,6 +2677,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>Measure from here</source>
         <translation>ここから測る</translation>
     </message>
+    <message>
+        <source>Demolish the %1 selected</source>
+        <translation>選択した %1 棟を除却</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CopyActions</name>

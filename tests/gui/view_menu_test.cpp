@@ -156,5 +156,21 @@ TEST_F(ProjectWindow, TheMenuOfABuildingSelectsIt) {
     EXPECT_GT(region.high.y, box.high.y + 49);
 }
 
+TEST_F(ProjectWindow, TheMenuOfOneOfSeveralSelectedBuildingsDemolishesThemAll) {
+    const Box2 box = bounds(*workbench().city()->city().buildings[1]);
+    const glm::dvec2 middle = glm::dvec2(box.low + box.high) / 2.0;
+    CityView& view = window->panel().view();
+    view.setPose({{middle.x, middle.y, 0}, 200, 0, 90});
+    window->tools().building().selectAll({0, 1});
+    const auto menu = window->context().makeMenu({view.width() / 2.0, view.height() / 2.0});
+    EXPECT_FALSE(entriesOf(*menu).contains(QStringLiteral("Demolish")));
+    for (QAction* action : menu->actions())
+        if (action->text() == QStringLiteral("Demolish the 2 selected")) action->trigger();
+    ASSERT_TRUE(waitFor([this] { return workbench().city()->city().buildings.size() == 1; }));
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(waitFor([this] { return workbench().city()->city().buildings.size() == 3; }))
+        << "one step of undo";
+}
+
 }  // namespace
 }  // namespace noonmark

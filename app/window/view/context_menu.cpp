@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QCursor>
 #include <QGuiApplication>
+#include <algorithm>
 
 #include "app/report/sheets/study_words.h"
 #include "app/window/actions/place_actions.h"
@@ -12,6 +13,7 @@
 #include "app/window/looks/icons.h"
 #include "app/window/point/point_inspector.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/widgets/number_words.h"
 
 namespace noonmark {
 
@@ -70,7 +72,13 @@ void ContextMenu::addBuilding(QMenu& menu, std::uint32_t building) {
     add(QStringLiteral("find"), tr("Select"), [] {});
     add(QStringLiteral("tower"), tr("Replace by tower"), [this] { tools_.replace(); });
     add(QStringLiteral("slanted-view"), tr("Move"), [this] { tools_.building().setMoving(true); });
-    add(QStringLiteral("delete"), tr("Demolish"), [this] { tools_.building().demolish(); });
+    const auto& all = tools_.building().all();
+    if (all.size() > 1 && std::ranges::find(all, building) != all.end())
+        menu.addAction(makeIcon(QStringLiteral("delete")),
+                       tr("Demolish the %1 selected").arg(formatCount(all.size())), &tools_.building(),
+                       &BuildingEditing::demolish);
+    else
+        add(QStringLiteral("delete"), tr("Demolish"), [this] { tools_.building().demolish(); });
     add(QStringLiteral("region"), tr("Study its surroundings"),
         [this, building] { region_.takeSurroundings(building); });
     add(QStringLiteral("place"), tr("Make its outline a place"), [this] { places_.makeFromBuilding(); });

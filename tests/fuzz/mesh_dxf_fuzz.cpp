@@ -1,0 +1,15 @@
+// DXF in text form, by our own reader; in the product it runs in a process of its own, too.
+#include "core/mesh_reader/mesh_file_check.h"
+#include "core/mesh_reader/read_dxf.h"
+#include "tests/fuzz/fuzz_file.h"
+#include "tests/fuzz/mesh_scenes.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace noonmark::tests;
+    const auto file = fuzzFile("mesh.dxf", formatText(data, size));
+    if (!noonmark::checkMeshFile(file) || !noonmark::isDxf(file)) return 0;
+    noonmark::MeshScene scene;
+    if (noonmark::readDxf(file, [&](const noonmark::MeshObject& object) { scene.push_back(object); }))
+        useScene(scene);
+    return 0;
+}
