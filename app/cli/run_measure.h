@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/cli/open_project.h"
 #include "app/cli/options/measure_options.h"
 #include "scenarios/project/results/save_result.h"
 
@@ -23,7 +24,7 @@ struct Measure {
 /// it. Returns the exit code.
 template <class Answer>
 int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, const Console& console) {
-    auto disk = ProjectFile::open(options.file);
+    auto disk = openProject(options.file, console);
     if (!disk) return fail(console, disk.error(), exitUsage);
     const Result<Answer> answer =
         measure.answer(*disk);  // records the state of the file before --keep changes it

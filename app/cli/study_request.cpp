@@ -6,6 +6,7 @@
 #include "app/cli/project/project_question.h"
 #include "app/input/all_engines.h"
 #include "app/input/find_element_parts.h"
+#include "app/input/load_photograph.h"
 #include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/report/files/output_folder.h"
@@ -92,13 +93,15 @@ Result<StudyRequest> requestOfFiles(const StudyOptions& options, Progress& progr
     return StudyRequest{*std::move(loaded), std::move(settings), *std::move(elements), std::nullopt};
 }
 
-Result<StudyRequest> requestOfProject(const StudyOptions& options) {
+Result<StudyRequest> requestOfProject(const StudyOptions& options, Progress& progress,
+                                      const std::stop_token& stop) {
     const std::string& file = options.read.files.front();
     if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
     const Stopwatch watch;
     const auto disk = ProjectFile::open(file);
     if (!disk) return tl::make_unexpected(disk.error());
-    const Project& project = disk->project();
+    Warnings photographs;
+    const Project project = withPhotographAtHand(disk->project(), photographs, progress, stop);
     const std::string scenario = options.scenario.empty() ? existingCity : options.scenario;
     auto city = cityOf(project, scenario);
     if (!city) return tl::make_unexpected(city.error());
@@ -114,6 +117,7 @@ Result<StudyRequest> requestOfProject(const StudyOptions& options) {
     if (!elements) return tl::make_unexpected(elements.error());
     LoadedCity loaded = loadProjectCity(project, file);
     loaded.read.city = std::move(city->city);
+    loaded.read.warnings.insert(loaded.read.warnings.end(), photographs.begin(), photographs.end());
     loaded.seconds = watch.seconds();
     Provenance provenance = provenanceOf(project, &*disk, {scenario, {}, settings.region, {}});
     return StudyRequest{std::move(loaded), std::move(settings), *std::move(elements), std::move(provenance)};
@@ -147,9 +151,9 @@ tl::expected<StudyRequest, Failure> parseStudyRequest(const StudyOptions& option
                                                       const std::stop_token& stop) {
     if (auto may = orCode(checkBeforeReading(options, files), exitUsage); !may)
         return tl::make_unexpected(may.error());
-    auto request = orCode(
-        namesProject(options.read) ? requestOfProject(options) : requestOfFiles(options, progress, stop),
-        exitUsage);
+    auto request = orCode(namesProject(options.read) ? requestOfProject(options, progress, stop)
+                                                     : requestOfFiles(options, progress, stop),
+                          exitUsage);
     if (!request) return request;
     if (needsRegionFile(*request)) files.emplace_back(regionFileName);
     const OutputRules rules = outputRulesOf(options, request->loaded.inputs);

@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
+#include "app/cli/open_project.h"
 #include "app/cli/options/measure_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
@@ -113,7 +114,7 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
 }
 
 int runScenariosCommand(const ScenariosOptions& options, const Console& console) {
-    const auto disk = ProjectFile::open(options.measure.file);
+    const auto disk = openProject(options.measure.file, console);
     if (!disk) return fail(console, disk.error(), exitUsage);
     const std::vector<std::string> names = chooseScenarios(options, disk->project());
     const auto settings = checkRequest(options, names, disk->project());

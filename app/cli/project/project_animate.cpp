@@ -5,6 +5,7 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
+#include "app/cli/open_project.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/progress_line.h"
@@ -73,7 +74,7 @@ Result<MovieFacts> animate(const AnimateOptions& options, const ProjectFile& dis
 
 int runAnimate(const AnimateOptions& options, const Console& console) {
     const OffscreenQt qt;
-    const auto disk = ProjectFile::open(options.file);
+    const auto disk = openProject(options.file, console);
     if (!disk) return fail(console, disk.error(), exitUsage);
     Warnings warnings;
     const auto made = animate(options, *disk, warnings, console);

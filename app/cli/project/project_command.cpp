@@ -23,6 +23,7 @@ void addProjectCommand(CLI::App& app, Run& run) {
     addProjectPlace(*project, run);
     addProjectPeriod(*project, run);
     addProjectContext(*project, run);
+    addProjectPhotograph(*project, run);
     addProjectWeights(*project, run);
     addProjectSheets(*project, run);
     addProjectResult(*project, run);

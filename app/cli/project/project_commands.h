@@ -24,6 +24,7 @@ void addProjectLot(CLI::App& project, Run& run);
 void addProjectRegion(CLI::App& project, Run& run);
 void addProjectPlace(CLI::App& project, Run& run);
 void addProjectContext(CLI::App& project, Run& run);
+void addProjectPhotograph(CLI::App& project, Run& run);
 void addProjectWeights(CLI::App& project, Run& run);
 void addProjectPeriod(CLI::App& project, Run& run);
 void addProjectSheets(CLI::App& project, Run& run);

@@ -1,4 +1,5 @@
 #include "app/cli/review/review_source.h"
+#include "app/cli/open_project.h"
 
 #include "app/cli/load_city.h"
 #include "app/cli/project/project_question.h"
@@ -9,11 +10,11 @@ namespace noonmark::cli {
 
 namespace {
 
-Result<ReviewSource> openProject(const ReviewRunOptions& options) {
+Result<ReviewSource> openScenarios(const ReviewRunOptions& options, const Console& console) {
     if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
     if (options.to.empty())
         return failure("The scenario to review is missing", "--to", "Give --to NAME, a scenario");
-    return ProjectFile::open(options.read.files.front()).map([](ProjectFile disk) {
+    return openProject(options.read.files.front(), console).map([](ProjectFile disk) {
         return ReviewSource{disk.project(), std::move(disk), std::nullopt};
     });
 }
@@ -49,7 +50,7 @@ int yearOf(const ReviewRunOptions& options, const Project& project) {
 }  // namespace
 
 Result<ReviewSource> openReviewSource(const ReviewRunOptions& options, const Console& console) {
-    return namesProject(options.read) ? openProject(options) : readFiles(options, console);
+    return namesProject(options.read) ? openScenarios(options, console) : readFiles(options, console);
 }
 
 Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const ReviewSource& source,
