@@ -101,6 +101,7 @@ void CityView::makeLayers() {
     overlay_ = std::make_unique<OverlayBodies>(blended_, sideLayers_[0], root_);
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
     dome_ = std::make_unique<DomeMarks>(overlay_->layer(), blended_, root_);
+    pointMarks_ = std::make_unique<PointMarks>(overlay_->layer(), blended_, root_);
     sectionMarks_ = std::make_unique<SectionMarks>(overlay_->layer(), blended_, root_);
     places_->onChange([this] { names_->start(); });
 }
@@ -147,6 +148,8 @@ void CityView::showTracedSun(const std::optional<glm::dvec3>& towardsSun) {
 
 void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     showLines({});
+    pointMarks_->show({});
+    pointMarks_->showSnap({});
     tiles_->clear();
     other_.clear();
     setSides({});
@@ -240,6 +243,7 @@ void CityView::applyCamera() {
     ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
     overlay_->setLens(pose_, view);
     places_->setLens(view);
+    pointMarks_->setViewSize({float(view.widthPx), float(view.heightPx)});
     dome_->setLens(pose_, view);
     tiles_->setLens(view);
     sectionMarks_->setLens(pose_, view);

@@ -16,6 +16,7 @@
 #include "render/scene/element_tiles.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
+#include "render/scene/point_marks.h"
 #include "render/scene/section_marks.h"
 #include "render/view/drawn_city.h"
 #include "render/view/side_divider.h"
@@ -82,6 +83,8 @@ public:
     /// whole city. It stays when the city changes.
     void showSection(const std::optional<SectionBox>& box);
     [[nodiscard]] const std::optional<SectionBox>& section() const { return section_; }
+    /// Corners of an outline that is edited, and what the cursor snaps to.
+    [[nodiscard]] PointMarks& pointMarks() { return *pointMarks_; }
     [[nodiscard]] SectionMarks& sectionMarks() { return *sectionMarks_; }
 
     /// Another city to compare with, and how both share the view. Pictures and sun of the other city are its
@@ -142,6 +145,7 @@ private:
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;
     std::unique_ptr<DomeMarks> dome_;
+    std::unique_ptr<PointMarks> pointMarks_;
     std::optional<SectionBox> section_;
     std::unique_ptr<SectionMarks> sectionMarks_;
     std::unique_ptr<FrameGraph> frames_;

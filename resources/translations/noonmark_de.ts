@@ -330,6 +330,54 @@
         <source>Choose one from the list</source>
         <translation>Aus der Liste wählen</translation>
     </message>
+    <message>
+        <source>The sides of the lot would cross or touch each other</source>
+        <translation>Die Seiten des Grundstücks würden sich kreuzen oder berühren</translation>
+    </message>
+    <message>
+        <source>Move the corner or side less far</source>
+        <translation>Die Ecke oder Seite weniger weit verschieben</translation>
+    </message>
+    <message>
+        <source>The sides beside it meet before that</source>
+        <translation>Die Seiten daneben treffen sich vorher</translation>
+    </message>
+    <message>
+        <source>Move the side less far</source>
+        <translation>Die Seite weniger weit verschieben</translation>
+    </message>
+    <message>
+        <source>A lot needs three corners or more</source>
+        <translation>Ein Grundstück braucht mindestens drei Ecken</translation>
+    </message>
+    <message>
+        <source>Move the corner instead</source>
+        <translation>Stattdessen die Ecke verschieben</translation>
+    </message>
+    <message>
+        <source>No corner is selected</source>
+        <translation>Keine Ecke ist gewählt</translation>
+    </message>
+    <message>
+        <source>Click a corner of the lot, then press Delete</source>
+        <translation>Eine Ecke des Grundstücks anklicken, dann Entf drücken</translation>
+    </message>
+    <message>
+        <source>The direction of the side is not known</source>
+        <translation>Die Richtung der Seite ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Move the cursor to where the side leads, or type an azimuth: 40&lt;90</source>
+        <translation>Den Zeiger dorthin bewegen, wohin die Seite führt, oder einen Azimut eingeben: 40&lt;90</translation>
+    </message>
+    <message>
+        <source>This is not a length</source>
+        <translation>Das ist keine Länge</translation>
+    </message>
+    <message>
+        <source>Type it as 40, 40 m or 131&apos; 3&quot;, with an azimuth as 40&lt;90</source>
+        <translation>Als 40, 40 m oder 131&apos; 3&quot; eingeben, mit Azimut als 40&lt;90</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -2234,10 +2282,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>%1, %2 m, %3</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. Umschalt+M: messen. Umschalt+X: Schnittbox. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. D: Sonnenbahnkuppel. C: das andere Szenario, Umschalt+C: nebeneinander, Umschalt+D: wischen. Umschalt+L: Live-Änderung, Umschalt+F: Live-Fassaden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus (Strg+Klick: ein weiteres dazu, Ziehen mit Strg+Umschalt: alle in einem Rechteck): am Pfeil ziehen oder die Höhe tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab.</translation>
-    </message>
-    <message>
         <source>, storeys of %1</source>
         <translation>, Geschosse von %1</translation>
     </message>
@@ -2321,6 +2365,18 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>Change by the proposal, compared with %1: %2</source>
         <translation>Änderung durch den Entwurf gegenüber %1: %2</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the length of a side and press Enter; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides of a lot.</source>
+        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. Umschalt+M: messen. Umschalt+X: Schnittbox. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. D: Sonnenbahnkuppel. C: das andere Szenario, Umschalt+C: nebeneinander, Umschalt+D: wischen. Umschalt+L: Live-Änderung, Umschalt+F: Live-Fassaden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus (Strg+Klick: ein weiteres dazu, Ziehen mit Strg+Umschalt: alle in einem Rechteck): am Pfeil ziehen oder die Höhe tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite, mit Strg ohne Einrasten, oder die Länge einer Seite tippen und Eingabe drücken; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab. Strg+Umschalt+L bearbeitet Ecken und Seiten eines Grundstücks.</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +2761,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Demolish the %1 selected</source>
         <translation>Die %1 ausgewählten abreißen</translation>
     </message>
+    <message>
+        <source>Edit lot</source>
+        <translation>Grundstück bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CopyActions</name>
@@ -2830,10 +2890,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels</source>
-        <translation>Ecken auf dem Boden anklicken; Umschalt: rechte Winkel; Eingabe beendet, Esc bricht ab</translation>
-    </message>
-    <message>
         <source>&amp;Demolish</source>
         <translation>Gebäude &amp;abreißen</translation>
     </message>
@@ -2874,10 +2930,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Das Gebäude über den Boden ziehen. Esc beendet das Werkzeug.</translation>
     </message>
     <message>
-        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
-        <translation>Die Ecken des Grundstücks anklicken. Umschalt: rechtwinklig zur letzten Seite. Doppelklick oder Eingabe beendet.</translation>
-    </message>
-    <message>
         <source>Lot from foot&amp;print</source>
         <translation>Grundstück aus Grund&amp;riss</translation>
     </message>
@@ -2912,6 +2964,34 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
         <translation>Zeigt, was ein Gebäude gegenüber dem Vergleich ändert, während es entworfen oder geändert wird, statt des Schattens mit ihm</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground, or type the length of a side; Shift: right angles, Ctrl: no snapping; Enter finishes, Esc cancels</source>
+        <translation>Ecken auf dem Boden anklicken oder die Länge einer Seite eingeben; Umschalt: rechte Winkel, Strg: nicht einrasten; Eingabe beendet, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Edit lot &amp;shape</source>
+        <translation>Grundstück &amp;umformen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>Drag the corners and sides of the lot that is chosen in the dock Tower, or that the selected building stands on</source>
+        <translation>Ecken und Seiten des Grundstücks ziehen, das im Dock Turm gewählt ist oder auf dem das gewählte Gebäude steht</translation>
+    </message>
+    <message>
+        <source>Click the lot&apos;s corners, or type the length of a side. Shift: at right angles to the last side. Ctrl: no snapping. Double click or Enter finishes.</source>
+        <translation>Die Ecken des Grundstücks anklicken oder die Länge einer Seite eingeben. Umschalt: rechtwinklig zur letzten Seite. Strg: nicht einrasten. Doppelklick oder Eingabe beendet.</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a side of %1; Ctrl: no snapping. A click on the middle of a side adds a corner, Delete removes the selected one, Esc ends.</source>
+        <translation>Eine Ecke oder Seite von %1 ziehen; Strg: nicht einrasten. Ein Klick auf die Mitte einer Seite fügt eine Ecke hinzu, Entf entfernt die gewählte, Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Towers that were designed on it stay as they are.</source>
+        <translation>Türme, die darauf entworfen wurden, bleiben unverändert.</translation>
     </message>
 </context>
 <context>
@@ -3515,6 +3595,25 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
     </message>
 </context>
 <context>
+    <name>noonmark::LotEditing</name>
+    <message>
+        <source>add a corner to %1</source>
+        <translation>eine Ecke an %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>move a corner of %1</source>
+        <translation>eine Ecke von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>move a side of %1</source>
+        <translation>eine Seite von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>remove a corner of %1</source>
+        <translation>eine Ecke von %1 entfernen</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LotRoadsDialog</name>
     <message>
         <source>North</source>
@@ -3685,12 +3784,6 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Grundstück zeichnen</translation>
     </message>
     <message>
-        <source>Click corners on the ground (Shift: at right angles to the last side).
-Double click, Enter or right click finishes, Backspace removes the last corner.</source>
-        <translation>Ecken auf dem Boden anklicken (Umschalt: rechtwinklig zur letzten Seite).
-Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke.</translation>
-    </message>
-    <message>
         <source>Build</source>
         <translation>Bauen</translation>
     </message>
@@ -3733,6 +3826,24 @@ Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ec
     <message>
         <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
         <translation>Zeigt, wo das Hochhaus dem Vergleich Schatten hinzufügt oder wegnimmt, statt des gesamten Schattens mit ihm. Eine Nadel zeigt die am stärksten betroffene Stelle.</translation>
+    </message>
+    <message>
+        <source>Edit lot</source>
+        <translation>Grundstück bearbeiten</translation>
+    </message>
+    <message>
+        <source>Shows the lot&apos;s corners and sides as handles that are dragged.
+A click on the middle of a side adds a corner, Delete removes the selected one.</source>
+        <translation>Zeigt Ecken und Seiten des Grundstücks als Griffe zum Ziehen.
+Ein Klick auf die Mitte einer Seite fügt eine Ecke hinzu, Entf entfernt die gewählte.</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground (Shift: at right angles to the last side; Ctrl: without snapping),
+or type the length of a side and press Enter.
+Double click, Enter or right click finishes, Backspace removes the last corner.</source>
+        <translation>Ecken auf dem Boden anklicken (Umschalt: rechtwinklig zur letzten Seite; Strg: ohne Einrasten)
+oder die Länge einer Seite eingeben und Eingabe drücken.
+Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzte Ecke.</translation>
     </message>
 </context>
 <context>
@@ -4541,6 +4652,33 @@ Nachher: %3
     </message>
 </context>
 <context>
+    <name>noonmark::PolygonDrawing</name>
+    <message>
+        <source>region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>Grundstück</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>first corner: closes the outline</source>
+        <translation>erste Ecke: schließt den Umriss</translation>
+    </message>
+    <message>
+        <source>Length: %1  (Enter)</source>
+        <translation>Länge: %1  (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Length: %1, azimuth: %2° clockwise from north  (Enter)</source>
+        <translation>Länge: %1, Azimut: %2° im Uhrzeigersinn von Nord  (Eingabe)</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PreferencesActions</name>
     <message>
         <source>Ctrl+,</source>
@@ -4762,6 +4900,10 @@ Nachher: %3
     <message>
         <source>&amp;Save this view</source>
         <translation>Diese Ansicht &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Edit lot &amp;shape</source>
+        <translation>Grundstück &amp;umformen</translation>
     </message>
 </context>
 <context>
@@ -6705,18 +6847,6 @@ vom Jahr ebenso viele Wochen</translation>
 </context>
 <context>
     <name>noonmark::ViewPanel</name>
-    <message>
-        <source>region</source>
-        <translation>Gebiet</translation>
-    </message>
-    <message>
-        <source>lot</source>
-        <translation>Grundstück</translation>
-    </message>
-    <message>
-        <source>place</source>
-        <translation>Ort</translation>
-    </message>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>

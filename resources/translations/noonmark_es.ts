@@ -330,6 +330,54 @@
         <source>Choose one from the list</source>
         <translation>Elija uno de la lista</translation>
     </message>
+    <message>
+        <source>The sides of the lot would cross or touch each other</source>
+        <translation>Los lados de la parcela se cruzarían o se tocarían</translation>
+    </message>
+    <message>
+        <source>Move the corner or side less far</source>
+        <translation>Mueva menos la esquina o el lado</translation>
+    </message>
+    <message>
+        <source>The sides beside it meet before that</source>
+        <translation>Los lados contiguos se encuentran antes</translation>
+    </message>
+    <message>
+        <source>Move the side less far</source>
+        <translation>Mueva menos el lado</translation>
+    </message>
+    <message>
+        <source>A lot needs three corners or more</source>
+        <translation>Una parcela necesita tres esquinas o más</translation>
+    </message>
+    <message>
+        <source>Move the corner instead</source>
+        <translation>Mueva la esquina en su lugar</translation>
+    </message>
+    <message>
+        <source>No corner is selected</source>
+        <translation>No hay ninguna esquina seleccionada</translation>
+    </message>
+    <message>
+        <source>Click a corner of the lot, then press Delete</source>
+        <translation>Haga clic en una esquina de la parcela y pulse Supr</translation>
+    </message>
+    <message>
+        <source>The direction of the side is not known</source>
+        <translation>No se conoce la dirección del lado</translation>
+    </message>
+    <message>
+        <source>Move the cursor to where the side leads, or type an azimuth: 40&lt;90</source>
+        <translation>Mueva el cursor hacia donde va el lado, o escriba un acimut: 40&lt;90</translation>
+    </message>
+    <message>
+        <source>This is not a length</source>
+        <translation>Esto no es una longitud</translation>
+    </message>
+    <message>
+        <source>Type it as 40, 40 m or 131&apos; 3&quot;, with an azimuth as 40&lt;90</source>
+        <translation>Escríbala como 40, 40 m o 131&apos; 3&quot;, con acimut como 40&lt;90</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -2234,10 +2282,6 @@ Todos los lados %2, área %3</translation>
         <translation>%1, %2 m, %3</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. Mayús+M: medir. Mayús+X: caja de corte. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. D: cúpula de trayectorias solares. C: el otro escenario, Mayús+C: lado a lado, Mayús+D: deslizar. Mayús+L: cambio en vivo, Mayús+F: fachadas en vivo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo (Ctrl+clic: otro más; arrastrar con Ctrl+Mayús: todos los de un rectángulo): arrastre su flecha o escriba su altura y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela.</translation>
-    </message>
-    <message>
         <source>, storeys of %1</source>
         <translation>, plantas de %1</translation>
     </message>
@@ -2321,6 +2365,18 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Change by the proposal, compared with %1: %2</source>
         <translation>Cambio por la propuesta respecto a %1: %2</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the length of a side and press Enter; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides of a lot.</source>
+        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. Mayús+M: medir. Mayús+X: caja de corte. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. D: cúpula de trayectorias solares. C: el otro escenario, Mayús+C: lado a lado, Mayús+D: deslizar. Mayús+L: cambio en vivo, Mayús+F: fachadas en vivo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo (Ctrl+clic: otro más; arrastrar con Ctrl+Mayús: todos los de un rectángulo): arrastre su flecha o escriba su altura y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado, con Ctrl sin ajuste, o escriba la longitud de un lado y pulse Intro; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela. Ctrl+Mayús+L edita las esquinas y los lados de una parcela.</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>esquina</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>borde</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +2761,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Demolish the %1 selected</source>
         <translation>Demoler los %1 seleccionados</translation>
     </message>
+    <message>
+        <source>Edit lot</source>
+        <translation>Editar parcela</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CopyActions</name>
@@ -2830,10 +2890,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels</source>
-        <translation>Haga clic en las esquinas sobre el suelo; Mayús: ángulos rectos; Intro termina, Esc cancela</translation>
-    </message>
-    <message>
         <source>&amp;Demolish</source>
         <translation>De&amp;rribar</translation>
     </message>
@@ -2874,10 +2930,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Arrastre el edificio sobre el suelo. Esc termina.</translation>
     </message>
     <message>
-        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
-        <translation>Haga clic en las esquinas de la parcela. Mayús: en ángulo recto con el último lado. Doble clic o Intro termina.</translation>
-    </message>
-    <message>
         <source>Lot from foot&amp;print</source>
         <translation>Parcela desde la &amp;huella</translation>
     </message>
@@ -2912,6 +2964,34 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
         <translation>Muestra lo que cambia un edificio respecto a la referencia mientras se diseña o se modifica, en lugar de la sombra con él</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground, or type the length of a side; Shift: right angles, Ctrl: no snapping; Enter finishes, Esc cancels</source>
+        <translation>Haga clic en las esquinas sobre el suelo o escriba la longitud de un lado; Mayús: ángulos rectos, Ctrl: sin ajuste; Intro termina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Edit lot &amp;shape</source>
+        <translation>Editar forma de la parcela</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>Drag the corners and sides of the lot that is chosen in the dock Tower, or that the selected building stands on</source>
+        <translation>Arrastre las esquinas y los lados de la parcela elegida en el panel Torre, o de aquella en la que está el edificio seleccionado</translation>
+    </message>
+    <message>
+        <source>Click the lot&apos;s corners, or type the length of a side. Shift: at right angles to the last side. Ctrl: no snapping. Double click or Enter finishes.</source>
+        <translation>Haga clic en las esquinas de la parcela o escriba la longitud de un lado. Mayús: en ángulo recto con el último lado. Ctrl: sin ajuste. Doble clic o Intro termina.</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a side of %1; Ctrl: no snapping. A click on the middle of a side adds a corner, Delete removes the selected one, Esc ends.</source>
+        <translation>Arrastre una esquina o un lado de %1; Ctrl: sin ajuste. Un clic en el centro de un lado añade una esquina, Supr quita la seleccionada, Esc termina.</translation>
+    </message>
+    <message>
+        <source>Towers that were designed on it stay as they are.</source>
+        <translation>Las torres diseñadas en ella quedan como están.</translation>
     </message>
 </context>
 <context>
@@ -3515,6 +3595,25 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
     </message>
 </context>
 <context>
+    <name>noonmark::LotEditing</name>
+    <message>
+        <source>add a corner to %1</source>
+        <translation>añadir una esquina a %1</translation>
+    </message>
+    <message>
+        <source>move a corner of %1</source>
+        <translation>mover una esquina de %1</translation>
+    </message>
+    <message>
+        <source>move a side of %1</source>
+        <translation>mover un lado de %1</translation>
+    </message>
+    <message>
+        <source>remove a corner of %1</source>
+        <translation>quitar una esquina de %1</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LotRoadsDialog</name>
     <message>
         <source>North</source>
@@ -3685,12 +3784,6 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Dibujar parcela</translation>
     </message>
     <message>
-        <source>Click corners on the ground (Shift: at right angles to the last side).
-Double click, Enter or right click finishes, Backspace removes the last corner.</source>
-        <translation>Haga clic en las esquinas sobre el suelo (Mayús: en ángulo recto con el último lado).
-Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</translation>
-    </message>
-    <message>
         <source>Build</source>
         <translation>Construir</translation>
     </message>
@@ -3733,6 +3826,24 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
         <translation>Muestra dónde la torre añade sombra a la referencia o la quita, en lugar de toda la sombra con ella. Una chincheta marca el peor punto.</translation>
+    </message>
+    <message>
+        <source>Edit lot</source>
+        <translation>Editar parcela</translation>
+    </message>
+    <message>
+        <source>Shows the lot&apos;s corners and sides as handles that are dragged.
+A click on the middle of a side adds a corner, Delete removes the selected one.</source>
+        <translation>Muestra las esquinas y los lados de la parcela como asas que se arrastran.
+Un clic en el centro de un lado añade una esquina, Supr quita la seleccionada.</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground (Shift: at right angles to the last side; Ctrl: without snapping),
+or type the length of a side and press Enter.
+Double click, Enter or right click finishes, Backspace removes the last corner.</source>
+        <translation>Haga clic en las esquinas sobre el suelo (Mayús: en ángulo recto con el último lado; Ctrl: sin ajuste),
+o escriba la longitud de un lado y pulse Intro.
+Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</translation>
     </message>
 </context>
 <context>
@@ -4541,6 +4652,33 @@ Después: %3
     </message>
 </context>
 <context>
+    <name>noonmark::PolygonDrawing</name>
+    <message>
+        <source>region</source>
+        <translation>zona</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>parcela</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lugar</translation>
+    </message>
+    <message>
+        <source>first corner: closes the outline</source>
+        <translation>primera esquina: cierra el contorno</translation>
+    </message>
+    <message>
+        <source>Length: %1  (Enter)</source>
+        <translation>Longitud: %1  (Intro)</translation>
+    </message>
+    <message>
+        <source>Length: %1, azimuth: %2° clockwise from north  (Enter)</source>
+        <translation>Longitud: %1, acimut: %2° en sentido horario desde el norte  (Intro)</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PreferencesActions</name>
     <message>
         <source>Ctrl+,</source>
@@ -4762,6 +4900,10 @@ Después: %3
     <message>
         <source>&amp;Save this view</source>
         <translation>&amp;Guardar esta vista</translation>
+    </message>
+    <message>
+        <source>Edit lot &amp;shape</source>
+        <translation>Editar forma de la parcela</translation>
     </message>
 </context>
 <context>
@@ -6705,18 +6847,6 @@ del año, otras tantas semanas</translation>
 </context>
 <context>
     <name>noonmark::ViewPanel</name>
-    <message>
-        <source>region</source>
-        <translation>zona</translation>
-    </message>
-    <message>
-        <source>lot</source>
-        <translation>parcela</translation>
-    </message>
-    <message>
-        <source>place</source>
-        <translation>lugar</translation>
-    </message>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>

@@ -330,6 +330,54 @@
         <source>Choose one from the list</source>
         <translation>一覧から選んでください</translation>
     </message>
+    <message>
+        <source>The sides of the lot would cross or touch each other</source>
+        <translation>敷地の辺が交差または接触します</translation>
+    </message>
+    <message>
+        <source>Move the corner or side less far</source>
+        <translation>角または辺の移動を小さくしてください</translation>
+    </message>
+    <message>
+        <source>The sides beside it meet before that</source>
+        <translation>隣の辺どうしがその手前で交わります</translation>
+    </message>
+    <message>
+        <source>Move the side less far</source>
+        <translation>辺の移動を小さくしてください</translation>
+    </message>
+    <message>
+        <source>A lot needs three corners or more</source>
+        <translation>敷地には三つ以上の角が必要です</translation>
+    </message>
+    <message>
+        <source>Move the corner instead</source>
+        <translation>代わりに角を移動してください</translation>
+    </message>
+    <message>
+        <source>No corner is selected</source>
+        <translation>角が選択されていません</translation>
+    </message>
+    <message>
+        <source>Click a corner of the lot, then press Delete</source>
+        <translation>敷地の角をクリックしてから Delete を押してください</translation>
+    </message>
+    <message>
+        <source>The direction of the side is not known</source>
+        <translation>辺の方向がわかりません</translation>
+    </message>
+    <message>
+        <source>Move the cursor to where the side leads, or type an azimuth: 40&lt;90</source>
+        <translation>辺の向かう先へカーソルを動かすか、方位角を入力してください: 40&lt;90</translation>
+    </message>
+    <message>
+        <source>This is not a length</source>
+        <translation>長さではありません</translation>
+    </message>
+    <message>
+        <source>Type it as 40, 40 m or 131&apos; 3&quot;, with an azimuth as 40&lt;90</source>
+        <translation>40、40 m、131&apos; 3&quot; のように、方位角付きなら 40&lt;90 と入力してください</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -2214,10 +2262,6 @@ All sides %2, area %3</source>
         <translation>%1、%2 m、%3</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels.</source>
-        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。Shift+M: 計測。Shift+X: 断面ボックス。B: 面またはワイヤーフレーム。G: 地面の地図。D: 太陽軌道ドーム。C: 比較するシナリオ、Shift+C: 並べて表示、Shift+D: スワイプ。Shift+L: ライブ変化、Shift+F: ライブファサード。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し (Ctrl+クリックで追加、Ctrl+Shift+ドラッグで矩形内すべて)、矢印をドラッグするか高さを入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。</translation>
-    </message>
-    <message>
         <source>, storeys of %1</source>
         <translation>、階高 %1</translation>
     </message>
@@ -2298,6 +2342,18 @@ All sides %2, area %3</source>
     <message>
         <source>Change by the proposal, compared with %1: %2</source>
         <translation>提案による変化（%1 と比較）: %2</translation>
+    </message>
+    <message>
+        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the length of a side and press Enter; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides of a lot.</source>
+        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。Shift+M: 計測。Shift+X: 断面ボックス。B: 面またはワイヤーフレーム。G: 地面の地図。D: 太陽軌道ドーム。C: 比較するシナリオ、Shift+C: 並べて表示、Shift+D: スワイプ。Shift+L: ライブ変化、Shift+F: ライブファサード。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し (Ctrl+クリックで追加、Ctrl+Shift+ドラッグで矩形内すべて)、矢印をドラッグするか高さを入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角、Ctrl でスナップなし。辺の長さを入力して Enter を押すこともできます。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。Ctrl+Shift+L で敷地の角と辺を編集します。</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>角</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>辺</translation>
     </message>
 </context>
 <context>
@@ -2681,6 +2737,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>Demolish the %1 selected</source>
         <translation>選択した %1 棟を除却</translation>
     </message>
+    <message>
+        <source>Edit lot</source>
+        <translation>敷地を編集</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CopyActions</name>
@@ -2804,10 +2864,6 @@ as published. Approximate: the legend states the measured error</source>
         <translation>Ctrl+L</translation>
     </message>
     <message>
-        <source>Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels</source>
-        <translation>地面の角をクリック。Shift: 直角。Enter で終了、Esc で中止</translation>
-    </message>
-    <message>
         <source>&amp;Demolish</source>
         <translation>除却(&amp;D)</translation>
     </message>
@@ -2848,10 +2904,6 @@ as published. Approximate: the legend states the measured error</source>
         <translation>建物を地面の上でドラッグ。Esc で終了。</translation>
     </message>
     <message>
-        <source>Click the lot&apos;s corners. Shift: at right angles to the last side. Double click or Enter finishes.</source>
-        <translation>敷地の角をクリック。Shift: 直前の辺に直角。ダブルクリックか Enter で終了。</translation>
-    </message>
-    <message>
         <source>Lot from foot&amp;print</source>
         <translation>外形から敷地(&amp;P)</translation>
     </message>
@@ -2886,6 +2938,34 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
         <translation>設計中または変更中の建物について、影全体の代わりに、比較の基準からの変化を示します</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground, or type the length of a side; Shift: right angles, Ctrl: no snapping; Enter finishes, Esc cancels</source>
+        <translation>地面で角をクリックするか、辺の長さを入力します。Shift: 直角、Ctrl: スナップなし、Enter で完了、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Edit lot &amp;shape</source>
+        <translation>敷地の形を編集(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>Drag the corners and sides of the lot that is chosen in the dock Tower, or that the selected building stands on</source>
+        <translation>「塔」ドックで選んだ敷地、または選択した建物が建つ敷地の角と辺をドラッグします</translation>
+    </message>
+    <message>
+        <source>Click the lot&apos;s corners, or type the length of a side. Shift: at right angles to the last side. Ctrl: no snapping. Double click or Enter finishes.</source>
+        <translation>敷地の角をクリックするか、辺の長さを入力します。Shift: 直前の辺に直角。Ctrl: スナップなし。ダブルクリックまたは Enter で完了します。</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a side of %1; Ctrl: no snapping. A click on the middle of a side adds a corner, Delete removes the selected one, Esc ends.</source>
+        <translation>%1 の角または辺をドラッグします。Ctrl: スナップなし。辺の中央をクリックすると角を追加し、Delete で選択した角を削除、Esc で終了します。</translation>
+    </message>
+    <message>
+        <source>Towers that were designed on it stay as they are.</source>
+        <translation>この敷地で設計した塔はそのまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -3487,6 +3567,25 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
     </message>
 </context>
 <context>
+    <name>noonmark::LotEditing</name>
+    <message>
+        <source>add a corner to %1</source>
+        <translation>%1 に角を追加</translation>
+    </message>
+    <message>
+        <source>move a corner of %1</source>
+        <translation>%1 の角を移動</translation>
+    </message>
+    <message>
+        <source>move a side of %1</source>
+        <translation>%1 の辺を移動</translation>
+    </message>
+    <message>
+        <source>remove a corner of %1</source>
+        <translation>%1 の角を削除</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LotRoadsDialog</name>
     <message>
         <source>North</source>
@@ -3657,12 +3756,6 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>敷地を描く</translation>
     </message>
     <message>
-        <source>Click corners on the ground (Shift: at right angles to the last side).
-Double click, Enter or right click finishes, Backspace removes the last corner.</source>
-        <translation>地面の角をクリック (Shift: 直前の辺に直角)。
-ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し。</translation>
-    </message>
-    <message>
         <source>Build</source>
         <translation>建設</translation>
     </message>
@@ -3705,6 +3798,24 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
         <translation>タワーを含む影全体の代わりに、比較の基準に対して影が増える場所と減る場所を示します。ピンは最も影響の大きい地点です。</translation>
+    </message>
+    <message>
+        <source>Edit lot</source>
+        <translation>敷地を編集</translation>
+    </message>
+    <message>
+        <source>Shows the lot&apos;s corners and sides as handles that are dragged.
+A click on the middle of a side adds a corner, Delete removes the selected one.</source>
+        <translation>敷地の角と辺をドラッグできるハンドルとして表示します。
+辺の中央をクリックすると角を追加し、Delete で選択した角を削除します。</translation>
+    </message>
+    <message>
+        <source>Click corners on the ground (Shift: at right angles to the last side; Ctrl: without snapping),
+or type the length of a side and press Enter.
+Double click, Enter or right click finishes, Backspace removes the last corner.</source>
+        <translation>地面で角をクリックする(Shift: 直前の辺に直角、Ctrl: スナップなし)か、
+辺の長さを入力して Enter を押します。
+ダブルクリック、Enter または右クリックで完了、Backspace で最後の角を取り消します。</translation>
     </message>
 </context>
 <context>
@@ -4508,6 +4619,33 @@ After: %3
     </message>
 </context>
 <context>
+    <name>noonmark::PolygonDrawing</name>
+    <message>
+        <source>region</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>lot</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>first corner: closes the outline</source>
+        <translation>最初の角: 外形を閉じる</translation>
+    </message>
+    <message>
+        <source>Length: %1  (Enter)</source>
+        <translation>長さ: %1  (Enter)</translation>
+    </message>
+    <message>
+        <source>Length: %1, azimuth: %2° clockwise from north  (Enter)</source>
+        <translation>長さ: %1、方位角: 北から時計回りに %2°  (Enter)</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PreferencesActions</name>
     <message>
         <source>Ctrl+,</source>
@@ -4729,6 +4867,10 @@ After: %3
     <message>
         <source>&amp;Save this view</source>
         <translation>この表示を保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Edit lot &amp;shape</source>
+        <translation>敷地の形を編集(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -6671,18 +6813,6 @@ of the year, as many weeks</source>
 </context>
 <context>
     <name>noonmark::ViewPanel</name>
-    <message>
-        <source>region</source>
-        <translation>範囲</translation>
-    </message>
-    <message>
-        <source>lot</source>
-        <translation>敷地</translation>
-    </message>
-    <message>
-        <source>place</source>
-        <translation>場所</translation>
-    </message>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>

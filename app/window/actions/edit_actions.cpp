@@ -39,8 +39,15 @@ void EditActions::connectTools() {
             });
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
+    connect(&tools_, &EditTools::lotChanged, this, &EditActions::changeLot);
     connect(&workbench_.session(), &ProjectSession::changed, this, &EditActions::showProject);
     connect(&tools_, &EditTools::failed, &panel_.messages(), &MessageBar::showError);
+}
+
+// A refused outline goes back to that of the project.
+void EditActions::changeLot(const NamedLot& lot, const QString& what) {
+    ProjectSession& session = workbench_.session();
+    if (!session.change(withOutline(session.project(), lot.name, lot.outline), what)) showProject();
 }
 
 // The lots, the towers of the scenario that is shown, and the places of the live change.
@@ -54,6 +61,7 @@ void EditActions::showProject() {
 
 void EditActions::listenTo(ProjectDock& tree, WarningsDock& warnings) {
     connect(&tree, &ProjectDock::drawLotRequested, &tools_, &EditTools::drawLot);
+    connect(&tree, &ProjectDock::editLotRequested, &tools_, &EditTools::editLot);
     connect(&warnings, &WarningsDock::placeChosen, this, &EditActions::showBuilding);
 }
 

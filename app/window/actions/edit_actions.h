@@ -12,6 +12,7 @@ class ProjectDock;
 class ViewPanel;
 class WarningsDock;
 class Workbench;
+struct NamedLot;
 
 /// Undo and redo, and the edit tools: each of their edits becomes an undo step of the project.
 class EditActions final : public QObject {
@@ -30,6 +31,7 @@ public:
 private:
     void connectTools();
     void showProject();
+    void changeLot(const NamedLot& lot, const QString& what);
     void askLive();
     void setBaseline();
     void showBuilding(const QString& where);

@@ -29,8 +29,10 @@ QString mouseAndKeys() {
         "select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or "
         "type its height and press Enter, Delete demolishes it, M "
         "moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): "
-        "click corners, with Shift at right angles to the last side; double click, Enter or right click "
-        "finishes, Backspace removes the last corner, Esc cancels.");
+        "click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the "
+        "length of a side and press Enter; double click, Enter or right click "
+        "finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides "
+        "of a lot.");
 }
 
 QAction* makeSwitch(QObject* owner, const QString& text, const QKeySequence& keys, const QString& tip,

@@ -27,6 +27,7 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizo
       building_(context_, *selection_),
       tower_(context_, *massing_),
       mesh_(context_, *placing_),
+      lotEditing_(context_),
       box_(view.view()) {
     auto* column = new QVBoxLayout(dock_);
     column->setContentsMargins(0, 0, 0, 0);
@@ -36,6 +37,7 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizo
     makeActions();
     connectView();
     connectTools();
+    connectLots();
     enableActions();
 }
 
@@ -61,7 +63,12 @@ QAction* EditTools::action(const QString& text, const QKeySequence& keys, const 
 void EditTools::makeActions() {
     const auto draw =
         action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
-               tr("Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels"));
+               tr("Click corners on the ground, or type the length of a side; Shift: right angles, Ctrl: no "
+                  "snapping; Enter finishes, Esc cancels"));
+    editLot_ =
+        action(tr("Edit lot &shape"), QKeySequence(tr("Ctrl+Shift+L")),
+               tr("Drag the corners and sides of the lot that is chosen in the dock Tower, or that the "
+                  "selected building stands on"));
     demolish_ =
         action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building, or all of several"));
     const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
@@ -77,6 +84,7 @@ void EditTools::makeActions() {
     demolish_->setIcon(makeIcon(QStringLiteral("delete")));
     replace->setIcon(makeIcon(QStringLiteral("tower")));
     connect(draw, &QAction::triggered, this, &EditTools::drawLot);
+    connect(editLot_, &QAction::triggered, this, &EditTools::editChosenLot);
     connect(demolish_, &QAction::triggered, &building_, &BuildingEditing::demolish);
     connect(replace, &QAction::triggered, this, &EditTools::replace);
     connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
@@ -157,12 +165,34 @@ void EditTools::connectTools() {
     connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
 }
 
+void EditTools::connectLots() {
+    ViewPanel& panel = context_.panel;
+    connect(massing_, &MassingPanel::editRequested, this, &EditTools::editLot);
+    connect(&lotEditing_, &LotEditing::changed, this, &EditTools::lotChanged);
+    connect(&lotEditing_, &LotEditing::failed, this, &EditTools::failed);
+    connect(&lotEditing_, &LotEditing::shapeChanged, this, &EditTools::showLots);
+    connect(&tower_, &TowerEditing::began, &lotEditing_, &LotEditing::end);
+    connect(&mesh_, &MeshPlacing::began, &lotEditing_, &LotEditing::end);
+    connect(&building_.moveTool(), &MoveTool::began, &lotEditing_, &LotEditing::end);
+    connect(&building_, &BuildingEditing::selectionChanged, this, [this] {
+        if (!building_.all().empty()) lotEditing_.end();
+    });
+    for (PolygonTool* tool : {&panel.regionTool(), &panel.lotTool(), &panel.placeTool()})
+        connect(tool, &PolygonTool::activeChanged, this, [this](bool on) {
+            if (on) lotEditing_.end();
+        });
+    connect(&panel.measureTool(), &MeasureTool::activeChanged, this, [this](bool on) {
+        if (on) lotEditing_.end();
+    });
+}
+
 void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
     const bool another = !context_.city || context_.city->arrays != city->arrays;
     context_.city = city;
     context_.preview.setCity(std::move(city));
     building_.cityChanged();
     if (another) {
+        lotEditing_.end();
         tower_.cancel();
         mesh_.cancel();
     } else {
@@ -222,6 +252,8 @@ std::optional<double> EditTools::previewedStoreyHeight(const Building& building)
 void EditTools::setLots(const std::vector<NamedLot>& lots) {
     context_.lots = lots;
     massing_->setLots(lots);
+    editLot_->setEnabled(!lots.empty());
+    lotEditing_.lotsChanged();
     showLots();
 }
 
@@ -243,7 +275,9 @@ void EditTools::setFacades(const FacadeSettings& facades) { context_.preview.set
 void EditTools::showLots() {
     if (!context_.city) return;
     Region all;
-    for (const NamedLot& lot : context_.lots) all.polygons.push_back(lot.outline);
+    const auto& edited = lotEditing_.lot();
+    for (const NamedLot& lot : context_.lots)
+        all.polygons.push_back(edited && edited->name == lot.name ? edited->outline : lot.outline);
     context_.panel.view().overlay().showLines(makeGroundLines(all, context_.city->city()));
 }
 
@@ -254,7 +288,7 @@ void EditTools::enableActions() {
 }
 
 void EditTools::click(QPointF pixel) {
-    if (!context_.city || context_.panel.drawing()) return;
+    if (!context_.city || context_.panel.drawing() || lotEditing_.active()) return;
     if (tower_.active()) return clickNeighbour(pixel);
     const ViewNavigator& navigator = context_.panel.navigator();
     if (mesh_.active()) {
@@ -268,7 +302,8 @@ void EditTools::click(QPointF pixel) {
 }
 
 bool EditTools::isBusy() const {
-    return !context_.city || context_.panel.drawing() || tower_.active() || mesh_.active();
+    return !context_.city || context_.panel.drawing() || tower_.active() || mesh_.active() ||
+           lotEditing_.active();
 }
 
 void EditTools::dragBox(const QRectF& pixels) {
@@ -291,13 +326,14 @@ void EditTools::clickNeighbour(QPointF pixel) {
 }
 
 void EditTools::hover(QPointF pixel) {
+    lotEditing_.hover(pixel);
     if (isBusy()) return building_.hover(std::nullopt);
     const auto pick = context_.panel.navigator().pickAt(pixel);
     building_.hover(pick ? pick->building : std::nullopt);
 }
 
 void EditTools::key(int key) {
-    if (context_.handle.key(key)) return;
+    if (lotEditing_.key(key) || context_.handle.key(key)) return;
     if (key == Qt::Key_Escape) cancel();
     const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
     if (enter && tower_.active()) tower_.build();
@@ -310,6 +346,7 @@ void EditTools::takeBack() {
 }
 
 void EditTools::cancel() {
+    if (lotEditing_.active()) return lotEditing_.end();
     if (tower_.active()) return tower_.cancel();
     if (mesh_.active()) return mesh_.cancel();
     if (context_.city) building_.endTool();
@@ -331,8 +368,47 @@ void EditTools::drawLot() {
     cancel();
     context_.panel.lotTool().begin();
     context_.panel.view().requestActivate();  // the view receives the keys that finish or cancel the lot
-    Q_EMIT hinted(tr(
-        "Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes."));
+    Q_EMIT hinted(
+        tr("Click the lot's corners, or type the length of a side. Shift: at right angles to the last side. "
+           "Ctrl: no snapping. Double click or Enter finishes."));
+}
+
+void EditTools::editLot(const NamedLot& lot) {
+    if (!context_.city) return;
+    standBackForLot();
+    lotEditing_.begin(lot);
+    context_.panel.view().requestActivate();  // the view receives Delete and Esc
+    const QString name = QString::fromStdString(lot.name);
+    const QString how =
+        tr("Drag a corner or a side of %1; Ctrl: no snapping. A click on the middle of a side adds a corner, "
+           "Delete removes the selected one, Esc ends.")
+            .arg(name);
+    Q_EMIT hinted(hasTowerOn(lot)
+                      ? how + QLatin1Char(' ') + tr("Towers that were designed on it stay as they are.")
+                      : how);
+}
+
+void EditTools::standBackForLot() {
+    ViewPanel& panel = context_.panel;
+    for (PolygonTool* tool : {&panel.regionTool(), &panel.lotTool(), &panel.placeTool()}) tool->cancel();
+    panel.measureTool().end();
+    tower_.cancel();
+    mesh_.cancel();
+    building_.select(std::nullopt);
+}
+
+bool EditTools::hasTowerOn(const NamedLot& lot) const {
+    return std::ranges::any_of(tower_.towers(), [&](const auto& tower) {
+        return tower.second.design && tower.second.design->lotName == lot.name;
+    });
+}
+
+void EditTools::editChosenLot() {
+    const auto under = building_.lot();
+    const auto drawn =
+        under ? std::ranges::find(context_.lots, under->name, &NamedLot::name) : context_.lots.end();
+    const auto lot = drawn != context_.lots.end() ? std::optional(*drawn) : massing_->chosenLot();
+    if (lot) editLot(*lot);
 }
 
 void EditTools::takeLot(const std::vector<Footprint>& pieces) {

@@ -1,9 +1,10 @@
 #pragma once
 
 // Editing of buildings in the view. EditTools owns the tools and their menu entries; BuildingEditing (select,
-// demolish, move, resize), TowerEditing (massing) and MeshPlacing (a mesh file as a building) share one
-// EditContext: the view, the preview and the drag handle. No tool knows the project: each emits its edits as
-// one undo step and gets back the changed city. EditPreview shows edits before they are made.
+// demolish, move, resize), TowerEditing (massing), LotEditing (outlines of lots) and MeshPlacing (a mesh file
+// as a building) share one EditContext: the view, the preview and the drag handle. No tool knows the project:
+// each emits its edits as one undo step and gets back the changed city. EditPreview shows edits before they
+// are made.
 
 #include <QPointer>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "app/window/editing/box_selection.h"
 #include "app/window/editing/building_editing.h"
+#include "app/window/editing/lot_editing.h"
 #include "app/window/editing/mesh_placing.h"
 #include "app/window/massing/massing_panel.h"
 #include "app/window/massing/tower_editing.h"
@@ -57,9 +59,12 @@ public:
     [[nodiscard]] BuildingEditing& building() { return building_; }
     [[nodiscard]] TowerEditing& tower() { return tower_; }
     [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
+    [[nodiscard]] LotEditing& lotEditing() { return lotEditing_; }
     [[nodiscard]] EditContext& context() { return context_; }
 
     void drawLot();
+    /// Shows the handles of a lot's corners and sides.
+    void editLot(const NamedLot& lot);
     void lotFromFootprint();
     /// Designs on this lot a copy of the tower that is selected or being designed.
     void copyTower(const NamedLot& lot);
@@ -74,6 +79,7 @@ public:
 Q_SIGNALS:
     void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one undo step
     void lotDrawn(noonmark::NamedLot lot);
+    void lotChanged(noonmark::NamedLot lot, QString what);  ///< another outline of this name: one undo step
     /// How to use the tool that has started.
     void hinted(QString text);
     /// A tower design has started: its dock should be visible.
@@ -90,6 +96,10 @@ private:
     QAction* action(const QString& text, const QKeySequence& keys, const QString& tip);
     void connectView();
     void connectTools();
+    void connectLots();
+    void editChosenLot();
+    void standBackForLot();
+    [[nodiscard]] bool hasTowerOn(const NamedLot& lot) const;
     void click(QPointF pixel);
     void dragBox(const QRectF& pixels);
     void dropBox(const QRectF& pixels);
@@ -114,9 +124,11 @@ private:
     BuildingEditing building_;
     TowerEditing tower_;
     MeshPlacing mesh_;
+    LotEditing lotEditing_;
     std::vector<QAction*> actions_;
     std::vector<QAction*> ofBuilding_;
     QAction* demolish_ = nullptr;
+    QAction* editLot_ = nullptr;
     BoxSelection box_;
     bool storeyLines_ = true;
     QAction* facades_ = nullptr;

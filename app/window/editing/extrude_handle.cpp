@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <utility>
 
 #include "app/window/editing/extrusion.h"
 #include "app/window/looks/height_reference.h"
@@ -27,7 +26,10 @@ bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::Sh
 
 }  // namespace
 
-ExtrudeHandle::ExtrudeHandle(ViewPanel& panel, QObject* parent) : QObject(parent), panel_(panel) {
+ExtrudeHandle::ExtrudeHandle(ViewPanel& panel, QObject* parent)
+    : QObject(parent),
+      panel_(panel),
+      claim_(panel.view(), [this](int key) { return tower_ && typed_.claims(key); }) {
     next_.setSingleShot(true);
     next_.setInterval(0);
     connect(&next_, &QTimer::timeout, this, &ExtrudeHandle::follow);
@@ -109,33 +111,17 @@ void ExtrudeHandle::tell(const QString& figures) {
 
 bool ExtrudeHandle::key(int key) {
     if (!tower_) return false;
-    const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
-    const bool point = key == Qt::Key_Period || key == Qt::Key_Comma;
-    const bool inside = !typed_.isEmpty() && QStringLiteral("'\" FTINCM").contains(QChar(key));
-    if (typed_.isEmpty() && !digit && !point) return false;
-    if (digit || point || inside)
-        typed_ += point ? QLatin1Char('.') : QChar(key).toLower();
-    else if (key == Qt::Key_Backspace)
-        typed_.chop(1);
-    else if (key == Qt::Key_Escape)
-        typed_.clear();
-    else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-        const auto height = parseLength(std::exchange(typed_, {}).toStdString(), unitsInUse());
-        if (height)
-            Q_EMIT dragged(freeHeight(*height - heightZeroM(tower_->groundElevationM), tower_->storeyM));
-        Q_EMIT dropped(tower_->heightM);
-    } else
-        return false;
+    const TypedLength::Taken taken = typed_.take(key);
+    if (taken == TypedLength::Taken::no) return false;
+    if (taken == TypedLength::Taken::entered) takeTyped();
     showTyped();
     return true;
 }
 
-// A number alone is in the units in use.
-QString ExtrudeHandle::typedWithUnit() const {
-    const bool isNumber =
-        std::ranges::none_of(typed_, [](QChar c) { return !c.isDigit() && c != QLatin1Char('.'); });
-    if (!isNumber) return typed_;
-    return typed_ + (unitsInUse() == UnitSystem::imperial ? QStringLiteral(" ft") : QStringLiteral(" m"));
+void ExtrudeHandle::takeTyped() {
+    const auto height = parseLength(typed_.finish().toStdString(), unitsInUse());
+    if (height) Q_EMIT dragged(freeHeight(*height - heightZeroM(tower_->groundElevationM), tower_->storeyM));
+    Q_EMIT dropped(tower_->heightM);
 }
 
 void ExtrudeHandle::showTyped() {
@@ -144,7 +130,7 @@ void ExtrudeHandle::showTyped() {
     const QString words = heightReferenceInUse() == HeightReference::datum
                               ? tr("Top above datum: %1  (Enter)")
                               : tr("Height: %1  (Enter)");
-    panel_.cursorLabel().show({at->x, at->y}, typed_.isEmpty() ? QString() : words.arg(typedWithUnit()));
+    panel_.cursorLabel().show({at->x, at->y}, typed_.empty() ? QString() : words.arg(typed_.withUnit()));
 }
 
 }  // namespace noonmark

@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <optional>
 
+#include "app/window/view/shortcut_claim.h"
+#include "app/window/view/typed_length.h"
 #include "render/view/view_navigator.h"
 
 namespace noonmark {
@@ -49,8 +51,8 @@ private:
     [[nodiscard]] double metresUp(QPointF pixel) const;
     [[nodiscard]] bool isAt(QPointF pixel) const;
     void follow();
+    void takeTyped();
     void showTyped();
-    [[nodiscard]] QString typedWithUnit() const;
 
     ViewPanel& panel_;
     std::optional<Tower> tower_;
@@ -58,7 +60,8 @@ private:
     bool fromAbove_ = false;          // seen from above: the drag is measured in pixels
     QPointF pixel_;
     QTimer next_;  // combines several mouse moves into one frame
-    QString typed_;
+    TypedLength typed_;
+    ShortcutClaim claim_;
 };
 
 }  // namespace noonmark

@@ -86,20 +86,28 @@ QWidget* MassingPanel::makeLotRow() {
         pushButton(tr("Copy tower here"), "copyTower",
                    tr("Sets the tower that is selected or being designed on this lot too, with its storeys, "
                       "plate areas and setbacks, turned as the lot is"));
+    edit_ = pushButton(tr("Edit lot"), "editLot",
+                       tr("Shows the lot's corners and sides as handles that are dragged.\nA click on the "
+                          "middle of a side adds a corner, Delete removes the selected one."));
     auto* draw =
         pushButton(tr("Draw lot"), "drawLot",
-                   tr("Click corners on the ground (Shift: at right angles to the last side).\nDouble click, "
-                      "Enter or right click finishes, Backspace removes the last corner."));
+                   tr("Click corners on the ground (Shift: at right angles to the last side; Ctrl: without "
+                      "snapping),\nor type the length of a side and press Enter.\nDouble click, Enter or "
+                      "right click finishes, Backspace removes the last corner."));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(draw);
-    buttons->addWidget(design_);
+    buttons->addWidget(edit_);
     auto* row = new QWidget;
     auto* column = new QVBoxLayout(row);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(lot_);
     column->addLayout(buttons);
+    column->addWidget(design_);
     column->addWidget(copy_);
     connect(draw, &QPushButton::clicked, this, &MassingPanel::drawRequested);
+    connect(edit_, &QPushButton::clicked, this, [this] {
+        if (const auto lot = chosenLot()) Q_EMIT editRequested(*lot);
+    });
     connect(design_, &QPushButton::clicked, this, [this] {
         if (const auto lot = chosenLot()) Q_EMIT designRequested(*lot);
     });
@@ -187,7 +195,7 @@ void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
     if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
     lot_->setEnabled(!lots.empty());
-    for (QPushButton* button : {design_, copy_}) button->setEnabled(!lots.empty());
+    for (QPushButton* button : {edit_, design_, copy_}) button->setEnabled(!lots.empty());
 }
 
 void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); }

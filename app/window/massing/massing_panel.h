@@ -25,6 +25,7 @@ public:
     void setLots(const std::vector<NamedLot>& lots);
     void showDraft(const TowerDraft& draft);  ///< without a signal
     void showNone();                          ///< no tower is being designed
+    [[nodiscard]] std::optional<NamedLot> chosenLot() const;
     [[nodiscard]] TowerDraft draft() const;
 
     /// `groundElevationM`: of the ground under the tower, above the datum.
@@ -38,6 +39,7 @@ public:
 
 Q_SIGNALS:
     void drawRequested();
+    void editRequested(noonmark::NamedLot lot);    ///< to change its outline
     void designRequested(noonmark::NamedLot lot);  ///< a tower on an existing lot
     void copyRequested(noonmark::NamedLot lot);    ///< the tower selected or designed, on this lot
     void edited();
@@ -48,7 +50,6 @@ Q_SIGNALS:
 
 private:
     QWidget* makeLotRow();
-    [[nodiscard]] std::optional<NamedLot> chosenLot() const;
     QWidget* makeLiveChoices();
     QWidget* makeFigures();
     void setDesigning(bool designing);
@@ -56,6 +57,7 @@ private:
     std::vector<NamedLot> lots_;
     TowerDraft draft_;
     QComboBox* lot_;
+    QPushButton* edit_;
     QPushButton* design_;
     QPushButton* copy_;
     QWidget* body_;

@@ -121,6 +121,12 @@ Project rebase(Project project, const std::string& scenario, const std::string& 
     return project;
 }
 
+Project withOutline(Project project, const std::string& lot, Footprint outline) {
+    for (NamedLot& one : project.lots)
+        if (one.name == lot) one.outline = std::move(outline);
+    return project;
+}
+
 Project withRoads(Project project, const std::string& lot, const std::vector<RoadFront>& roads) {
     for (NamedLot& one : project.lots)
         if (one.name == lot) one.roads = roads;

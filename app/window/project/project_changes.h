@@ -28,6 +28,7 @@ Project duplicate(Project project, ProjectPart part, const std::string& name, st
 Project rebase(Project project, const std::string& scenario, const std::string& base);
 /// Changes the kind of a place.
 Project withPlaceKind(Project project, const std::string& place, PlaceKind kind);
+Project withOutline(Project project, const std::string& lot, Footprint outline);
 Project withRoads(Project project, const std::string& lot, const std::vector<RoadFront>& roads);
 /// Adds places. One with the source of an earlier place replaces it, so that a file can be read again; one
 /// whose name is taken is numbered. `replaced` receives how many were.

@@ -200,8 +200,7 @@ void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index
     if (node.kind == Kind::part) menu.addAction(describeUse(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
     if (node.part == ProjectPart::place && node.kind == Kind::part) addPlaceActions(menu, node.name);
-    if (node.part == ProjectPart::lot && node.kind == Kind::part)
-        menu.addAction(tr("R&oads along it..."), this, [this, name = node.name] { askForRoads(name); });
+    if (node.part == ProjectPart::lot && node.kind == Kind::part) addLotActions(menu, node.name);
     if (node.kind == Kind::part)
         menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });
     if (canDuplicate(node)) menu.addAction(tr("D&uplicate"), this, [this, index] { duplicate(index); });
@@ -224,6 +223,13 @@ void ProjectDock::addScenarioActions(QMenu& menu, const std::string& name) {
     for (const Scenario& other : session_.project().scenarios)
         if (other.name != name) offer(other.name);
     menu.addSeparator();
+}
+
+void ProjectDock::addLotActions(QMenu& menu, const std::string& name) {
+    menu.addAction(tr("Edit lot &shape"), this, [this, name] {
+        if (const auto lot = findLot(session_.project(), name)) Q_EMIT editLotRequested(*lot);
+    });
+    menu.addAction(tr("R&oads along it..."), this, [this, name] { askForRoads(name); });
 }
 
 void ProjectDock::addPlaceActions(QMenu& menu, const std::string& name) {

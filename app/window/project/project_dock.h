@@ -50,6 +50,7 @@ Q_SIGNALS:
     void keepViewRequested();
     void keepResultRequested();
     void drawLotRequested();
+    void editLotRequested(noonmark::NamedLot lot);
     void drawPlaceRequested();
     void readPlacesRequested();
     void useAsRegionRequested(const std::string& place);
@@ -62,6 +63,7 @@ private:
     void addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node);
     void addScenarioActions(QMenu& menu, const std::string& name);
     void addPlaceActions(QMenu& menu, const std::string& name);
+    void addLotActions(QMenu& menu, const std::string& name);
     void addGroupActions(QMenu& menu, const ProjectNode& node);
     void openGroup(const QModelIndex& group);
 

@@ -57,6 +57,7 @@ std::unique_ptr<QMenu> ContextMenu::makeMenu(QPointF pixel) {
         addBuilding(*menu, *pick->building);
     else
         addPlaces(*menu, at);
+    addLots(*menu, at);
     addGround(*menu, *pick);
     return menu;
 }
@@ -93,6 +94,16 @@ void ContextMenu::addPlaces(QMenu& menu, glm::dvec2 at) {
                        [this, name = place.name] { region_.takeNamed(name); });
         menu.addAction(makeIcon(QStringLiteral("whole-city")), tr("Zoom to it"), this,
                        [this, name = place.name] { places_.zoomTo(name); });
+    }
+}
+
+void ContextMenu::addLots(QMenu& menu, glm::dvec2 at) {
+    for (const NamedLot& lot : workbench_.session().project().lots) {
+        if (!contains(lot.outline, at)) continue;
+        QString title = QString::fromStdString(lot.name);
+        menu.addSection(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
+        menu.addAction(makeIcon(QStringLiteral("lot")), tr("Edit lot"), this,
+                       [this, lot] { tools_.editLot(lot); });
     }
 }
 

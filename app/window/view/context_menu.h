@@ -31,6 +31,7 @@ private:
     void popUp(QPointF pixel);
     void addBuilding(QMenu& menu, std::uint32_t building);
     void addPlaces(QMenu& menu, glm::dvec2 at);
+    void addLots(QMenu& menu, glm::dvec2 at);
     void addGround(QMenu& menu, const Pick& pick);
 
     Workbench& workbench_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "core/city/footprints/repair_footprint.h"
 
@@ -25,6 +26,11 @@ glm::vec2 squared(glm::vec2 from, glm::vec2 to, glm::vec2 direction) {
     const glm::vec2 across(-along.y, along.x);
     const float a = glm::dot(to - from, along), b = glm::dot(to - from, across);
     return std::abs(a) >= std::abs(b) ? from + a * along : from + b * across;
+}
+
+glm::dvec2 directionOf(double azimuthDeg) {
+    const double azimuth = glm::radians(azimuthDeg);
+    return {std::sin(azimuth), std::cos(azimuth)};
 }
 
 }  // namespace
@@ -60,6 +66,28 @@ void PolygonTool::moveTo(glm::dvec3 ground, bool square) {
     if (!active_ || points_.empty()) return;
     cursor_ = placed(ground, square);
     Q_EMIT lineChanged();
+}
+
+void PolygonTool::addSide(double lengthM, std::optional<double> azimuthDeg) {
+    if (!active_ || points_.empty()) return;
+    const glm::vec3 last = points_.back();
+    const auto direction = azimuthDeg ? std::optional(directionOf(*azimuthDeg)) : cursorDirection();
+    if (!direction)
+        return Q_EMIT refused({"The direction of the side is not known",
+                               {},
+                               "Move the cursor to where the side leads, or type an azimuth: 40<90"});
+    addPoint(glm::dvec3(glm::dvec2(last) + lengthM * *direction, double(last.z)));
+}
+
+std::optional<glm::dvec2> PolygonTool::cursorDirection() const {
+    if (!cursor_) return std::nullopt;
+    const glm::dvec2 towards = glm::dvec2(*cursor_) - glm::dvec2(points_.back());
+    if (glm::length(towards) < double(samePlaceM)) return std::nullopt;
+    return glm::normalize(towards);
+}
+
+bool PolygonTool::closesAt(glm::dvec2 ground) const {
+    return points_.size() > 2 && glm::distance(glm::dvec2(points_.front()), ground) < double(samePlaceM);
 }
 
 void PolygonTool::removeLastPoint() {

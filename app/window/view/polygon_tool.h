@@ -24,11 +24,17 @@ public:
     /// compass direction.
     void addPoint(glm::dvec3 ground, bool square = false);
     void moveTo(glm::dvec3 ground, bool square = false);  ///< where the next point would be
+    /// Places a corner so far from the last one, metres: at an azimuth, degrees clockwise from north, or else
+    /// towards the point under the cursor. Emits refused() where there is no such direction.
+    void addSide(double lengthM, std::optional<double> azimuthDeg = {});
     void removeLastPoint();
     /// Needs three points or more; otherwise the tool emits refused() and stays active.
     void finish();
     void cancel();
 
+    [[nodiscard]] const std::vector<glm::vec3>& points() const { return points_; }
+    /// Whether a point lies on the first corner of an outline that could be finished.
+    [[nodiscard]] bool closesAt(glm::dvec2 ground) const;
     /// The points so far, and the one under the cursor.
     [[nodiscard]] std::vector<glm::vec3> line() const;
 
@@ -45,6 +51,7 @@ Q_SIGNALS:
 
 private:
     void end();
+    [[nodiscard]] std::optional<glm::dvec2> cursorDirection() const;  ///< from the last corner
     [[nodiscard]] glm::vec3 placed(glm::dvec3 ground, bool square) const;
 
     QString what_;

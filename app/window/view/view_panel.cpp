@@ -25,7 +25,10 @@ namespace {
 
 constexpr double straightDownDeg = 89;
 
-bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier); }
+// Some window managers give the keys to the whole window at each click, away from the view inside it.
+void takeKeys(QWindow& view) {
+    if (QGuiApplication::focusWindow() != &view) view.requestActivate();
+}
 
 }  // namespace
 
@@ -34,11 +37,9 @@ ViewPanel::ViewPanel(QWidget* parent)
       column_(new QVBoxLayout(this)),
       view_(new CityView),
       navigator_(new ViewNavigator(*view_)),
-      regionTool_(new PolygonTool(tr("region"), this)),
-      lotTool_(new PolygonTool(tr("lot"), this)),
-      placeTool_(new PolygonTool(tr("place"), this)),
       measureTool_(new MeasureTool(this)),
       label_(new CursorLabel(*view_, this)),
+      polygons_(new PolygonDrawing(*view_, *navigator_, *label_, this)),
       section_(new SectionTool(*view_, *navigator_, *label_, this)),
       messages_(new MessageBar),
       time_(new TimeStrip),
@@ -68,61 +69,43 @@ ViewPanel::ViewPanel(QWidget* parent)
         label_->hide();
         Q_EMIT hovered({});
     });
-    for (PolygonTool* tool : tools()) connectTool(tool);
+    connectDrawing();
     connectNavigator();
     connectMeasuring();
 }
 
 void ViewPanel::connectNavigator() {
-    connect(navigator_, &ViewNavigator::clicked, this, [this](QPointF pixel) {
-        PolygonTool* tool = activeTool();
-        const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
-        if (ground) tool->addPoint(*ground, shiftIsDown());
-    });
-    connect(navigator_, &ViewNavigator::doubleClicked, this, [this] {
-        if (PolygonTool* tool = activeTool()) tool->finish();
-    });
     connect(navigator_, &ViewNavigator::rightClicked, this, [this](QPointF pixel) {
-        if (PolygonTool* tool = activeTool()) return tool->finish();
+        if (PolygonTool* tool = polygons_->active()) return tool->finish();
         Q_EMIT menuWanted(pixel);
     });
     connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
 }
 
-// Only one polygon is drawn at a time.
-void ViewPanel::connectTool(PolygonTool* tool) {
-    connect(tool, &PolygonTool::lineChanged, this, &ViewPanel::showLines);
-    connect(tool, &PolygonTool::refused, messages_, &MessageBar::showError);
-    connect(tool, &PolygonTool::activeChanged, this, [this, tool](bool active) {
-        for (PolygonTool* other : tools())
-            if (active && other != tool) other->cancel();
+void ViewPanel::connectDrawing() {
+    connect(polygons_, &PolygonDrawing::lineChanged, this, &ViewPanel::showLines);
+    connect(polygons_, &PolygonDrawing::refused, messages_, &MessageBar::showError);
+    connect(polygons_, &PolygonDrawing::activeChanged, this, [this](bool active) {
         if (active) measureTool_->end();
-        if (active)
-            view_->setCursor(Qt::CrossCursor);
-        else
-            view_->unsetCursor();
-        label_->hide();
+        showCrossCursor(active);
     });
 }
 
-PolygonTool* ViewPanel::activeTool() const {
-    for (PolygonTool* tool : tools())
-        if (tool->active()) return tool;
-    return nullptr;
+void ViewPanel::showCrossCursor(bool cross) {
+    if (cross)
+        view_->setCursor(Qt::CrossCursor);
+    else
+        view_->unsetCursor();
+    label_->hide();
 }
 
-bool ViewPanel::drawing() const { return activeTool() != nullptr || measureTool_->active(); }
+bool ViewPanel::drawing() const { return polygons_->active() != nullptr || measureTool_->active(); }
 
 void ViewPanel::connectMeasuring() {
     connect(measureTool_, &MeasureTool::lineChanged, this, &ViewPanel::showLines);
     connect(measureTool_, &MeasureTool::activeChanged, this, [this](bool active) {
-        for (PolygonTool* tool : tools())
-            if (active) tool->cancel();
-        if (active)
-            view_->setCursor(Qt::CrossCursor);
-        else
-            view_->unsetCursor();
-        label_->hide();
+        if (active) polygons_->cancel();
+        showCrossCursor(active);
     });
     connect(navigator_, &ViewNavigator::clicked, this, [this](QPointF pixel) { measure(pixel, true); });
     connect(navigator_, &ViewNavigator::doubleClicked, this, [this] {
@@ -158,19 +141,15 @@ void ViewPanel::finishMeasuring() {
 }
 
 void ViewPanel::toolKey(int key) {
-    if (measureKey(key)) return;
-    PolygonTool* tool = activeTool();
-    if (!tool) return Q_EMIT keyPressed(key);
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) tool->finish();
-    if (key == Qt::Key_Escape) tool->cancel();
-    if (key == Qt::Key_Backspace) tool->removeLastPoint();
+    if (!measureKey(key) && !polygons_->key(key)) Q_EMIT keyPressed(key);
 }
 
 void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     city_ = std::move(city);
     navigator_->setScene(city_->picker);
+    polygons_->snapping().setCity(city_);
     if (view_->arrays() != city_->arrays) {
-        if (PolygonTool* tool = activeTool()) tool->cancel();
+        polygons_->cancel();
         measureTool_->end();
         view_->showCity(city_->arrays);
     }
@@ -223,22 +202,14 @@ void ViewPanel::showLines() {
         const std::vector<glm::dvec3> line = measureTool_->line();
         return view_->showLines({GroundLine{{line.begin(), line.end()}, false}});
     }
-    if (const PolygonTool* tool = activeTool())
+    if (const PolygonTool* tool = polygons_->active())
         return view_->showLines({makeGroundLine(tool->line(), city_->city(), true)});
     view_->showLines(makeGroundLines(region_, city_->city()));
 }
 
-void ViewPanel::draw(QPointF pixel) {
-    PolygonTool* tool = activeTool();
-    const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
-    if (!ground) return;
-    tool->moveTo(*ground, shiftIsDown());
-    label_->show(pixel, describeDrawn(*tool));
-}
-
 void ViewPanel::tellWhatIsAt(QPointF pixel) {
     if (!city_) return;
-    draw(pixel);
+    polygons_->hover(pixel);
     measure(pixel, false);
     const auto pick = navigator_->pickAt(pixel);
     Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
@@ -274,6 +245,7 @@ bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
         dropEvent(static_cast<QDropEvent*>(event));
         return true;
     }
+    if (event->type() == QEvent::MouseButtonRelease) takeKeys(*view_);
     return QWidget::eventFilter(watched, event);
 }
 

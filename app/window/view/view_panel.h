@@ -1,20 +1,19 @@
 #pragma once
 
 // The 3D view in the middle of the window and what surrounds it. ViewPanel contains the view, the messages,
-// the time strip and the legend, and draws polygons with PolygonTool. ModeSwitch chooses the mode
+// the time strip and the legend; PolygonDrawing draws polygons in it. ModeSwitch chooses the mode
 // (view_mode); view_picture composes the saved picture; ground_lines, hover_text and visible_ground are what
 // the view shows and reports of the ground.
 
 #include <QVBoxLayout>
 #include <QWidget>
-#include <array>
 #include <memory>
 
 #include "app/window/results/result_layer.h"
 #include "app/window/study/open_city.h"
 #include "app/window/view/map_layer.h"
 #include "app/window/view/measure_tool.h"
-#include "app/window/view/polygon_tool.h"
+#include "app/window/view/polygon_drawing.h"
 #include "app/window/view/section_tool.h"
 #include "app/window/widgets/cursor_label.h"
 #include "app/window/widgets/legend_strip.h"
@@ -42,9 +41,10 @@ public:
 
     [[nodiscard]] CityView& view() { return *view_; }
     [[nodiscard]] ViewNavigator& navigator() { return *navigator_; }
-    [[nodiscard]] PolygonTool& regionTool() { return *regionTool_; }
-    [[nodiscard]] PolygonTool& lotTool() { return *lotTool_; }
-    [[nodiscard]] PolygonTool& placeTool() { return *placeTool_; }
+    [[nodiscard]] PolygonTool& regionTool() { return polygons_->region(); }
+    [[nodiscard]] PolygonTool& lotTool() { return polygons_->lot(); }
+    [[nodiscard]] PolygonTool& placeTool() { return polygons_->place(); }
+    [[nodiscard]] Snapping& snapping() { return polygons_->snapping(); }
     [[nodiscard]] MeasureTool& measureTool() { return *measureTool_; }
     [[nodiscard]] SectionTool& section() { return *section_; }
     /// A polygon is being drawn, or a distance measured: clicks belong to it.
@@ -81,12 +81,10 @@ protected:
 
 private:
     void connectNavigator();
-    void connectTool(PolygonTool* tool);
-    [[nodiscard]] std::array<PolygonTool*, 3> tools() const { return {regionTool_, lotTool_, placeTool_}; }
+    void connectDrawing();
+    void showCrossCursor(bool cross);
     void markPlaces();
-    [[nodiscard]] PolygonTool* activeTool() const;
     void showLines();
-    void draw(QPointF pixel);
     void measure(QPointF pixel, bool clicked);
     void connectMeasuring();
     void finishMeasuring();
@@ -98,13 +96,11 @@ private:
     QVBoxLayout* column_;
     CityView* view_;
     ViewNavigator* navigator_;
-    PolygonTool* regionTool_;
-    PolygonTool* lotTool_;
-    PolygonTool* placeTool_;
     MeasureTool* measureTool_;
     QString comparison_;
     UnitSystem units_ = UnitSystem::metric;
     CursorLabel* label_;
+    PolygonDrawing* polygons_;
     SectionTool* section_;
     MessageBar* messages_;
     TimeStrip* time_;

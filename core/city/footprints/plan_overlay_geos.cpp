@@ -1,7 +1,6 @@
 #include <geos_c.h>
 
-#include <algorithm>
-
+#include "core/city/footprints/box_index.h"
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/shared_area.h"
@@ -11,7 +10,6 @@ namespace noonmark {
 namespace {
 
 using Geometry = Geos::Geometry;
-using Boxes = std::vector<Box2>;
 
 // Whether anything is left after the footprint was eroded by half of `widthM`.
 bool isWide(const Geos& geos, const Footprint& footprint, double widthM) {
@@ -20,41 +18,6 @@ bool isWide(const Geos& geos, const Footprint& footprint, double widthM) {
     const Geometry core = geos.owned(GEOSBuffer_r(geos, whole.get(), -widthM / 2, 2));
     return core && GEOSisEmpty_r(geos, core.get()) == 0;
 }
-
-GEOSGeometry* boxGeometry(const Geos& geos, const Box2& box) {
-    return GEOSGeom_createRectangle_r(geos, double(box.low.x), double(box.low.y), double(box.high.x),
-                                      double(box.high.y));
-}
-
-// GEOS's spatial index of boxes; an item is the address of a box in `boxes`.
-class BoxTree {
-public:
-    BoxTree(const Geos& geos, const Boxes& boxes) : geos_(geos), tree_(GEOSSTRtree_create_r(geos, 10)) {
-        for (const Box2& box : boxes) {
-            if (box.empty()) continue;
-            shapes_.push_back(geos.owned(boxGeometry(geos, box)));
-            GEOSSTRtree_insert_r(geos, tree_, shapes_.back().get(), const_cast<Box2*>(&box));
-        }
-    }
-    BoxTree(const BoxTree&) = delete;
-    BoxTree& operator=(const BoxTree&) = delete;
-    ~BoxTree() { GEOSSTRtree_destroy_r(geos_, tree_); }
-
-    [[nodiscard]] std::vector<const Box2*> meeting(const Box2& box) const {
-        std::vector<const Box2*> found;
-        const Geometry shape = geos_.owned(boxGeometry(geos_, box));
-        const auto keep = [](void* item, void* list) {
-            static_cast<std::vector<const Box2*>*>(list)->push_back(static_cast<const Box2*>(item));
-        };
-        GEOSSTRtree_query_r(geos_, tree_, shape.get(), keep, &found);
-        return found;
-    }
-
-private:
-    const Geos& geos_;
-    GEOSSTRtree* tree_;
-    std::vector<Geometry> shapes_;
-};
 
 // Null if GEOS fails even on a grid of 1 mm.
 Geometry sharedGeometry(const Geos& geos, const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
@@ -117,15 +80,12 @@ double computeShareBeside(const std::vector<Footprint>& outline, const std::vect
     return wholeM > 0 ? sharedM / wholeM : 0;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> findMeetingBoxes(const Boxes& a, const Boxes& b) {
-    const Geos geos;
-    const BoxTree tree(geos, b);
+std::vector<std::pair<std::size_t, std::size_t>> findMeetingBoxes(const std::vector<Box2>& a,
+                                                                  const std::vector<Box2>& b) {
+    const BoxIndex index(b);
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i].empty()) continue;
-        for (const Box2* box : tree.meeting(a[i])) pairs.emplace_back(i, std::size_t(box - b.data()));
-    }
-    std::ranges::sort(pairs);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (const std::size_t j : index.findMeeting(a[i])) pairs.emplace_back(i, j);
     return pairs;
 }
 
