@@ -1,7 +1,9 @@
 #include "app/window/review/verdict_words.h"
 
 #include <QObject>
+#include <QStringList>
 
+#include "app/window/widgets/number_words.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
 
@@ -21,6 +23,18 @@ QString describeVerdict(Verdict verdict) {
             return QObject::tr("? not checked");
     }
     return {};
+}
+
+QString describeCounts(const VerdictCounts& counts) {
+    QStringList parts;
+    const auto add = [&](std::size_t count, Verdict verdict) {
+        if (count > 0) parts << QStringLiteral("%1 %2").arg(formatCount(count), describeVerdict(verdict));
+    };
+    add(counts.fail, Verdict::fail);
+    add(counts.borderline, Verdict::borderline);
+    add(counts.pass, Verdict::pass);
+    add(counts.notApplicable, Verdict::notApplicable);
+    return parts.join(QStringLiteral(", "));
 }
 
 QColor verdictColour(Verdict verdict) {
