@@ -28,6 +28,12 @@ Result<void> keepSound(std::vector<Scenario>& scenarios, std::vector<Scenario> c
 
 }  // namespace
 
+std::vector<std::string> listNames(const std::vector<Scenario>& scenarios) {
+    std::vector<std::string> names{existingCity};
+    for (const Scenario& scenario : scenarios) names.push_back(scenario.name);
+    return names;
+}
+
 Result<void> renameScenario(std::vector<Scenario>& scenarios, const std::string& name,
                             const std::string& newName) {
     std::vector<Scenario> changed = scenarios;

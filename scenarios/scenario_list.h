@@ -7,6 +7,9 @@
 
 namespace noonmark {
 
+/// The existing city, then the scenarios in their order.
+std::vector<std::string> listNames(const std::vector<Scenario>& scenarios);
+
 // Changes to a valid list of scenarios. The list stays valid; on an Error it stays unchanged. Error: there is
 // no such scenario, the name is that of the existing city, or the new name is taken.
 

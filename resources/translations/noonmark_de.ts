@@ -2378,6 +2378,14 @@ Alle Seiten %2, Fläche %3</translation>
         <source>edge</source>
         <translation>Kante</translation>
     </message>
+    <message>
+        <source>sq ft</source>
+        <translation>sq ft</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3503,6 +3511,21 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Explains the field that is clicked next; in a field, Shift+F1</source>
         <translation>Erklärt das nächste angeklickte Feld</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LatestAnswers</name>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>All scores</source>
+        <translation>Alle Bewertungen</translation>
+    </message>
+    <message>
+        <source>Reading saved results</source>
+        <translation>Lese gespeicherte Ergebnisse</translation>
     </message>
 </context>
 <context>
@@ -5557,6 +5580,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Not up to date: rule, places, time zone or year have changed. Run again.</source>
         <translation>Nicht aktuell: Regel, Orte, Zeitzone oder Jahr haben sich geändert. Neu prüfen.</translation>
     </message>
+    <message>
+        <source>All reviews</source>
+        <translation>Alle Prüfungen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RuleForm</name>
@@ -5696,6 +5723,22 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Runs the same study for each scenario, for comparison side by side</source>
         <translation>Führt dieselbe Untersuchung für jedes Szenario durch, zum Vergleich nebeneinander</translation>
     </message>
+    <message>
+        <source>&amp;Score all scenarios</source>
+        <translation>Alle Szenarien &amp;bewerten</translation>
+    </message>
+    <message>
+        <source>Computes the scores that the dock Scenarios lacks, with the table that the dock Weights shows</source>
+        <translation>Berechnet die Bewertungen, die im Feld Szenarien fehlen, mit der Tabelle im Feld Gewichte</translation>
+    </message>
+    <message>
+        <source>&amp;Review all scenarios</source>
+        <translation>Alle Szenarien &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
+        <translation>Prüft die Szenarien, deren Befunde im Feld Szenarien fehlen, nach der Regel im Feld Prüfung</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -5739,10 +5782,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Schritte seit dem Bestand, mit denen seiner Grundlagen</translation>
     </message>
     <message>
-        <source>Shadow area, m²</source>
-        <translation>Schattenfläche, m²</translation>
-    </message>
-    <message>
         <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
         <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
     </message>
@@ -5763,16 +5802,94 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Längster ununterbrochener Schatten eines Tages, Mittel über die Messpunkte</translation>
     </message>
     <message>
-        <source>Not computed with the current settings: show the scenario and press Run</source>
-        <translation>Mit den jetzigen Einstellungen nicht berechnet: Szenario zeigen und Berechnen drücken</translation>
-    </message>
-    <message>
         <source>Floor area by use</source>
         <translation>Geschossfläche nach Nutzung</translation>
     </message>
     <message>
         <source>Gross floor area of the scenario&apos;s towers by use, sorted by its sum. Imported buildings and towers whose height was changed afterwards are not counted</source>
         <translation>Bruttogrundfläche der Türme des Szenarios nach Nutzung, sortiert nach der Summe. Importierte Gebäude und Türme, deren Höhe nachträglich geändert wurde, zählen nicht mit</translation>
+    </message>
+    <message>
+        <source>Height, %1</source>
+        <translation>Höhe, %1</translation>
+    </message>
+    <message>
+        <source>Highest point above its ground of the buildings that the scenario adds</source>
+        <translation>Höchster Punkt über dem Boden der Gebäude, die das Szenario hinzufügt</translation>
+    </message>
+    <message>
+        <source>Floor area, %1</source>
+        <translation>Geschossfläche, %1</translation>
+    </message>
+    <message>
+        <source>Gross floor area of the scenario&apos;s towers. Imported buildings and towers whose height was changed afterwards are not counted</source>
+        <translation>Bruttogrundfläche der Türme des Szenarios. Importierte Gebäude und Türme, deren Höhe nachträglich geändert wurde, zählen nicht mit</translation>
+    </message>
+    <message>
+        <source>Shadow area, %1</source>
+        <translation>Schattenfläche, %1</translation>
+    </message>
+    <message>
+        <source>Impact, %1</source>
+        <translation>Auswirkung, %1</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
+        <translation>Änderung der Schattenfläche gegenüber dem gewählten Vergleich, sonst gegenüber dem Bestand, auf den Messpunkten von beiden</translation>
+    </message>
+    <message>
+        <source>Score, %1</source>
+        <translation>Bewertung, %1</translation>
+    </message>
+    <message>
+        <source>Shadow weighted by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow</source>
+        <translation>Schatten, gewichtet mit der Tabelle im Feld Gewichte: über 0 überwiegt erwünschter Schatten den unerwünschten</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
+        <translation>Nach der Regel und dem Vergleich im Feld Prüfung; sortiert nach der Zahl der nicht bestandenen, dann der grenzwertigen</translation>
+    </message>
+    <message>
+        <source>The scenario adds no building</source>
+        <translation>Das Szenario fügt kein Gebäude hinzu</translation>
+    </message>
+    <message>
+        <source>Not computed with the current settings: press Measure all</source>
+        <translation>Mit den jetzigen Einstellungen nicht berechnet: Alle messen drücken</translation>
+    </message>
+    <message>
+        <source>With the weights %1</source>
+        <translation>Mit den Gewichten %1</translation>
+    </message>
+    <message>
+        <source>Not computed with these settings and the weights %1 since buildings last changed: press Score all</source>
+        <translation>Seit der letzten Änderung der Gebäude nicht mit diesen Einstellungen und den Gewichten %1 berechnet: Alle bewerten drücken</translation>
+    </message>
+    <message>
+        <source>%1, compared with %2</source>
+        <translation>%1, verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>Not reviewed by the rule %1 since buildings or places last changed: press Review all</source>
+        <translation>Seit der letzten Änderung der Gebäude oder Orte nicht nach der Regel %1 geprüft: Alle prüfen drücken</translation>
+    </message>
+    <message>
+        <source>The other scenarios are compared with this one</source>
+        <translation>Die anderen Szenarien werden mit diesem verglichen</translation>
+    </message>
+    <message>
+        <source>Not compared with %1 with these settings since buildings last changed: press Measure all</source>
+        <translation>Seit der letzten Änderung der Gebäude nicht mit diesen Einstellungen mit %1 verglichen: Alle messen drücken</translation>
+    </message>
+    <message>
+        <source>Compared with %1. Ground whose gross shadow changes by more than %2 min a day:
+%3</source>
+        <translation>Verglichen mit %1. Boden, dessen Gesamtschatten sich um mehr als %2 min am Tag ändert:
+%3</translation>
     </message>
 </context>
 <context>
@@ -5788,6 +5905,22 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Runs the study for scenarios without figures, with the current period and region</source>
         <translation>Untersucht alle Szenarien ohne Zahlen, mit dem jetzigen Zeitraum und Gebiet</translation>
+    </message>
+    <message>
+        <source>Score all</source>
+        <translation>Alle bewerten</translation>
+    </message>
+    <message>
+        <source>Computes the missing scores with the table that the dock Weights shows</source>
+        <translation>Berechnet die fehlenden Bewertungen mit der Tabelle im Feld Gewichte</translation>
+    </message>
+    <message>
+        <source>Review all</source>
+        <translation>Alle prüfen</translation>
+    </message>
+    <message>
+        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
+        <translation>Prüft die Szenarien ohne Befunde nach Regel, Vergleich und Orten, die im Feld Prüfung gewählt sind</translation>
     </message>
 </context>
 <context>
@@ -7212,6 +7345,10 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>Estimating</source>
         <translation>Zeit wird geschätzt</translation>
+    </message>
+    <message>
+        <source>All reviews</source>
+        <translation>Alle Prüfungen</translation>
     </message>
 </context>
 <context>

@@ -2378,6 +2378,14 @@ Todos los lados %2, área %3</translation>
         <source>edge</source>
         <translation>borde</translation>
     </message>
+    <message>
+        <source>sq ft</source>
+        <translation>ft²</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3503,6 +3511,21 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Explains the field that is clicked next; in a field, Shift+F1</source>
         <translation>Explica el campo en que se haga clic</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LatestAnswers</name>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>All scores</source>
+        <translation>Todas las puntuaciones</translation>
+    </message>
+    <message>
+        <source>Reading saved results</source>
+        <translation>Leyendo resultados guardados</translation>
     </message>
 </context>
 <context>
@@ -5557,6 +5580,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Not up to date: rule, places, time zone or year have changed. Run again.</source>
         <translation>No actualizado: norma, lugares, zona horaria o año han cambiado. Evalúe de nuevo.</translation>
     </message>
+    <message>
+        <source>All reviews</source>
+        <translation>Todas las revisiones</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RuleForm</name>
@@ -5696,6 +5723,22 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Runs the same study for each scenario, for comparison side by side</source>
         <translation>Hace el mismo estudio para cada escenario, para compararlos</translation>
     </message>
+    <message>
+        <source>&amp;Score all scenarios</source>
+        <translation>&amp;Puntuar todos los escenarios</translation>
+    </message>
+    <message>
+        <source>Computes the scores that the dock Scenarios lacks, with the table that the dock Weights shows</source>
+        <translation>Calcula las puntuaciones que faltan en el panel Escenarios con la tabla del panel Pesos</translation>
+    </message>
+    <message>
+        <source>&amp;Review all scenarios</source>
+        <translation>&amp;Revisar todos los escenarios</translation>
+    </message>
+    <message>
+        <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
+        <translation>Revisa los escenarios cuyos dictámenes faltan en el panel Escenarios, según la norma elegida en el panel Revisión</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -5739,10 +5782,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Pasos desde la ciudad existente, con los de sus bases</translation>
     </message>
     <message>
-        <source>Shadow area, m²</source>
-        <translation>Área de sombra, m²</translation>
-    </message>
-    <message>
         <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
         <translation>Suma en los receptores de (parte del tiempo de sol en sombra × área de celda)</translation>
     </message>
@@ -5763,16 +5802,94 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Tramo más largo en sombra de cualquier día, media de los receptores</translation>
     </message>
     <message>
-        <source>Not computed with the current settings: show the scenario and press Run</source>
-        <translation>No calculado con los ajustes actuales: muestre el escenario y pulse Calcular</translation>
-    </message>
-    <message>
         <source>Floor area by use</source>
         <translation>Superficie por uso</translation>
     </message>
     <message>
         <source>Gross floor area of the scenario&apos;s towers by use, sorted by its sum. Imported buildings and towers whose height was changed afterwards are not counted</source>
         <translation>Superficie construida total de las torres del escenario por uso, ordenada por la suma. No se cuentan los edificios importados ni las torres cuya altura se cambió después</translation>
+    </message>
+    <message>
+        <source>Height, %1</source>
+        <translation>Altura, %1</translation>
+    </message>
+    <message>
+        <source>Highest point above its ground of the buildings that the scenario adds</source>
+        <translation>Punto más alto sobre su suelo de los edificios que añade el escenario</translation>
+    </message>
+    <message>
+        <source>Floor area, %1</source>
+        <translation>Superficie, %1</translation>
+    </message>
+    <message>
+        <source>Gross floor area of the scenario&apos;s towers. Imported buildings and towers whose height was changed afterwards are not counted</source>
+        <translation>Superficie construida total de las torres del escenario. No se cuentan los edificios importados ni las torres cuya altura se cambió después</translation>
+    </message>
+    <message>
+        <source>Shadow area, %1</source>
+        <translation>Área de sombra, %1</translation>
+    </message>
+    <message>
+        <source>Impact, %1</source>
+        <translation>Impacto, %1</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
+        <translation>Cambio del área de sombra respecto a la referencia elegida o, si no, a la ciudad existente, en los receptores de ambas</translation>
+    </message>
+    <message>
+        <source>Score, %1</source>
+        <translation>Puntuación, %1</translation>
+    </message>
+    <message>
+        <source>Shadow weighted by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow</source>
+        <translation>Sombra ponderada con la tabla del panel Pesos: por encima de 0, la sombra deseada pesa más que la no deseada</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Dictámenes</translation>
+    </message>
+    <message>
+        <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
+        <translation>Según la norma y la referencia del panel Revisión; ordenados por el número de los que no cumplen y luego por los que están en el límite</translation>
+    </message>
+    <message>
+        <source>The scenario adds no building</source>
+        <translation>El escenario no añade ningún edificio</translation>
+    </message>
+    <message>
+        <source>Not computed with the current settings: press Measure all</source>
+        <translation>No calculado con los ajustes actuales: pulse Medir todos</translation>
+    </message>
+    <message>
+        <source>With the weights %1</source>
+        <translation>Con los pesos %1</translation>
+    </message>
+    <message>
+        <source>Not computed with these settings and the weights %1 since buildings last changed: press Score all</source>
+        <translation>No calculado con estos ajustes y los pesos %1 desde el último cambio de los edificios: pulse Puntuar todos</translation>
+    </message>
+    <message>
+        <source>%1, compared with %2</source>
+        <translation>%1, comparado con %2</translation>
+    </message>
+    <message>
+        <source>Not reviewed by the rule %1 since buildings or places last changed: press Review all</source>
+        <translation>No revisado según la norma %1 desde el último cambio de edificios o lugares: pulse Revisar todos</translation>
+    </message>
+    <message>
+        <source>The other scenarios are compared with this one</source>
+        <translation>Los demás escenarios se comparan con este</translation>
+    </message>
+    <message>
+        <source>Not compared with %1 with these settings since buildings last changed: press Measure all</source>
+        <translation>No comparado con %1 con estos ajustes desde el último cambio de los edificios: pulse Medir todos</translation>
+    </message>
+    <message>
+        <source>Compared with %1. Ground whose gross shadow changes by more than %2 min a day:
+%3</source>
+        <translation>Comparado con %1. Suelo cuya sombra total cambia más de %2 min al día:
+%3</translation>
     </message>
 </context>
 <context>
@@ -5788,6 +5905,22 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Runs the study for scenarios without figures, with the current period and region</source>
         <translation>Estudia los escenarios sin cifras, con el periodo y la zona actuales</translation>
+    </message>
+    <message>
+        <source>Score all</source>
+        <translation>Puntuar todos</translation>
+    </message>
+    <message>
+        <source>Computes the missing scores with the table that the dock Weights shows</source>
+        <translation>Calcula las puntuaciones que faltan con la tabla del panel Pesos</translation>
+    </message>
+    <message>
+        <source>Review all</source>
+        <translation>Revisar todos</translation>
+    </message>
+    <message>
+        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
+        <translation>Revisa los escenarios sin dictámenes según la norma, la referencia y los lugares elegidos en el panel Revisión</translation>
     </message>
 </context>
 <context>
@@ -7212,6 +7345,10 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>Estimating</source>
         <translation>Estimando el tiempo</translation>
+    </message>
+    <message>
+        <source>All reviews</source>
+        <translation>Todas las revisiones</translation>
     </message>
 </context>
 <context>

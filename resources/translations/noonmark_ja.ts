@@ -2355,6 +2355,14 @@ All sides %2, area %3</source>
         <source>edge</source>
         <translation>辺</translation>
     </message>
+    <message>
+        <source>sq ft</source>
+        <translation>平方フィート</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>フィート</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3475,6 +3483,21 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Explains the field that is clicked next; in a field, Shift+F1</source>
         <translation>次にクリックした欄を説明します</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::LatestAnswers</name>
+    <message>
+        <source>Comparison</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>All scores</source>
+        <translation>すべてのスコア</translation>
+    </message>
+    <message>
+        <source>Reading saved results</source>
+        <translation>保存した結果を読み込み中</translation>
     </message>
 </context>
 <context>
@@ -5523,6 +5546,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Not up to date: rule, places, time zone or year have changed. Run again.</source>
         <translation>最新ではありません: 規定、場所、タイムゾーン、年のいずれかが変わりました。再審査してください。</translation>
     </message>
+    <message>
+        <source>All reviews</source>
+        <translation>すべての審査</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RuleForm</name>
@@ -5662,6 +5689,22 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Runs the same study for each scenario, for comparison side by side</source>
         <translation>各シナリオに同じ検討を行い、並べて比較</translation>
     </message>
+    <message>
+        <source>&amp;Score all scenarios</source>
+        <translation>全シナリオを採点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Computes the scores that the dock Scenarios lacks, with the table that the dock Weights shows</source>
+        <translation>「シナリオ」パネルに欠けているスコアを「重み」パネルの表で計算します</translation>
+    </message>
+    <message>
+        <source>&amp;Review all scenarios</source>
+        <translation>全シナリオを審査(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
+        <translation>「シナリオ」パネルに判定のないシナリオを、「審査」パネルで選んだ規定で審査します</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -5705,10 +5748,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>現況の都市からのステップ (元のシナリオを含む)</translation>
     </message>
     <message>
-        <source>Shadow area, m²</source>
-        <translation>日影面積, m²</translation>
-    </message>
-    <message>
         <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
         <translation>測定点ごとの (日照時間のうち影の割合 × セル面積) の合計</translation>
     </message>
@@ -5729,16 +5768,94 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>1 日の最長連続日影。測定点の平均</translation>
     </message>
     <message>
-        <source>Not computed with the current settings: show the scenario and press Run</source>
-        <translation>現在の設定では未計算: シナリオを表示して計算を押してください</translation>
-    </message>
-    <message>
         <source>Floor area by use</source>
         <translation>用途別床面積</translation>
     </message>
     <message>
         <source>Gross floor area of the scenario&apos;s towers by use, sorted by its sum. Imported buildings and towers whose height was changed afterwards are not counted</source>
         <translation>シナリオのタワーの用途別延床面積。合計で並べ替えます。読み込んだ建物と、後から高さを変えたタワーは数えません</translation>
+    </message>
+    <message>
+        <source>Height, %1</source>
+        <translation>高さ, %1</translation>
+    </message>
+    <message>
+        <source>Highest point above its ground of the buildings that the scenario adds</source>
+        <translation>シナリオが追加する建物の地盤からの最高点</translation>
+    </message>
+    <message>
+        <source>Floor area, %1</source>
+        <translation>床面積, %1</translation>
+    </message>
+    <message>
+        <source>Gross floor area of the scenario&apos;s towers. Imported buildings and towers whose height was changed afterwards are not counted</source>
+        <translation>シナリオのタワーの延床面積。読み込んだ建物と、後から高さを変えたタワーは数えません</translation>
+    </message>
+    <message>
+        <source>Shadow area, %1</source>
+        <translation>日影面積, %1</translation>
+    </message>
+    <message>
+        <source>Impact, %1</source>
+        <translation>影響, %1</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
+        <translation>選んだ比較基準（なければ既存の街）に対する日影面積の変化。両方に共通する測定点について</translation>
+    </message>
+    <message>
+        <source>Score, %1</source>
+        <translation>スコア, %1</translation>
+    </message>
+    <message>
+        <source>Shadow weighted by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow</source>
+        <translation>「重み」パネルの表で重み付けした影。0 より大きければ、望ましい影が望ましくない影を上回ります</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
+        <translation>「審査」パネルの規定と比較基準による。不適合の数、次に境界の数で並べ替えます</translation>
+    </message>
+    <message>
+        <source>The scenario adds no building</source>
+        <translation>このシナリオは建物を追加しません</translation>
+    </message>
+    <message>
+        <source>Not computed with the current settings: press Measure all</source>
+        <translation>現在の設定では未計算: 「すべて測定」を押してください</translation>
+    </message>
+    <message>
+        <source>With the weights %1</source>
+        <translation>重み %1 による</translation>
+    </message>
+    <message>
+        <source>Not computed with these settings and the weights %1 since buildings last changed: press Score all</source>
+        <translation>建物の最後の変更以降、この設定と重み %1 では未計算: 「すべて採点」を押してください</translation>
+    </message>
+    <message>
+        <source>%1, compared with %2</source>
+        <translation>%1、%2 との比較</translation>
+    </message>
+    <message>
+        <source>Not reviewed by the rule %1 since buildings or places last changed: press Review all</source>
+        <translation>建物または場所の最後の変更以降、規定 %1 では未審査: 「すべて審査」を押してください</translation>
+    </message>
+    <message>
+        <source>The other scenarios are compared with this one</source>
+        <translation>他のシナリオはこれと比較されます</translation>
+    </message>
+    <message>
+        <source>Not compared with %1 with these settings since buildings last changed: press Measure all</source>
+        <translation>建物の最後の変更以降、この設定では %1 と未比較: 「すべて測定」を押してください</translation>
+    </message>
+    <message>
+        <source>Compared with %1. Ground whose gross shadow changes by more than %2 min a day:
+%3</source>
+        <translation>%1 との比較。累計日影が 1 日 %2 分を超えて変化する地面:
+%3</translation>
     </message>
 </context>
 <context>
@@ -5754,6 +5871,22 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Runs the study for scenarios without figures, with the current period and region</source>
         <translation>数値のないシナリオを現在の期間と範囲で検討</translation>
+    </message>
+    <message>
+        <source>Score all</source>
+        <translation>すべて採点</translation>
+    </message>
+    <message>
+        <source>Computes the missing scores with the table that the dock Weights shows</source>
+        <translation>欠けているスコアを「重み」パネルの表で計算します</translation>
+    </message>
+    <message>
+        <source>Review all</source>
+        <translation>すべて審査</translation>
+    </message>
+    <message>
+        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
+        <translation>判定のないシナリオを、「審査」パネルで選んだ規定・比較基準・場所で審査します</translation>
     </message>
 </context>
 <context>
@@ -7178,6 +7311,10 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>Estimating</source>
         <translation>所要時間を見積もっています</translation>
+    </message>
+    <message>
+        <source>All reviews</source>
+        <translation>すべての審査</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,8 @@
 #include "scenarios/massing/tower_design.h"
 
 #include <algorithm>
-#include <optional>
+
+#include "core/city/terrain/building_ground.h"
 
 namespace noonmark {
 
@@ -76,6 +77,22 @@ ScenarioUses sumUses(std::span<const Edit> edits) {
     for (const auto& [name, area] : sums) uses.areas.push_back(area);
     std::ranges::stable_partition(uses.areas, [](const UseArea& area) { return !area.use.empty(); });
     return uses;
+}
+
+std::optional<double> sumFloorAreaM2(const ScenarioUses& uses) {
+    if (uses.areas.empty()) return std::nullopt;
+    double sumM2 = 0;
+    for (const UseArea& area : uses.areas) sumM2 += area.grossFloorM2;
+    return sumM2;
+}
+
+std::optional<double> findProposedHeightM(const City& city, std::span<const Edit> edits) {
+    const auto towers = findProposedTowers(edits);
+    std::optional<double> highestM;
+    for (const auto& building : city.buildings)
+        if (towers.contains(building->sourceId))
+            highestM = std::max(highestM.value_or(0), double(heightM(*building, city)));
+    return highestM;
 }
 
 }  // namespace noonmark

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "core/city/city.h"
 #include "scenarios/edits/edit.h"
 #include "scenarios/massing/massing.h"
 
@@ -39,5 +41,12 @@ struct ScenarioUses {
 
 /// Sums the designs of the scenario's towers; a tower without uses counts as not stated. Some ms per tower.
 ScenarioUses sumUses(std::span<const Edit> edits);
+
+/// Gross floor area of all uses, m2; none: no tower whose floors are known.
+std::optional<double> sumFloorAreaM2(const ScenarioUses& uses);
+
+/// The greatest height above its ground of the buildings that the edits add, metres; none: they add none.
+/// `city`: after the edits. O(buildings).
+std::optional<double> findProposedHeightM(const City& city, std::span<const Edit> edits);
 
 }  // namespace noonmark

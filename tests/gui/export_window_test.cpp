@@ -153,9 +153,9 @@ TEST_F(ExportWindow, TablesAndFiguresAreCopied) {
     auto* table = window->findChild<QTableView*>(QStringLiteral("scenarioTable"));
     ASSERT_TRUE(window->copying().copyText(table->viewport()));
     const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
-    EXPECT_TRUE(lines[0].startsWith(QStringLiteral("Scenario\tChanges\tShadow area")));
+    EXPECT_TRUE(lines[0].startsWith(QStringLiteral("Scenario\tChanges\tHeight, m\tFloor area, m²\t")));
     EXPECT_TRUE(lines[1].startsWith(QStringLiteral("Existing\t0\t")));
-    EXPECT_TRUE(lines[2].startsWith(QStringLiteral("Tower\t1")));
+    EXPECT_TRUE(lines[2].startsWith(QStringLiteral("Tower\t1\t70.0\t")));
     ASSERT_TRUE(window->copying().copyText(window->findChild<ResultsDock*>()));
     EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("Shadow area\t")));
     EXPECT_FALSE(window->copying().copyText(&window->panel())) << "no table: a picture is taken";

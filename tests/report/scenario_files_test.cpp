@@ -60,6 +60,55 @@ TEST(ScenarioTables, StateTheFloorAreaByUse) {
     EXPECT_EQ(json["scenarios"][1]["towers_not_counted_by_use"], 1);
 }
 
+/// The fields of the last line by the names of the first one; no field holds a comma.
+std::map<std::string, std::string> lastFieldsOf(const std::string& csv) {
+    const QStringList lines = QString::fromStdString(csv).trimmed().split(QStringLiteral("\r\n"));
+    const QStringList names = lines.first().split(u','), fields = lines.last().split(u',');
+    std::map<std::string, std::string> byName;
+    for (qsizetype i = 0; i < names.size(); ++i)
+        byName[names[i].toStdString()] = fields.value(i).toStdString();
+    return byName;
+}
+
+TEST(ScenarioTables, StateHeightImpactScoreAndVerdictsOrLeaveThemEmpty) {
+    ScenarioStudies two = makeTwoScenarios();
+    const auto without = lastFieldsOf(scenariosCsv(two));
+    for (const char* name :
+         {"height_m", "gross_floor_m2", "impact_baseline", "impact_m2", "score_m2", "fail"})
+        EXPECT_EQ(without.at(name), "") << name;
+    EXPECT_TRUE(nlohmann::json::parse(scenariosJson(two))["scenarios"][1]["impact"].is_null());
+    ScenarioStudy& tower = two[1];
+    tower.uses = {{{"homes", 9, 1800}, {"", 3, 600}}, 0};
+    tower.heightM = 42;
+    tower.answers.impact = ScenarioImpact{"Existing", {}};
+    tower.answers.impact->figures.shadowAreaChangeM2 = -12.5;
+    tower.answers.impact->figures.gross.gainedM2 = 80;
+    tower.answers.score = ScenarioScore{"default", -340.25};
+    tower.answers.verdicts = ScenarioVerdicts{"Boston Common", "Existing", {12, 1, 3, 2}};
+    const auto fields = lastFieldsOf(scenariosCsv(two));
+    for (const auto& [name, text] : std::map<std::string, std::string>{{"height_m", "42.0"},
+                                                                       {"gross_floor_m2", "2400.0"},
+                                                                       {"impact_baseline", "Existing"},
+                                                                       {"impact_m2", "-12.5"},
+                                                                       {"impact_threshold_min", "30"},
+                                                                       {"gained_m2", "80.0"},
+                                                                       {"lost_m2", "0.0"},
+                                                                       {"weights", "default"},
+                                                                       {"score_m2", "-340.2"},
+                                                                       {"rule", "Boston Common"},
+                                                                       {"pass", "12"},
+                                                                       {"borderline", "1"},
+                                                                       {"fail", "3"},
+                                                                       {"not_judged", "2"}})
+        EXPECT_EQ(fields.at(name), text) << name;
+    const auto json = nlohmann::json::parse(scenariosJson(two))["scenarios"][1];
+    EXPECT_EQ(json["height_m"], 42);
+    EXPECT_EQ(json["gross_floor_m2"], 2400);
+    EXPECT_EQ(json["impact"]["gained_m2"], 80);
+    EXPECT_EQ(json["score"]["score_m2"], -340.25);
+    EXPECT_EQ(json["verdicts"]["fail"], 3);
+}
+
 TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {
     const ScenarioStudies one{
         {"Existing", std::make_shared<const Study>(tests::grossOnly(tests::syntheticStudy()))}};

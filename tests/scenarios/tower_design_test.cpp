@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/floor_uses.h"
 #include "scenarios/project/edit_json.h"
 #include "tests/scenarios/small_town.h"
@@ -108,6 +109,26 @@ TEST(ScenarioUses, AreSummedOverTheTowersThatAreKnown) {
     EXPECT_EQ(uses.areas[1], (UseArea{"retail", 2, 400}));
     EXPECT_EQ(uses.areas[2], (UseArea{"", 3, 600}));
     EXPECT_EQ(uses.towersNotCounted, 2) << "one was made lower, one is a mesh";
+    EXPECT_EQ(sumFloorAreaM2(uses), 1800 + 400 + 600);
+    EXPECT_EQ(sumFloorAreaM2({}), std::nullopt);
+}
+
+TEST(ProposedHeight, IsThatOfTheHighestAddedBuildingAboveItsGround) {
+    City city;
+    city.buildings = {shared(house("old", box(0, 0, 10, 10), 90))};
+    const auto heightAfter = [&](const std::vector<Edit>& edits) {
+        return findProposedHeightM(applied(city, edits).value().city, edits);
+    };
+    Building onHill = house("hill", box(40, 0, 50, 10), 65);
+    onHill.parts[0].bottomM = 15;
+    const std::vector<Edit> two{AddBuilding{shared(house("low", box(20, 0, 30, 10), 40))},
+                                AddBuilding{shared(onHill)}};
+    EXPECT_EQ(heightAfter({}), std::nullopt);
+    EXPECT_EQ(heightAfter({ChangeHeight{"old", 120}}), std::nullopt) << "it was there before";
+    EXPECT_EQ(heightAfter({two[0]}), 40);
+    EXPECT_EQ(heightAfter(two), 50) << "65 m on ground of 15 m";
+    EXPECT_EQ(heightAfter({two[0], two[1], ChangeHeight{"low", 55}}), 55);
+    EXPECT_EQ(heightAfter({two[0], Demolish{"low"}}), std::nullopt);
 }
 
 TEST(FloorUses, StoreysAreGivenFromTheGroundUp) {

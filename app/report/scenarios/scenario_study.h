@@ -4,13 +4,41 @@
 // tables for programs, scenario_book.h as sheets, and scenario_files.h as the complete set of files.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/review/windows/building_review.h"
 #include "core/study/study.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
+
+/// The change from a baseline, on the receivers of both.
+struct ScenarioImpact {
+    std::string baseline;
+    ImpactFigures figures;
+};
+
+struct ScenarioScore {
+    std::string weights;  ///< name of the table
+    double scoreM2 = 0;
+};
+
+/// The review by a rule. Places or windows that were not checked count as not applicable.
+struct ScenarioVerdicts {
+    std::string rule;  ///< its name
+    std::string baseline;
+    VerdictCounts counts;
+};
+
+/// Figures of a scenario that are computed one by one; none: not computed for its present buildings.
+struct ScenarioAnswers {
+    std::optional<ScenarioImpact> impact{};
+    std::optional<ScenarioScore> score{};
+    std::optional<ScenarioVerdicts> verdicts{};
+};
 
 /// A scenario with its study. Those that are put side by side have the same settings, so that their figures
 /// can be compared; the first is what the others are compared with.
@@ -18,6 +46,8 @@ struct ScenarioStudy {
     std::string name;
     std::shared_ptr<const Study> study;  ///< not null; states its provenance
     ScenarioUses uses{};                 ///< of its towers
+    std::optional<double> heightM{};     ///< of the highest building that it adds; none: it adds none
+    ScenarioAnswers answers{};
 };
 using ScenarioStudies = std::vector<ScenarioStudy>;
 

@@ -28,6 +28,33 @@ Json figuresJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenario
             {"max_continuous_min", runs ? Json(figures.maxContinuousMin) : Json()}};
 }
 
+Json impactJson(const std::optional<ScenarioImpact>& impact) {
+    if (!impact) return {};
+    const ImpactFigures& figures = impact->figures;
+    return {{"baseline", impact->baseline},
+            {"shadow_area_change_m2", figures.shadowAreaChangeM2},
+            {"threshold_min", figures.thresholdMin},
+            {"gained_m2", figures.gross.gainedM2},
+            {"lost_m2", figures.gross.lostM2}};
+}
+
+Json scoreJson(const std::optional<ScenarioScore>& score) {
+    return score ? Json{{"weights", score->weights}, {"score_m2", score->scoreM2}} : Json();
+}
+
+Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
+    if (!verdicts) return {};
+    const VerdictCounts& counts = verdicts->counts;
+    return {{"rule", verdicts->rule}, {"baseline", verdicts->baseline},
+            {"pass", counts.pass},    {"borderline", counts.borderline},
+            {"fail", counts.fail},    {"not_judged", counts.notApplicable}};
+}
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json();
+}
+
 Json usesJson(const ScenarioUses& uses) {
     Json json = Json::array();
     for (const UseArea& area : uses.areas)
@@ -42,19 +69,51 @@ std::string runsText(const ShadowStatistics& figures) {
     return fmt::format("{:.3f},{:.3f}", figures.meanContinuousMin, figures.maxContinuousMin);
 }
 
+std::string orEmpty(const std::optional<double>& value) {
+    return value ? fmt::format("{:.1f}", *value) : std::string();
+}
+
+std::string impactFields(const std::optional<ScenarioImpact>& impact) {
+    if (!impact) return ",,,,";
+    const ImpactFigures& figures = impact->figures;
+    return fmt::format("{},{:.1f},{:g},{:.1f},{:.1f}", csvField(impact->baseline), figures.shadowAreaChangeM2,
+                       figures.thresholdMin, figures.gross.gainedM2, figures.gross.lostM2);
+}
+
+std::string scoreFields(const std::optional<ScenarioScore>& score) {
+    return score ? fmt::format("{},{:.1f}", csvField(score->weights), score->scoreM2) : ",";
+}
+
+std::string verdictFields(const std::optional<ScenarioVerdicts>& verdicts) {
+    if (!verdicts) return ",,,,,";
+    const VerdictCounts& counts = verdicts->counts;
+    return fmt::format("{},{},{},{},{},{}", csvField(verdicts->rule), csvField(verdicts->baseline),
+                       counts.pass, counts.borderline, counts.fail, counts.notApplicable);
+}
+
+std::string answerFields(const ScenarioStudy& scenario) {
+    const ScenarioAnswers& answers = scenario.answers;
+    return fmt::format("{},{},{},{},{}", orEmpty(scenario.heightM), orEmpty(sumFloorAreaM2(scenario.uses)),
+                       impactFields(answers.impact), scoreFields(answers.score),
+                       verdictFields(answers.verdicts));
+}
+
 }  // namespace
 
 std::string scenariosCsv(const ScenarioStudies& scenarios) {
     std::string csv =
         "name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,"
-        "mean_continuous_min,max_continuous_min" +
+        "mean_continuous_min,max_continuous_min,height_m,gross_floor_m2,impact_baseline,impact_m2,"
+        "impact_threshold_min,gained_m2,lost_m2,weights,score_m2,rule,rule_baseline,pass,borderline,fail,"
+        "not_judged" +
         std::string(sourceColumns) + "\r\n";
     for (const ScenarioStudy& scenario : scenarios) {
         const ShadowStatistics& figures = scenario.study->statistics;
-        csv += fmt::format("{},{},{:.1f},{:.1f},{:.1f},{:.3f},{}{}\r\n", csvField(scenario.name),
-                           countChanges(scenario), figures.receiverAreaM2, figures.shadowAreaM2,
-                           computeShadowAreaChange(scenarios, scenario), figures.meanGrossMin,
-                           runsText(figures), sourceFields(scenario.study->provenance));
+        csv +=
+            fmt::format("{},{},{:.1f},{:.1f},{:.1f},{:.3f},{},{}{}\r\n", csvField(scenario.name),
+                        countChanges(scenario), figures.receiverAreaM2, figures.shadowAreaM2,
+                        computeShadowAreaChange(scenarios, scenario), figures.meanGrossMin, runsText(figures),
+                        answerFields(scenario), sourceFields(scenario.study->provenance));
     }
     return csv;
 }
@@ -78,7 +137,12 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
                  {"engine", scenario.study->field.engine},
                  {"figures", figuresJson(scenarios, scenario)},
                  {"floor_area_by_use", usesJson(scenario.uses)},
-                 {"towers_not_counted_by_use", scenario.uses.towersNotCounted}};
+                 {"towers_not_counted_by_use", scenario.uses.towersNotCounted},
+                 {"gross_floor_m2", orNull(sumFloorAreaM2(scenario.uses))},
+                 {"height_m", orNull(scenario.heightM)},
+                 {"impact", impactJson(scenario.answers.impact)},
+                 {"score", scoreJson(scenario.answers.score)},
+                 {"verdicts", verdictsJson(scenario.answers.verdicts)}};
         addProvenance(one, scenario.study->provenance);
         one["warnings"] = warningsJson(scenario.study->warnings);
         json["scenarios"].push_back(std::move(one));
@@ -89,6 +153,16 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         {"floor_area_by_use",
          "storeys and gross floor area of the scenario's towers by use; use null: none is stated. Imported "
          "buildings and towers whose height was changed afterwards are counted in towers_not_counted_by_use"},
+        {"height_m", "greatest height above its ground of the buildings that the scenario adds"},
+        {"impact",
+         "change from the scenario baseline, on the receivers of both; gained_m2: area whose gross "
+         "shadow rises by more than threshold_min"},
+        {"score",
+         "sum over the intervals of the weight table of weight x share of their sunlit time in "
+         "shadow x cell area"},
+        {"verdicts",
+         "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
+         "or was not checked"},
         {"gross", "minutes in shadow per day, mean over the days"},
         {"continuous", "longest unbroken run in shadow on any day, minutes"}};
     return toJsonText(json);

@@ -3,11 +3,13 @@
 #include "app/window/actions/make_action.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
+#include "app/window/scenarios/latest_answers.h"
 #include "app/window/scenarios/scenarios_dock.h"
 
 namespace noonmark {
 
-ScenarioActions::ScenarioActions(Workbench& workbench, ProjectDock& tree, ScenariosDock& scenarios)
+ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, ProjectDock& tree,
+                                 ScenariosDock& scenarios)
     : newScenario_(
           makeAction(this, tr("&New scenario"), {}, tr("Starts from the existing city"), "scenario")),
       newFromThis_(makeAction(this, tr("New scenario &from this one"), {},
@@ -16,7 +18,13 @@ ScenarioActions::ScenarioActions(Workbench& workbench, ProjectDock& tree, Scenar
                           tr("Shows how many minutes of shadow the scenario adds or removes"), "compare")),
       measureAll_(makeAction(this, tr("&Measure all scenarios"), {},
                              tr("Runs the same study for each scenario, for comparison side by side"),
-                             "analyse")) {
+                             "analyse")),
+      scoreAll_(makeAction(this, tr("&Score all scenarios"), {},
+                           tr("Computes the scores that the dock Scenarios lacks, with the table that the "
+                              "dock Weights shows"))),
+      reviewAll_(makeAction(this, tr("&Review all scenarios"), {},
+                            tr("Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule "
+                               "chosen in the dock Review"))) {
     compare_->setObjectName(QStringLiteral("compareExisting"));
     compare_->setCheckable(true);
     ProjectSession& session = workbench.session();
@@ -29,10 +37,14 @@ ScenarioActions::ScenarioActions(Workbench& workbench, ProjectDock& tree, Scenar
             [this, &session] { compare_->setChecked(session.baseline() == existingCity); });
     connect(measureAll_, &QAction::triggered, &workbench, &Workbench::measureAll);
     connect(&scenarios, &ScenariosDock::measureAllRequested, &workbench, &Workbench::measureAll);
+    connect(scoreAll_, &QAction::triggered, &answers, &LatestAnswers::scoreAll);
+    connect(&scenarios, &ScenariosDock::scoreAllRequested, &answers, &LatestAnswers::scoreAll);
+    connect(reviewAll_, &QAction::triggered, &answers, &LatestAnswers::reviewAll);
+    connect(&scenarios, &ScenariosDock::reviewAllRequested, &answers, &LatestAnswers::reviewAll);
 }
 
 QList<QAction*> ScenarioActions::actions() const {
-    return {newScenario_, newFromThis_, compare_, measureAll_};
+    return {newScenario_, newFromThis_, compare_, measureAll_, scoreAll_, reviewAll_};
 }
 
 }  // namespace noonmark

@@ -6,16 +6,18 @@ class QAction;
 
 namespace noonmark {
 
+class LatestAnswers;
 class ProjectDock;
 class ScenariosDock;
 class Workbench;
 
-/// New scenarios, the comparison with the existing city, and the run over all scenarios.
+/// New scenarios, the comparison with the existing city, and the runs over all scenarios.
 class ScenarioActions final : public QObject {
     Q_OBJECT
 public:
     /// All must outlive this object.
-    ScenarioActions(Workbench& workbench, ProjectDock& tree, ScenariosDock& scenarios);
+    ScenarioActions(Workbench& workbench, LatestAnswers& answers, ProjectDock& tree,
+                    ScenariosDock& scenarios);
 
     [[nodiscard]] QList<QAction*> actions() const;
 
@@ -24,6 +26,8 @@ private:
     QAction* newFromThis_;
     QAction* compare_;  ///< checkable
     QAction* measureAll_;
+    QAction* scoreAll_;
+    QAction* reviewAll_;
 };
 
 }  // namespace noonmark

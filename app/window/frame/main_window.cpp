@@ -60,7 +60,7 @@ MainWindow::MainWindow(QSettings& settings)
       docks_{new ProjectDock(workbench_.session()),
              new StudyDock(workbench_.document()),
              new ResultsDock,
-             new ScenariosDock(workbench_.session()),
+             new ScenariosDock(workbench_.session(), settings),
              new WeightsDock(workbench_.session()),
              new WarningsDock,
              new ReviewDock(review_, windowReview_, workbench_.session()),
@@ -92,7 +92,8 @@ MainWindow::MainWindow(QSettings& settings)
       photograph_(workbench_, panel_->messages(), *this),
       reviews_(workbench_, review_, windowReview_, *docks_.review, tools_.context().preview, places_, *panel_,
                settings, *this),
-      scenarios_(workbench_, *docks_.project, *docks_.scenarios),
+      answers_({workbench_, review_, windowReview_, docks_.weights->model()}, docks_.scenarios->table()),
+      scenarios_(workbench_, answers_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
       towers_(settings_, tools_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
@@ -195,7 +196,8 @@ void MainWindow::connectJobs() {
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
     for (JobSlot* slot : {&comparing_.other().preparing(), &workbench_.reading(), &workbench_.writing(),
-                          &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing()})
+                          &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing(),
+                          &answers_.scoring(), &review_.runningAll(), &windowReview_.runningAll()})
         progress_->follow(*slot);
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
@@ -224,6 +226,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::cityShown, this, &MainWindow::showCity);
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
     connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&answers_, &LatestAnswers::failed, &panel_->messages(), &MessageBar::showError);
     connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
     connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
     connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);

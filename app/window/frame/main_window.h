@@ -41,6 +41,7 @@
 #include "app/window/results/result_display.h"
 #include "app/window/review/windows/verdict_links.h"
 #include "app/window/review/windows/window_session.h"
+#include "app/window/scenarios/latest_answers.h"
 #include "app/window/study_form/what_form.h"
 #include "app/window/time/dome_display.h"
 #include "app/window/time/time_display.h"
@@ -77,6 +78,7 @@ public:
     [[nodiscard]] OpeningActions& opening() { return opening_; }
     [[nodiscard]] ReviewSession& review() { return review_; }
     [[nodiscard]] WindowSession& windowReview() { return windowReview_; }
+    [[nodiscard]] LatestAnswers& answers() { return answers_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] PhotographActions& photograph() { return photograph_; }
     [[nodiscard]] ResultActions& results() { return results_; }
@@ -151,6 +153,7 @@ private:
     PlaceActions places_;
     PhotographActions photograph_;
     ReviewActions reviews_;
+    LatestAnswers answers_;
     ScenarioActions scenarios_;
     EditActions edits_;
     TowerDisplay towers_;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/report/book/book.h"
+#include "app/report/scenarios/scenario_study.h"
 #include "app/window/elements/element_answer.h"
 #include "app/window/export/export_choice.h"
 #include "app/window/project/open_project.h"
@@ -58,6 +59,9 @@ public:
                                             const ExportChoice& choice = {});
     /// Scenarios measured with the document's settings, in the project's order.
     [[nodiscard]] std::vector<std::string> measuredScenarios();
+    /// What an export of all scenarios states beside their studies, asked for when it begins.
+    using ListAnswers = std::function<std::map<std::string, ScenarioAnswers>()>;
+    void setScenarioAnswers(ListAnswers answers) { scenarioAnswers_ = std::move(answers); }
     /// Which files an export may overwrite after the user agreed: never the input files of the open city, nor
     /// its project file.
     [[nodiscard]] OutputRules exportRules() const;
@@ -200,6 +204,7 @@ private:
     std::shared_ptr<const ElementAnswer> elements_;
     std::shared_ptr<const ShownResult> saved_;
     PastAnswer past_;
+    ListAnswers scenarioAnswers_;
     Start long_;                              ///< the run announced by longRun()
     std::weak_ptr<const City> comparedWith_;  ///< the baseline city of comparison_
     double answerSeconds_ = 0;

@@ -7,6 +7,7 @@
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
 #include "scenarios/project/results/save_result.h"
+#include "scenarios/scenario_list.h"
 
 // The results of Workbench: studies, comparisons, scores, and the display of saved results.
 namespace noonmark {
@@ -19,13 +20,11 @@ constexpr std::ptrdiff_t mostKnown = 64;  // cached studies; ScenarioCities cach
 
 std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
     std::map<std::string, std::shared_ptr<const Study>> valid;
-    const auto look = [&](const std::string& scenario) {
+    for (const std::string& scenario : listNames(session_.project().scenarios)) {
         const auto city = session_.cityOf(scenario).value_or(nullptr);
         const auto known = std::ranges::find(known_, city, &KnownStudy::city);
         if (known != known_.end()) valid[scenario] = known->study;
-    };
-    look(existingCity);
-    for (const Scenario& scenario : session_.project().scenarios) look(scenario.name);
+    }
     return valid;
 }
 
@@ -126,13 +125,11 @@ void Workbench::takeKnown() {
 std::vector<Workbench::KnownStudy> Workbench::wanted() {
     std::vector<KnownStudy> wanted;
     const auto known = studies();
-    const auto want = [&](const std::string& name) {
+    for (const std::string& name : listNames(session_.project().scenarios)) {
         const auto study = known.find(name);
-        if (study != known.end() && study->second->settings == document_.settings()) return;
+        if (study != known.end() && study->second->settings == document_.settings()) continue;
         if (const auto city = session_.cityOf(name)) wanted.push_back({*city, nullptr});
-    };
-    want(existingCity);
-    for (const Scenario& scenario : session_.project().scenarios) want(scenario.name);
+    }
     return wanted;
 }
 

@@ -9,6 +9,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/project/answer_origin.h"
 #include "core/study/text/region_text.h"
+#include "scenarios/scenario_list.h"
 
 // The files that Workbench writes.
 namespace noonmark {
@@ -69,27 +70,27 @@ Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
 std::vector<std::string> Workbench::measuredScenarios() {
     const auto known = studies();
     std::vector<std::string> names;
-    const auto add = [&](const std::string& name) {
+    for (const std::string& name : listNames(session_.project().scenarios)) {
         const auto study = known.find(name);
         if (study != known.end() && study->second->settings == document_.settings()) names.push_back(name);
-    };
-    add(existingCity);
-    for (const Scenario& scenario : session_.project().scenarios) add(scenario.name);
+    }
     return names;
 }
 
 Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
     const auto known = studies();
+    auto answers = scenarioAnswers_ ? scenarioAnswers_() : std::map<std::string, ScenarioAnswers>();
     ScenarioStudies measured;
     for (const std::string& name : measuredScenarios()) {
-        const auto edits = collectEdits(session_.project().scenarios, name);
-        measured.push_back({name, known.at(name), edits ? sumUses(*edits) : ScenarioUses()});
+        const auto edits = collectEdits(session_.project().scenarios, name).value_or(std::vector<Edit>());
+        measured.push_back({name, known.at(name), sumUses(edits),
+                            findProposedHeightM(known.at(name)->city, edits), std::move(answers[name])});
     }
     return [measured, origin = AnswerOrigin(session_), rules = exportRules(),
             book = bookSettings(choice)](const auto& folder) {
-        ScenarioStudies stated;
-        for (const auto& [name, study, uses] : measured)
-            stated.push_back({name, std::make_shared<const Study>(origin.stated(*study, name)), uses});
+        ScenarioStudies stated = measured;
+        for (ScenarioStudy& one : stated)
+            one.study = std::make_shared<const Study>(origin.stated(*one.study, one.name));
         return writeScenarioFiles(stated, book, folder, rules);
     };
 }

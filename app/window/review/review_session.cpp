@@ -36,8 +36,9 @@ ReviewSession::ReviewSession(Workbench& workbench, QObject* parent) : QObject(pa
 }
 
 void ReviewSession::restore(const std::string& text) {
-    for (JobSlot* slot : {&running_, &followed_, &estimating_}) slot->drop();
+    for (JobSlot* slot : {&running_, &runningAll_, &followed_, &estimating_}) slot->drop();
     answer_.reset();
+    cached_.clear();
     live_.reset();
     proposed_.reset();
     screened_.clear();
@@ -90,8 +91,7 @@ Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
     return moveLines(rule, workbench_.session().project(), std::move(places));
 }
 
-Result<ReviewSession::ComparedCities> ReviewSession::comparedCities() const {
-    const std::string to = scenarioName();
+Result<ReviewSession::ComparedCities> ReviewSession::comparedCities(const std::string& to) const {
     const auto before = workbench_.session().cityOf(choice_.from);
     if (!before) return tl::make_unexpected(before.error());
     const auto after = workbench_.session().cityOf(to);
@@ -102,13 +102,15 @@ Result<ReviewSession::ComparedCities> ReviewSession::comparedCities() const {
     return ComparedCities{to, *before, *after};
 }
 
-Result<ReviewQuestion> ReviewSession::question() {
+Result<ReviewQuestion> ReviewSession::question() { return questionOf(scenarioName()); }
+
+Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
     if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
     auto rule = this->rule();
     if (!rule) return tl::make_unexpected(rule.error());
     auto places = chosenPlaces(*rule);
     if (!places) return tl::make_unexpected(places.error());
-    auto cities = comparedCities();
+    auto cities = comparedCities(scenario);
     if (!cities) return tl::make_unexpected(cities.error());
     const StudySettings& study = workbench_.document().settings();
     return ReviewQuestion{*std::move(rule),
@@ -131,7 +133,7 @@ void ReviewSession::run() {
         },
         [this](Result<ReviewAnswer> answer) {
             if (!answer) return tell(answer.error());
-            answer_ = std::make_shared<const ReviewAnswer>(*std::move(answer));
+            answer_ = cached_.add(*std::move(answer));
             if (!proposed_) live_.reset();
             Q_EMIT answered();
         });
@@ -250,6 +252,7 @@ void ReviewSession::takeLive(Result<ReviewAnswer> answer) {
 
 // A review that was quick is computed again, as studies are.
 void ReviewSession::cityChanged() {
+    recall();
     Q_EMIT answered();
     if (!following_ || proposed_ || !wasQuick()) return;
     const auto now = question();

@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include "app/window/review/review_cache.h"
 #include "app/window/review/review_question.h"
 #include "app/window/study/job_slot.h"
 #include "scenarios/project/rule_parcels.h"
@@ -40,9 +41,17 @@ public:
         std::shared_ptr<const City> before, after;
     };
     /// The cities of baseline and scenario. Error: they are the same, or no longer exist.
-    [[nodiscard]] Result<ComparedCities> comparedCities() const;
+    [[nodiscard]] Result<ComparedCities> comparedCities() const { return comparedCities(scenarioName()); }
+    [[nodiscard]] Result<ComparedCities> comparedCities(const std::string& to) const;
+    /// The scenarios whose buildings differ from the baseline's.
+    [[nodiscard]] std::vector<std::string> comparedScenarios();
 
     void run();
+    /// Reviews every scenario that latest() lacks.
+    void runAll();
+    /// By scenario, its latest answer for the chosen rule and baseline whose buildings and places have not
+    /// changed since. It may be of other places than the chosen ones.
+    [[nodiscard]] std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest();
     void screen();  ///< chooses the places that can be reached
     /// Computes the expected time of run() and emits estimated().
     void estimate();
@@ -63,6 +72,7 @@ public:
     [[nodiscard]] const std::map<std::string, QString>& screened() const { return screened_; }
 
     [[nodiscard]] JobSlot& running() { return running_; }
+    [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
     [[nodiscard]] JobSlot& following() { return followed_; }
 
     /// A review that took at most this many seconds is computed again after an edit without asking.
@@ -85,18 +95,23 @@ private:
     void cityChanged();
     void tell(const Error& error);
     [[nodiscard]] std::string scenarioName() const;
+    [[nodiscard]] Result<ReviewQuestion> questionOf(const std::string& scenario);
+    [[nodiscard]] bool holds(const ReviewAnswer& answer, const ReviewQuestion& now) const;
+    void recall();
     Result<PlacesToReview> chosenPlaces(const Rule& rule) const;
 
     Workbench& workbench_;
     RuleLibrary library_;
     ReviewChoice choice_;
     std::shared_ptr<const ReviewAnswer> answer_;
+    ReviewCache<ReviewAnswer> cached_;
     std::shared_ptr<const ReviewAnswer> live_;
     std::shared_ptr<const City> proposed_;
     std::map<std::string, QString> screened_;
     bool newerShape_ = false;
     bool following_ = false;
     JobSlot running_;
+    JobSlot runningAll_;
     JobSlot followed_;
     JobSlot estimating_;
 };

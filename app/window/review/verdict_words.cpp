@@ -4,10 +4,19 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/window/widgets/number_words.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
 
 namespace noonmark {
+
+namespace {
+
+void addCount(QStringList& parts, std::size_t count, Verdict verdict) {
+    if (count > 0) parts << QStringLiteral("%1 %2").arg(formatCount(count), describeVerdict(verdict));
+}
+
+}  // namespace
 
 QString describeVerdict(Verdict verdict) {
     switch (verdict) {
@@ -23,6 +32,15 @@ QString describeVerdict(Verdict verdict) {
             return QObject::tr("? not checked");
     }
     return {};
+}
+
+QString describeCounts(const VerdictCounts& counts) {
+    QStringList parts;
+    addCount(parts, counts.fail, Verdict::fail);
+    addCount(parts, counts.borderline, Verdict::borderline);
+    addCount(parts, counts.pass, Verdict::pass);
+    addCount(parts, counts.notApplicable, Verdict::notApplicable);
+    return parts.join(QStringLiteral(", "));
 }
 
 QColor verdictColour(Verdict verdict) {
@@ -43,10 +61,9 @@ QColor verdictColour(Verdict verdict) {
 QString describeVerdicts(const ReviewStudy& study) {
     QStringList parts;
     for (const Verdict verdict :
-         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable, Verdict::notChecked}) {
-        const auto count = std::ranges::count(study.places, verdict, &PlaceReview::verdict);
-        if (count > 0) parts << QStringLiteral("%1 %2").arg(count).arg(describeVerdict(verdict));
-    }
+         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable, Verdict::notChecked})
+        addCount(parts, std::size_t(std::ranges::count(study.places, verdict, &PlaceReview::verdict)),
+                 verdict);
     return parts.join(QStringLiteral(", "));
 }
 

@@ -5,12 +5,15 @@
 
 #include "core/review/criteria/verdict.h"
 #include "core/review/rule/rule.h"
+#include "core/review/windows/building_review.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {
 
 /// "✓ pass", "✗ fail", "≈ borderline": a verdict is told by its symbol and word as well as by its colour.
 QString describeVerdict(Verdict verdict);
+/// "1 ✗ fail, 12 ✓ pass": the worst first, those without a place left out.
+QString describeCounts(const VerdictCounts& counts);
 /// Dark enough to be read on white, and told apart by people who do not see red and green apart.
 QColor verdictColour(Verdict verdict);
 

@@ -2,60 +2,44 @@
 
 #include <QFont>
 #include <algorithm>
+#include <limits>
 
-#include "app/report/sheets/study_words.h"
 #include "app/window/project/project_session.h"
+#include "app/window/results/comparison_rows.h"
+#include "app/window/review/verdict_words.h"
+#include "app/window/scenarios/scenario_columns.h"
 #include "app/window/scenarios/use_words.h"
-#include "app/window/widgets/number_words.h"
 #include "core/measures/has_runs.h"
+#include "scenarios/scenario_list.h"
 
 namespace noonmark {
 
 namespace {
 
-struct Column {
-    const char* title;
-    const char* tip;
-};
-
-constexpr Column columns[] = {
-    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Scenario"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Double-click to show it")},
-    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Changes"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Steps from the existing city, including those of its bases")},
-    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Shadow area, m²"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
-    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Mean gross, min"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Minutes in shadow per day, mean over days and receivers")},
-    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Mean continuous, min"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Longest unbroken run in shadow on any day, mean over the receivers")},
-    {QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Floor area by use"),
-     QT_TRANSLATE_NOOP(
-         "noonmark::ScenarioTable",
-         "Gross floor area of the scenario's towers by use, sorted by its sum. Imported buildings "
-         "and towers whose height was changed afterwards are not counted")},
-};
-
-enum Index { nameColumn, changesColumn, areaColumn, grossColumn, continuousColumn, usesColumn };
+bool isOfStudy(int column) {
+    return column >= ScenarioTable::shadowArea && column <= ScenarioTable::continuous;
+}
+bool isOfAnswers(int column) { return column >= ScenarioTable::impact && column <= ScenarioTable::verdicts; }
 
 QVariant figureAt(const ShadowStatistics& figures, int column) {
-    if (column == areaColumn) return figures.shadowAreaM2;
-    if (column == grossColumn) return figures.meanGrossMin;
+    if (column == ScenarioTable::shadowArea) return figures.shadowAreaM2;
+    if (column == ScenarioTable::gross) return figures.meanGrossMin;
     return hasRuns(figures) ? QVariant(figures.meanContinuousMin) : QVariant();
 }
 
-// Below every number, while an invalid value would be above.
-QVariant sortKey(const QVariant& value) { return value.isValid() ? value : QVariant(-1.0); }
+QVariant orNone(const std::optional<double>& value) { return value ? QVariant(*value) : QVariant(); }
 
-QVariant sumAreas(const ScenarioUses& uses) {
-    if (uses.areas.empty()) return {};
-    double sumM2 = 0;
-    for (const UseArea& area : uses.areas) sumM2 += area.grossFloorM2;
-    return sumM2;
+// The fewest fails first, then the fewest borderline verdicts.
+double rankOf(const VerdictCounts& counts) {
+    return double(counts.fail) + double(counts.borderline) / double(counts.all() + 1);
 }
+
+// Below every number, while an invalid value would be above.
+QVariant sortKey(const QVariant& value) {
+    return value.isValid() ? value : QVariant(-std::numeric_limits<double>::infinity());
+}
+
+QString named(const std::string& name) { return QString::fromStdString(name); }
 
 }  // namespace
 
@@ -69,17 +53,18 @@ ScenarioTable::ScenarioTable(ProjectSession& session, QObject* parent)
 ScenarioTable::Row ScenarioTable::makeRow(const std::string& scenario) const {
     const auto known = std::ranges::find(rows_, scenario, &Row::scenario);
     const auto edits = collectEdits(session_.project().scenarios, scenario);
-    if (!edits) return {scenario, {}, {}};
-    if (known != rows_.end() && known->edits == *edits) return *known;
-    return {scenario, *edits, sumUses(*edits)};
+    const auto city = session_.cityOf(scenario).value_or(nullptr);
+    if (!edits || !city) return {scenario, nullptr, {}, {}, {}};
+    if (known != rows_.end() && known->edits == *edits && known->city == city) return *known;
+    return {scenario, city, *edits, sumUses(*edits), findProposedHeightM(*city, *edits)};
 }
 
 void ScenarioTable::follow() {
-    std::vector<Row> rows{makeRow(existingCity)};
-    for (const Scenario& scenario : session_.project().scenarios) rows.push_back(makeRow(scenario.name));
+    std::vector<Row> rows;
+    for (const std::string& name : listNames(session_.project().scenarios)) rows.push_back(makeRow(name));
     if (std::ranges::equal(rows, rows_, {}, &Row::scenario, &Row::scenario)) {
         rows_ = std::move(rows);
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+        showAgain();
     } else {
         beginResetModel();
         rows_ = std::move(rows);
@@ -87,10 +72,23 @@ void ScenarioTable::follow() {
     }
 }
 
+void ScenarioTable::showAgain() { Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)); }
+
 void ScenarioTable::setStudies(Studies studies, const StudySettings& settings) {
     std::erase_if(studies, [&](const auto& one) { return one.second->settings != settings; });
     studies_ = std::move(studies);
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    showAgain();
+}
+
+void ScenarioTable::setAnswers(std::map<std::string, ScenarioAnswers> answers, const Basis& basis) {
+    answers_ = std::move(answers);
+    basis_ = basis;
+    showAgain();
+}
+
+ScenarioAnswers ScenarioTable::answersOf(const Row& row) const {
+    const auto found = answers_.find(row.scenario);
+    return found == answers_.end() ? ScenarioAnswers() : found->second;
 }
 
 std::string ScenarioTable::scenarioAt(int row) const { return rows_.at(std::size_t(row)).scenario; }
@@ -99,40 +97,76 @@ int ScenarioTable::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : int(rows_.size());
 }
 
-int ScenarioTable::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : int(std::size(columns));
+int ScenarioTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
+
+QVariant ScenarioTable::answerAt(const Row& row, int column) const {
+    const ScenarioAnswers answers = answersOf(row);
+    if (column == impact && answers.impact) return answers.impact->figures.shadowAreaChangeM2;
+    if (column == score && answers.score) return answers.score->scoreM2;
+    if (column == verdicts && answers.verdicts) return rankOf(answers.verdicts->counts);
+    return {};
 }
 
 QVariant ScenarioTable::valueAt(const Row& row, int column) const {
-    if (column == nameColumn) return QString::fromStdString(row.scenario);
-    if (column == changesColumn) return row.edits ? QVariant(quint64(row.edits->size())) : QVariant();
-    if (column == usesColumn) return sumAreas(row.uses);
+    if (column == scenario) return named(row.scenario);
+    if (column == changes) return row.edits ? QVariant(quint64(row.edits->size())) : QVariant();
+    if (column == height) return orNone(row.heightM);
+    if (column == floorArea || column == uses) return orNone(sumFloorAreaM2(row.uses));
+    if (isOfAnswers(column)) return answerAt(row, column);
     const auto study = studies_.find(row.scenario);
     return study == studies_.end() ? QVariant() : figureAt(study->second->statistics, column);
 }
 
 QString ScenarioTable::textAt(const Row& row, int column) const {
     const QVariant value = valueAt(row, column);
-    if (column == nameColumn) return value.toString();
-    if (column == usesColumn) return describeUses(row.uses);
-    if (column == continuousColumn && !value.isValid() && studies_.contains(row.scenario))
+    if (column == scenario) return value.toString();
+    if (column == uses) return describeUses(row.uses);
+    if (column == continuous && !value.isValid() && studies_.contains(row.scenario))
         return QObject::tr("not counted");
     if (!value.isValid()) return {};
-    return formatAmount(value.toDouble(), column == changesColumn || column == areaColumn ? 0 : 1);
+    if (column == verdicts) return describeCounts(answersOf(row).verdicts->counts);
+    return numberText(value.toDouble(), Column(column));
 }
 
 QString ScenarioTable::tipAt(const Row& row, int column) const {
-    if (column == usesColumn) return describeUseLines(row.uses);
-    const bool figure = column == areaColumn || column == grossColumn || column == continuousColumn;
-    if (!figure || studies_.contains(row.scenario)) return {};
-    return tr("Not computed with the current settings: show the scenario and press Run");
+    if (column == floorArea || column == uses) return describeUseLines(row.uses);
+    if (column == height && !row.heightM) return tr("The scenario adds no building");
+    if (isOfStudy(column) && !studies_.contains(row.scenario))
+        return tr("Not computed with the current settings: press Measure all");
+    return isOfAnswers(column) ? tipOfAnswer(row, column) : QString();
+}
+
+// What the figure belongs to or, where there is none for the scenario as it is now, how to get it.
+QString ScenarioTable::tipOfAnswer(const Row& row, int column) const {
+    const ScenarioAnswers answers = answersOf(row);
+    if (column == score)
+        return answers.score
+                   ? tr("With the weights %1").arg(named(answers.score->weights))
+                   : tr("Not computed with these settings and the weights %1 since buildings last changed: "
+                        "press Score all")
+                         .arg(named(basis_.weights));
+    if (column == verdicts)
+        return answers.verdicts ? tr("%1, compared with %2")
+                                      .arg(named(answers.verdicts->rule), named(answers.verdicts->baseline))
+                                : tr("Not reviewed by the rule %1 since buildings or places last changed: "
+                                     "press Review all")
+                                      .arg(named(basis_.rule));
+    if (row.scenario == basis_.baseline) return tr("The other scenarios are compared with this one");
+    if (!answers.impact)
+        return tr("Not compared with %1 with these settings since buildings last changed: press Measure all")
+            .arg(named(basis_.baseline));
+    const ImpactFigures& figures = answers.impact->figures;
+    return tr("Compared with %1. Ground whose gross shadow changes by more than %2 min a day:\n%3")
+        .arg(named(answers.impact->baseline))
+        .arg(figures.thresholdMin)
+        .arg(describeChangedArea(figures.gross));
 }
 
 QVariant ScenarioTable::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Row& row = rows_[std::size_t(index.row())];
     const int column = index.column();
-    const bool number = column != nameColumn && column != usesColumn;
+    const bool number = column != scenario && column != verdicts && column != uses;
     if (role == Qt::DisplayRole) return textAt(row, column);
     if (role == sortRole) return sortKey(valueAt(row, column));
     if (role == Qt::ToolTipRole) return tipAt(row, column);
@@ -147,9 +181,7 @@ QVariant ScenarioTable::data(const QModelIndex& index, int role) const {
 
 QVariant ScenarioTable::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
-    if (role == Qt::DisplayRole) return tr(columns[section].title);
-    if (role == Qt::ToolTipRole) return tr(columns[section].tip);
-    return {};
+    return headingOf(Column(section), role);
 }
 
 }  // namespace noonmark

@@ -1,5 +1,6 @@
 #include "app/window/scenarios/scenarios_dock.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -9,12 +10,14 @@
 
 #include "app/window/project/project_session.h"
 #include "app/window/scenarios/scenario_table.h"
+#include "app/window/widgets/column_menu.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
-ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
+ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidget* parent)
     : QWidget(parent), table_(new ScenarioTable(session, this)), sorted_(new QSortFilterProxyModel(this)) {
-    QTableView* view = makeView();
+    QTableView* view = makeView(settings);
     auto* hint = new QLabel(
         tr("Only the existing city so far. Select a building and change it, or design a tower on a lot: the "
            "first change begins a scenario, which is listed here."));
@@ -23,21 +26,36 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
     const auto follow = [hint, &session] { hint->setVisible(session.project().scenarios.empty()); };
     connect(&session, &ProjectSession::changed, hint, follow);
     follow();
-    auto* measure = new QPushButton(tr("Measure all"));
-    measure->setToolTip(
-        tr("Runs the study for scenarios without figures, with the current period and region"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(view);
     column->addWidget(hint);
-    column->addWidget(measure);
-    connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
+    column->addWidget(makeButtons());
     connect(view, &QTableView::doubleClicked, this, [this, &session](const QModelIndex& index) {
         session.goTo(table_->scenarioAt(sorted_->mapToSource(index).row()));
     });
 }
 
+QWidget* ScenariosDock::makeButtons() {
+    auto* measure =
+        pushButton(tr("Measure all"), "measureAll",
+                   tr("Runs the study for scenarios without figures, with the current period and region"));
+    auto* score = pushButton(tr("Score all"), "scoreAll",
+                             tr("Computes the missing scores with the table that the dock Weights shows"));
+    auto* review = pushButton(tr("Review all"), "reviewAll",
+                              tr("Reviews the scenarios without verdicts by the rule, the baseline and the "
+                                 "places that are chosen in the dock Review"));
+    connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
+    connect(score, &QPushButton::clicked, this, &ScenariosDock::scoreAllRequested);
+    connect(review, &QPushButton::clicked, this, &ScenariosDock::reviewAllRequested);
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* button : {measure, score, review}) row->addWidget(button);
+    return buttons;
+}
+
 // In the project's order until a heading is clicked, and again after its third click.
-QTableView* ScenariosDock::makeView() {
+QTableView* ScenariosDock::makeView(QSettings& settings) {
     sorted_->setSourceModel(table_);
     sorted_->setSortRole(ScenarioTable::sortRole);
     sorted_->setSortLocaleAware(true);
@@ -49,7 +67,9 @@ QTableView* ScenariosDock::makeView() {
     view->verticalHeader()->hide();
     QHeaderView* heading = view->horizontalHeader();
     heading->setSectionResizeMode(QHeaderView::ResizeToContents);
-    heading->setSectionResizeMode(0, QHeaderView::Stretch);
+    view->setWordWrap(false);
+    view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    new ColumnMenu(*heading, ScenarioTable::keyRole, settings, QStringLiteral("hiddenScenarioColumns"));
     heading->setSortIndicatorClearable(true);
     heading->setSortIndicator(-1, Qt::AscendingOrder);
     view->setSortingEnabled(true);

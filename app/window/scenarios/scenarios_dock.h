@@ -1,10 +1,11 @@
 #pragma once
 
 // The project's scenarios: ScenarioBar chooses the displayed one and its baseline, ScenariosDock compares
-// them side by side in a ScenarioTable.
+// them side by side in a ScenarioTable, whose impacts, scores and verdicts LatestAnswers knows and computes.
 
 #include <QWidget>
 
+class QSettings;
 class QSortFilterProxyModel;
 class QTableView;
 
@@ -13,20 +14,23 @@ namespace noonmark {
 class ProjectSession;
 class ScenarioTable;
 
-/// All scenarios with their figures side by side, and a button that computes the missing ones.
+/// All scenarios with their figures side by side, and buttons that compute the missing ones.
 class ScenariosDock final : public QWidget {
     Q_OBJECT
 public:
-    /// `session` must outlive it
-    explicit ScenariosDock(ProjectSession& session, QWidget* parent = nullptr);
+    /// Both must outlive it. `settings` stores which columns are hidden.
+    ScenariosDock(ProjectSession& session, QSettings& settings, QWidget* parent = nullptr);
 
     [[nodiscard]] ScenarioTable& table() { return *table_; }
 
 Q_SIGNALS:
     void measureAllRequested();
+    void scoreAllRequested();
+    void reviewAllRequested();
 
 private:
-    QTableView* makeView();
+    QTableView* makeView(QSettings& settings);
+    QWidget* makeButtons();
 
     ScenarioTable* table_;
     QSortFilterProxyModel* sorted_;

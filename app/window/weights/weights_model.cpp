@@ -62,6 +62,7 @@ WeightsModel::WeightsModel(ProjectSession& session, QObject* parent)
 void WeightsModel::setTable(const std::string& name) {
     table_.name = name;
     follow();
+    Q_EMIT chosen();
 }
 
 void WeightsModel::follow() {

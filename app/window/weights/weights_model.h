@@ -38,6 +38,7 @@ public:
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
+    void chosen();  ///< another table
     void edited();  ///< by this model: clears an earlier refusal
     void refused(noonmark::Error error);
 

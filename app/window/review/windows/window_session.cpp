@@ -21,7 +21,8 @@ QString describeForecast(const WindowForecast& forecast) {
 WindowSession::WindowSession(Workbench& workbench, ReviewSession& review, QObject* parent)
     : QObject(parent), workbench_(workbench), review_(review) {
     connect(&workbench_, &Workbench::projectOpened, this, [this] {
-        for (JobSlot* slot : {&running_, &estimating_}) slot->drop();
+        for (JobSlot* slot : {&running_, &runningAll_, &estimating_}) slot->drop();
+        cached_.clear();
         asked_.reset();
         answer_.reset();
         Q_EMIT answered();
@@ -33,7 +34,9 @@ bool WindowSession::applies() const {
     return rule && rule->receivers.surface == RuleSurface::windows;
 }
 
-Result<WindowQuestion> WindowSession::question() {
+Result<WindowQuestion> WindowSession::question() { return questionOf(review_.comparedCities()); }
+
+Result<WindowQuestion> WindowSession::questionOf(const Result<ReviewSession::ComparedCities>& compared) {
     if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
     auto rule = review_.rule();
     if (!rule) return tl::make_unexpected(rule.error());
@@ -41,7 +44,6 @@ Result<WindowQuestion> WindowSession::question() {
     if (choice.windows.places == ElementPlaces::windows && choice.windows.windows.empty())
         return failure("No file of windows is chosen", {},
                        "Choose a file of points or polygons with heights, or take the facades");
-    const auto compared = review_.comparedCities();
     if (!compared) return tl::make_unexpected(compared.error());
     auto windows = findElementParts(choice.windows, workbench_.session().project(), *compared->after);
     if (!windows) return tl::make_unexpected(windows.error());
@@ -67,7 +69,40 @@ void WindowSession::run() {
         },
         [this](Result<WindowAnswer> answer) {
             if (!answer) return tell(answer.error());
-            answer_ = std::make_shared<const WindowAnswer>(*std::move(answer));
+            answer_ = cached_.add(*std::move(answer));
+            Q_EMIT answered();
+        });
+}
+
+std::map<std::string, std::shared_ptr<const WindowAnswer>> WindowSession::latest() {
+    std::map<std::string, std::shared_ptr<const WindowAnswer>> latest;
+    if (cached_.empty() || !applies()) return latest;
+    for (const std::string& name : review_.comparedScenarios()) {
+        const auto now = questionOf(review_.comparedCities(name));
+        if (!now) continue;
+        if (auto answer = cached_.find([&](const WindowAnswer& one) { return isSame(*now, one.question); }))
+            latest[name] = std::move(answer);
+    }
+    return latest;
+}
+
+void WindowSession::runAll() {
+    const auto known = latest();
+    std::vector<WindowQuestion> questions;
+    for (const std::string& name : review_.comparedScenarios()) {
+        if (known.contains(name)) continue;
+        auto question = questionOf(review_.comparedCities(name));
+        if (!question) return tell(question.error());
+        questions.push_back(*std::move(question));
+    }
+    runningAll_.start<std::vector<WindowAnswer>>(
+        tr("All reviews"),
+        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) {
+            return computeEach<WindowAnswer>(questions, computeWindowReview, progress, stop);
+        },
+        [this](Result<std::vector<WindowAnswer>> answers) {
+            if (!answers) return tell(answers.error());
+            for (WindowAnswer& one : *answers) cached_.add(std::move(one));
             Q_EMIT answered();
         });
 }

@@ -25,6 +25,9 @@ public:
     /// What run() would compute. Error: what is still missing, and what to do.
     [[nodiscard]] Result<WindowQuestion> question();
     void run();
+    /// As of ReviewSession.
+    void runAll();
+    [[nodiscard]] std::map<std::string, std::shared_ptr<const WindowAnswer>> latest();
     /// Computes the expected time of run() and emits estimated(); at once where the question is the same.
     void estimate();
 
@@ -36,6 +39,7 @@ public:
     void write(const WindowExport& review, const QString& folder);
 
     [[nodiscard]] JobSlot& running() { return running_; }
+    [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
 
 Q_SIGNALS:
     void answered();
@@ -45,11 +49,14 @@ Q_SIGNALS:
 
 private:
     void tell(const Error& error);
+    [[nodiscard]] Result<WindowQuestion> questionOf(const Result<ReviewSession::ComparedCities>& compared);
 
     Workbench& workbench_;
     ReviewSession& review_;
     std::shared_ptr<const WindowAnswer> answer_;
+    ReviewCache<WindowAnswer> cached_;
     JobSlot running_;
+    JobSlot runningAll_;
     JobSlot estimating_;
     std::optional<WindowQuestion> asked_;  ///< of the last estimate
     QString estimate_;

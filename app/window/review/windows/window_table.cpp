@@ -171,16 +171,8 @@ QString WindowTable::text() const {
 
 QString describeWindowVerdicts(const WindowStudy& study) {
     const VerdictChanges& changes = study.windowChanges;
-    QStringList parts;
-    const auto add = [&](std::size_t count, Verdict verdict) {
-        if (count > 0) parts << QStringLiteral("%1 %2").arg(formatCount(count), describeVerdict(verdict));
-    };
-    add(changes.after.fail, Verdict::fail);
-    add(changes.after.borderline, Verdict::borderline);
-    add(changes.after.pass, Verdict::pass);
-    add(changes.after.notApplicable, Verdict::notApplicable);
     const QString now = QObject::tr("%1 window(s): %2.", "", pluralNumber(study.windows.size()))
-                            .arg(formatCount(study.windows.size()), parts.join(QStringLiteral(", ")));
+                            .arg(formatCount(study.windows.size()), describeCounts(changes.after));
     return now + QLatin1Char(' ') +
            QObject::tr("Compared with before, %1 get(s) worse and %2 better", "", pluralNumber(changes.worse))
                .arg(formatCount(changes.worse), formatCount(changes.better));

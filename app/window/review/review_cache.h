@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/progress_share.h"
+#include "core/base/result.h"
+
+namespace noonmark {
+
+/// The latest answers of reviews: one for each rule, baseline and scenario. `Answer` has a `question` with
+/// its rule and its cities, before and after. An answer whose city is gone stays until newer ones push it
+/// out, since undo brings the city back.
+template <class Answer>
+class ReviewCache {
+public:
+    using Shared = std::shared_ptr<const Answer>;
+
+    Shared add(Answer answer) {
+        const auto& now = answer.question;
+        std::erase_if(all_, [&](const Shared& old) {
+            const auto& then = old->question;
+            return then.rule.key == now.rule.key && then.rule.chosen == now.rule.chosen &&
+                   then.before == now.before && then.after == now.after;
+        });
+        all_.push_back(std::make_shared<const Answer>(std::move(answer)));
+        if (all_.size() > most) all_.erase(all_.begin());
+        return all_.back();
+    }
+    void clear() { all_.clear(); }
+    [[nodiscard]] bool empty() const { return all_.empty(); }
+
+    /// The newest for which `holds(answer)`; null: none.
+    template <class Holds>
+    [[nodiscard]] Shared find(const Holds& holds) const {
+        for (auto one = all_.rbegin(); one != all_.rend(); ++one)
+            if (holds(**one)) return *one;
+        return nullptr;
+    }
+
+private:
+    static constexpr std::size_t most = 64;
+    std::vector<Shared> all_;  // oldest first
+};
+
+/// Answers questions one after the other by `compute(question, progress, stop)`; the first error ends it.
+template <class Answer, class Question, class Compute>
+Result<std::vector<Answer>> computeEach(const std::vector<Question>& questions, const Compute& compute,
+                                        Progress& progress, const std::stop_token& stop) {
+    std::vector<Answer> answers;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        ProgressShare share(progress, i, questions.size());
+        auto answer = compute(questions[i], share, stop);
+        if (!answer) return tl::make_unexpected(answer.error());
+        answers.push_back(*std::move(answer));
+    }
+    return answers;
+}
+
+}  // namespace noonmark

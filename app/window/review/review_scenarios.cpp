@@ -1,0 +1,82 @@
+#include <algorithm>
+
+#include "app/window/frame/workbench.h"
+#include "app/window/review/review_session.h"
+#include "scenarios/scenario_list.h"
+
+// The reviews of all scenarios.
+namespace noonmark {
+
+// `now` has all places that the rule can be asked about.
+bool ReviewSession::holds(const ReviewAnswer& answer, const ReviewQuestion& now) const {
+    const ReviewQuestion& then = answer.question;
+    if (then.rule.key != now.rule.key || then.rule.chosen != now.rule.chosen) return false;
+    if (then.before != now.before || then.after != now.after) return false;
+    if (then.settings.zone != now.settings.zone || then.settings.year != now.settings.year) return false;
+    return then.places == now.places || std::ranges::all_of(then.places, [&](const Place& place) {
+               return std::ranges::find(now.places, place) != now.places.end();
+           });
+}
+
+std::map<std::string, std::shared_ptr<const ReviewAnswer>> ReviewSession::latest() {
+    std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest;
+    ProjectSession& session = workbench_.session();
+    const auto rule = this->rule();
+    const auto before = session.cityOf(choice_.from);
+    if (cached_.empty() || !rule || !before) return latest;
+    auto places = moveLines(*rule, session.project(), candidates());
+    if (!places) return latest;
+    const Period& period = workbench_.document().settings().period;
+    ReviewQuestion now{*rule,
+                       choice_.from,
+                       {},
+                       *before,
+                       {},
+                       std::move(places->places),
+                       {1, period.zone, int(period.start.year())},
+                       {}};
+    for (const std::string& name : comparedScenarios()) {
+        now.after = session.cityOf(name).value_or(nullptr);
+        if (auto answer = cached_.find([&](const ReviewAnswer& one) { return holds(one, now); }))
+            latest[name] = std::move(answer);
+    }
+    return latest;
+}
+
+std::vector<std::string> ReviewSession::comparedScenarios() {
+    ProjectSession& session = workbench_.session();
+    const auto before = session.cityOf(choice_.from).value_or(nullptr);
+    std::vector<std::string> names = listNames(session.project().scenarios);
+    std::erase_if(names, [&](const auto& name) { return session.cityOf(name).value_or(nullptr) == before; });
+    return names;
+}
+
+// Where another scenario is displayed, its own answer is shown instead of the last one.
+void ReviewSession::recall() {
+    const auto known = latest();
+    if (const auto own = known.find(scenarioName()); own != known.end()) answer_ = own->second;
+}
+
+void ReviewSession::runAll() {
+    const auto known = latest();
+    std::vector<ReviewQuestion> questions;
+    for (const std::string& name : comparedScenarios()) {
+        if (known.contains(name)) continue;
+        auto question = questionOf(name);
+        if (!question) return tell(question.error());
+        questions.push_back(*std::move(question));
+    }
+    runningAll_.start<std::vector<ReviewAnswer>>(
+        tr("All reviews"),
+        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) {
+            return computeEach<ReviewAnswer>(questions, computeReview, progress, stop);
+        },
+        [this](Result<std::vector<ReviewAnswer>> answers) {
+            if (!answers) return tell(answers.error());
+            for (ReviewAnswer& one : *answers) cached_.add(std::move(one));
+            recall();
+            Q_EMIT answered();
+        });
+}
+
+}  // namespace noonmark

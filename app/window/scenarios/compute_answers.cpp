@@ -1,0 +1,124 @@
+#include "app/input/all_engines.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/scenarios/latest_answers.h"
+#include "app/window/weights/weights_model.h"
+#include "core/base/progress_share.h"
+#include "core/receivers/roof_receivers.h"
+#include "scenarios/scenario_list.h"
+
+// The jobs of LatestAnswers: impacts from studies at hand, scores, and saved results.
+namespace noonmark {
+
+namespace {
+
+ImpactFigures compare(const Study& before, const Study& after) {
+    const std::vector<CellChange> none(after.field.grossMin.size(), CellChange::none);
+    return computeFigures(computeDifference(before.field, after.field, none));
+}
+
+// Studies of the same cells by the same engine give the same difference as a comparison, on the receivers of
+// both.
+bool areComparable(const Study& before, const Study& after) {
+    return before.settings == after.settings && before.field.grid == after.field.grid &&
+           before.field.engine == after.field.engine;
+}
+
+}  // namespace
+
+void LatestAnswers::compareStudies() {
+    const StudySettings& settings = from_.workbench.document().settings();
+    if (comparing_.busy() || !checkOnGround(settings.receivers.places)) return;
+    const auto studies = from_.workbench.studies();
+    const auto first = studies.find(baseline());
+    if (first == studies.end() || first->second->settings != settings) return;
+    std::vector<std::pair<CityPointer, std::shared_ptr<const Study>>> lacking;
+    const CityPointer before = cityOf(baseline());
+    for (const auto& [name, study] : studies) {
+        const CityPointer city = cityOf(name);
+        if (city != before && areComparable(*first->second, *study) && !impactOf(city))
+            lacking.emplace_back(city, study);
+    }
+    if (lacking.empty()) return;
+    using Made = std::vector<ImpactFigures>;
+    comparing_.start<Made>(
+        tr("Comparison"),
+        [base = first->second, lacking](Progress&, const std::stop_token&) -> Result<Made> {
+            Made made;
+            for (const auto& [city, study] : lacking) made.push_back(compare(*base, *study));
+            return made;
+        },
+        [this, before, lacking](const Result<Made>& made) {
+            if (!made) return Q_EMIT failed(made.error());
+            for (std::size_t i = 0; i < lacking.size(); ++i)
+                add(KnownImpact{before, lacking[i].first, sameAs(lacking[i].second->settings), (*made)[i]});
+            update();
+        });
+}
+
+void LatestAnswers::scoreAll() {
+    const StudySettings& settings = from_.workbench.document().settings();
+    const TimeWeights& weights = from_.weights.table();
+    std::vector<CityPointer> lacking;
+    for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
+        if (const CityPointer city = cityOf(name); city && !scoreOf(city)) lacking.push_back(city);
+    using Made = std::vector<double>;
+    scoring_.start<Made>(
+        tr("All scores"),
+        [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
+            Made made;
+            for (std::size_t i = 0; i < lacking.size(); ++i) {
+                ProgressShare share(progress, i, lacking.size());
+                auto score =
+                    runScore(*lacking[i], settings, weights, share, stop, enginesWith(settings.engine));
+                if (!score) return tl::make_unexpected(score.error());
+                made.push_back(score->scoreM2);
+            }
+            return made;
+        },
+        [this, lacking, settings, weights](const Result<Made>& made) {
+            if (!made) return isCancelled(made.error()) ? void() : Q_EMIT failed(made.error());
+            for (std::size_t i = 0; i < lacking.size(); ++i)
+                add(KnownScore{lacking[i], sameAs(settings), weights, (*made)[i]});
+            update();
+        });
+}
+
+// Each saved result is read once, for the cities of that time: after an edit it counts no longer.
+void LatestAnswers::readSaved() {
+    if (reading_.busy()) return;
+    const Project& project = from_.workbench.session().project();
+    std::vector<std::shared_ptr<const SavedResult>> unread;
+    for (const auto& result : project.results)
+        if (!read_.contains(result)) unread.push_back(result);
+    if (unread.empty()) return;
+    std::vector<std::pair<CityPointer, CityPointer>> cities;
+    for (const auto& result : unread) {
+        read_.insert(result);
+        cities.emplace_back(cityOf(result->scenario), cityOf(result->baseline));
+    }
+    using Read = std::vector<std::optional<SavedFigures>>;
+    reading_.start<Read>(
+        tr("Reading saved results"),
+        [unread, project](Progress&, const std::stop_token& stop) -> Result<Read> {
+            Read read;
+            for (const auto& result : unread) {
+                if (stop.stop_requested()) return cancelled();
+                read.push_back(readSavedFigures(*result, project));
+            }
+            return read;
+        },
+        [this, cities](const Result<Read>& read) {
+            if (!read) return;
+            for (std::size_t i = 0; i < cities.size(); ++i)
+                if ((*read)[i]) takeSaved(*(*read)[i], cities[i].first, cities[i].second);
+            update();
+        });
+}
+
+void LatestAnswers::takeSaved(const SavedFigures& saved, const CityPointer& city, const CityPointer& before) {
+    const Fits fits = [saved](const StudySettings& now) { return haveSettings(saved, now); };
+    if (saved.impact) add(KnownImpact{before, city, fits, *saved.impact});
+    if (saved.weights) add(KnownScore{city, fits, *saved.weights, saved.scoreM2});
+}
+
+}  // namespace noonmark
