@@ -2386,6 +2386,10 @@ Alle Seiten %2, Fläche %3</translation>
         <source>ft</source>
         <translation>ft</translation>
     </message>
+    <message>
+        <source>The change reaches beyond the ground that is measured</source>
+        <translation>Die Änderung reicht über den gemessenen Boden hinaus</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -2386,6 +2386,10 @@ Todos los lados %2, área %3</translation>
         <source>ft</source>
         <translation>ft</translation>
     </message>
+    <message>
+        <source>The change reaches beyond the ground that is measured</source>
+        <translation>El cambio llega más allá del suelo medido</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

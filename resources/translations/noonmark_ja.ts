@@ -2363,6 +2363,10 @@ All sides %2, area %3</source>
         <source>ft</source>
         <translation>フィート</translation>
     </message>
+    <message>
+        <source>The change reaches beyond the ground that is measured</source>
+        <translation>変化は計測した地面の外まで及びます</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

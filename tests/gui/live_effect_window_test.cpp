@@ -85,7 +85,23 @@ TEST_F(LiveEffectWindow, VerdictsFollowAQuickReviewWithoutItsDock) {
     ASSERT_TRUE(waitFor([&] { return review.isLive(); }));
     ASSERT_TRUE(waitFor([this] { return effect().contains(QStringLiteral("CEQR")); }))
         << effect().toStdString();
-    EXPECT_TRUE(effect().contains(QStringLiteral("1 "))) << "one place";
+    const std::string verdict(nameOf(review.shown()->study.places.at(0).verdict));
+    const QString last = effect().split(u'\n').last();
+    EXPECT_TRUE(last.startsWith(QStringLiteral("New York, CEQR chapter 8: 1 "))) << last.toStdString();
+    EXPECT_TRUE(last.endsWith(QString::fromStdString(verdict))) << last.toStdString();
+}
+
+TEST_F(LiveEffectWindow, WithoutALiveShadowNoFiguresStay) {
+    ASSERT_TRUE(preview().show({newTower("New", 70)}));
+    ASSERT_TRUE(waitFor([this] { return !effect().isEmpty(); }));
+    StudySettings night = workbench().document().settings();
+    night.period.from = std::chrono::hours(0);
+    night.period.hours = 1;
+    workbench().document().change(night, QStringLiteral("night"));
+    EXPECT_TRUE(effect().isEmpty()) << effect().toStdString();
+    ASSERT_TRUE(waitFor([this] { return !preview().working().busy(); }));
+    EXPECT_TRUE(effect().isEmpty()) << effect().toStdString();
+    EXPECT_FALSE(overlay().worstSpot());
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ int estimateWindows(const ReviewRunOptions& options, const Rule& rule, const Rev
 
 std::string countsText(const VerdictCounts& counts) {
     return fmt::format("{} pass, {} borderline, {} fail, {} not applicable", counts.pass, counts.borderline,
-                       counts.fail, counts.notApplicable);
+                       counts.fail, counts.notJudged());
 }
 
 void addChanges(Table& table, const std::string& what, const VerdictChanges& changes) {

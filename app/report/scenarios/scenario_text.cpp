@@ -47,7 +47,7 @@ Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
     const VerdictCounts& counts = verdicts->counts;
     return {{"rule", verdicts->rule}, {"baseline", verdicts->baseline},
             {"pass", counts.pass},    {"borderline", counts.borderline},
-            {"fail", counts.fail},    {"not_judged", counts.notApplicable}};
+            {"fail", counts.fail},    {"not_judged", counts.notJudged()}};
 }
 
 template <class T>
@@ -88,7 +88,7 @@ std::string verdictFields(const std::optional<ScenarioVerdicts>& verdicts) {
     if (!verdicts) return ",,,,,";
     const VerdictCounts& counts = verdicts->counts;
     return fmt::format("{},{},{},{},{},{}", csvField(verdicts->rule), csvField(verdicts->baseline),
-                       counts.pass, counts.borderline, counts.fail, counts.notApplicable);
+                       counts.pass, counts.borderline, counts.fail, counts.notJudged());
 }
 
 std::string answerFields(const ScenarioStudy& scenario) {

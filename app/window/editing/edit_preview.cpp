@@ -142,7 +142,10 @@ void EditPreview::hide(const Buildings& removed) {
 void EditPreview::begin() {
     const ChangedVolume volume = computeVolume(changes_);
     beginFacades();
-    if (volume.box.empty()) return live_.end();
+    live_.end();
+    panel_.view().overlay().showWorstSpot(std::nullopt);
+    tellEffect();
+    if (volume.box.empty()) return;
     live_.begin(
         {without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose()), baseline_},
         question_);
@@ -204,6 +207,7 @@ void EditPreview::tellAge() {
 void EditPreview::tellWhy(const Error& error) {
     panel_.results().setLive(std::nullopt);
     panel_.view().overlay().showWorstSpot(std::nullopt);
+    tellEffect();
     Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
                                    : tr("No live shadow. %1").arg(describeError(error)));
 }

@@ -65,6 +65,7 @@ QString describeEffect(const LiveChange& change, const QString& verdicts) {
     for (std::size_t i = 0; i < shown; ++i) lines << describePlace(change.places[i], instant);
     if (const std::size_t more = change.places.size() - shown; more > 0)
         lines << QObject::tr("and %1 more place(s)", "", pluralNumber(more)).arg(formatCount(more));
+    if (change.reachesBeyond) lines << QObject::tr("The change reaches beyond the ground that is measured");
     if (!verdicts.isEmpty()) lines << verdicts;
     return lines.join(u'\n');
 }

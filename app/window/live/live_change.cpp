@@ -1,6 +1,7 @@
 #include "app/window/live/live_change.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -12,6 +13,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr float leastChangeMin = 1e-3F;  // less is rounding, as in computeFigures()
 constexpr float notMeasured = std::numeric_limits<float>::quiet_NaN();
 
 CellChange compareKinds(CellKind before, CellKind after) {
@@ -30,13 +32,33 @@ void keepOpenGround(const Receivers& before, const Receivers& after, Impact& imp
 
 std::optional<std::uint32_t> findWorst(const Impact& impact) {
     std::optional<std::uint32_t> worst;
-    float most = 0;
+    float most = leastChangeMin;
     for (std::size_t cell = 0; cell < impact.grossMin.size(); ++cell)
         if (impact.grossMin[cell] > most) {
             most = impact.grossMin[cell];
             worst = std::uint32_t(cell);
         }
     return worst;
+}
+
+// Whether a cell lies at the edge of the grid or of the region in it.
+bool isAtEdge(const Receivers& receivers, int column, int row) {
+    const Grid& grid = receivers.grid;
+    if (column == 0 || row == 0 || column + 1 == grid.columns || row + 1 == grid.rows) return true;
+    const std::size_t cell = grid.index(column, row), above = cell + std::size_t(grid.columns),
+                      below = cell - std::size_t(grid.columns);
+    return std::ranges::any_of(std::array{cell - 1, cell + 1, above, below}, [&](std::size_t beside) {
+        return receivers.kind[beside] == CellKind::outside;
+    });
+}
+
+bool changesAtEdge(const Receivers& receivers, const Impact& impact) {
+    for (int row = 0; row < impact.grid.rows; ++row)
+        for (int column = 0; column < impact.grid.columns; ++column) {
+            const float change = std::abs(impact.grossMin[impact.grid.index(column, row)]);
+            if (change >= leastChangeMin && isAtEdge(receivers, column, row)) return true;
+        }
+    return false;
 }
 
 std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<PlaceCells>& places) {
@@ -80,6 +102,7 @@ LiveChange computeLiveChange(const Receivers& before, const ShadowField& fieldBe
     for (std::size_t i = 0; i < change.figures.size(); ++i)
         change.figures[i] = computeFigures(change.impact, LiveChange::thresholdsMin[i]);
     change.worst = findWorst(change.impact);
+    change.reachesBeyond = changesAtEdge(after, change.impact);
     change.places = measurePlaces(change.impact, places);
     return change;
 }

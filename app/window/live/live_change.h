@@ -35,6 +35,8 @@ struct LiveChange {
 
     Impact impact;
     std::array<ImpactFigures, thresholdsMin.size()> figures;  ///< by threshold
+    /// Shadow changes beside the edge of what is measured: probably beyond it, too.
+    bool reachesBeyond = false;
     /// The cell with the most new gross shadow; none: there is no new shadow.
     std::optional<std::uint32_t> worst;
     /// The places with new gross shadow, those with most area over the first threshold first, then by their

@@ -124,23 +124,33 @@ Result<void> LiveShadow::addBaseline(Baseline baseline, const SunSteps& sun, Pro
                                     engine_ == LiveEngine::moments ? spread(sun) : sun);
     auto field = fieldOf(baseline.city, baseline.receivers, ShadowCounts::gross, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
-    baseline.field = *std::move(field);
+    baseline.field = std::make_shared<const ShadowField>(*std::move(field));
     baseline_ = std::move(baseline);
     return {};
 }
 
 // Continuous shadow of the baseline, where it costs more, is counted when it is first asked for.
+Result<std::shared_ptr<const ShadowField>> LiveShadow::baselineField(ShadowCounts counts, Progress& progress,
+                                                                     const std::stop_token& stop) {
+    const auto known = [this] {
+        const std::lock_guard lock(baselineField_);
+        return baseline_->field;
+    }();
+    const bool countsRuns = engine_ == LiveEngine::horizons && counts == ShadowCounts::grossAndRuns;
+    if (!countsRuns || hasRuns(*known)) return known;
+    auto field = fieldOf(baseline_->city, baseline_->receivers, counts, progress, stop);
+    if (!field) return tl::make_unexpected(field.error());
+    const std::lock_guard lock(baselineField_);
+    baseline_->field = std::make_shared<const ShadowField>(*std::move(field));
+    return baseline_->field;
+}
+
 Result<void> LiveShadow::compare(ShadowCounts counts, LiveAnswer& answer, Progress& progress,
                                  const std::stop_token& stop) {
-    const bool countsRuns = engine_ == LiveEngine::horizons && counts == ShadowCounts::grossAndRuns;
-    if (countsRuns && !hasRuns(baseline_->field)) {
-        auto field = fieldOf(baseline_->city, baseline_->receivers, counts, progress, stop);
-        if (!field) return tl::make_unexpected(field.error());
-        baseline_->field = *std::move(field);
-    }
-    answer.change = computeLiveChange(baseline_->receivers, baseline_->field, answer.receivers, answer.field,
-                                      placeCells_);
-    return {};
+    return baselineField(counts, progress, stop).map([&](const auto& before) {
+        answer.change =
+            computeLiveChange(baseline_->receivers, *before, answer.receivers, answer.field, placeCells_);
+    });
 }
 
 Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, ShadowCounts counts,

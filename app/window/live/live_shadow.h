@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 
@@ -62,7 +63,8 @@ public:
 
     /// The shadow of the city with these buildings instead of those before. `counts` applies to horizons
     /// only: polygons always include continuous shadow, moments never do. Error: too little memory, too many
-    /// overhangs for horizons, cancelled(). With polygons, call it from one thread at a time.
+    /// overhangs for horizons, cancelled(). With polygons, call it from one thread at a time; with horizons,
+    /// a cancelled call may still run beside the next one.
     [[nodiscard]] Result<LiveAnswer> with(const LiveReceivers::Shape& shape, ShadowCounts counts,
                                           Progress& progress, const std::stop_token& stop);
 
@@ -74,7 +76,7 @@ private:
     struct Baseline {
         City city;
         Receivers receivers;
-        ShadowField field{};
+        std::shared_ptr<const ShadowField> field{};
     };
     LiveShadow(City city, LiveReceivers receivers, const LiveQuestion& question,
                std::shared_ptr<SharedHorizonCache> horizons)
@@ -90,6 +92,8 @@ private:
                              const std::stop_token& stop);
     Result<void> compare(ShadowCounts counts, LiveAnswer& answer, Progress& progress,
                          const std::stop_token& stop);
+    Result<std::shared_ptr<const ShadowField>> baselineField(ShadowCounts counts, Progress& progress,
+                                                             const std::stop_token& stop);
     Result<ShadowField> fieldOf(const City& city, const Receivers& receivers, ShadowCounts counts,
                                 Progress& progress, const std::stop_token& stop);
     void spreadMoments(ShadowField& field) const;
@@ -101,6 +105,7 @@ private:
     ReceiverPlaces places_;
     std::shared_ptr<SharedHorizonCache> horizons_;
     std::optional<Baseline> baseline_;
+    std::mutex baselineField_;  // of its field, which the next call may read while a cancelled one ends
     std::vector<PlaceCells> placeCells_;
     std::optional<ShadowCache> shadows_;  // if the method caches polygons
     LiveEngine engine_ = LiveEngine::shadows;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace noonmark {
 /// The latest answers of reviews: one for each rule, baseline and scenario. `Answer` has a `question` with
 /// its rule and its cities, before and after. An answer whose city is gone stays until newer ones push it
 /// out, since undo brings the city back.
-template <class Answer>
+template <class Answer, std::size_t most>
 class ReviewCache {
 public:
     using Shared = std::shared_ptr<const Answer>;
@@ -41,20 +42,29 @@ public:
     }
 
 private:
-    static constexpr std::size_t most = 64;
     std::vector<Shared> all_;  // oldest first
 };
 
-/// Answers questions one after the other by `compute(question, progress, stop)`; the first error ends it.
+/// Answers, and why there are no more; empty: these are all.
+template <class Answer>
+struct ComputedAnswers {
+    std::vector<Answer> made;
+    std::optional<Error> error;
+};
+
+/// Answers questions one after the other by `compute(question, progress, stop)`; the first error ends it, and
+/// what was computed before stays.
 template <class Answer, class Question, class Compute>
-Result<std::vector<Answer>> computeEach(const std::vector<Question>& questions, const Compute& compute,
-                                        Progress& progress, const std::stop_token& stop) {
-    std::vector<Answer> answers;
-    for (std::size_t i = 0; i < questions.size(); ++i) {
+ComputedAnswers<Answer> computeEach(const std::vector<Question>& questions, const Compute& compute,
+                                    Progress& progress, const std::stop_token& stop) {
+    ComputedAnswers<Answer> answers;
+    for (std::size_t i = 0; i < questions.size() && !answers.error; ++i) {
         ProgressShare share(progress, i, questions.size());
-        auto answer = compute(questions[i], share, stop);
-        if (!answer) return tl::make_unexpected(answer.error());
-        answers.push_back(*std::move(answer));
+        Result<Answer> answer = compute(questions[i], share, stop);
+        if (answer)
+            answers.made.push_back(*std::move(answer));
+        else
+            answers.error = answer.error();
     }
     return answers;
 }

@@ -7,27 +7,36 @@
 // The reviews of all scenarios.
 namespace noonmark {
 
-// `now` has all places that the rule can be asked about.
-bool ReviewSession::holds(const ReviewAnswer& answer, const ReviewQuestion& now) const {
+namespace {
+
+using Answers = std::map<std::string, std::shared_ptr<const ReviewAnswer>>;
+
+// Whether an answer is to the question `now`, of all of its places or, with `orSome`, of some.
+bool holds(const ReviewAnswer& answer, const ReviewQuestion& now, bool orSome) {
     const ReviewQuestion& then = answer.question;
     if (then.rule.key != now.rule.key || then.rule.chosen != now.rule.chosen) return false;
     if (then.before != now.before || then.after != now.after) return false;
     if (then.settings.zone != now.settings.zone || then.settings.year != now.settings.year) return false;
-    return then.places == now.places || std::ranges::all_of(then.places, [&](const Place& place) {
+    if (then.places == now.places) return true;
+    return orSome && std::ranges::all_of(then.places, [&](const Place& place) {
                return std::ranges::find(now.places, place) != now.places.end();
            });
 }
 
-std::map<std::string, std::shared_ptr<const ReviewAnswer>> ReviewSession::latest() {
-    std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest;
-    ProjectSession& session = workbench_.session();
+}  // namespace
+
+Answers ReviewSession::latest() {
     const auto rule = this->rule();
+    return rule ? findLatest(*rule, chosenPlaces(*rule), false) : Answers();
+}
+
+Answers ReviewSession::findLatest(const Rule& rule, Result<PlacesToReview> places, bool orSome) {
+    Answers latest;
+    ProjectSession& session = workbench_.session();
     const auto before = session.cityOf(choice_.from);
-    if (cached_.empty() || !rule || !before) return latest;
-    auto places = moveLines(*rule, session.project(), candidates());
-    if (!places) return latest;
+    if (cached_.empty() || !before || !places) return latest;
     const Period& period = workbench_.document().settings().period;
-    ReviewQuestion now{*rule,
+    ReviewQuestion now{rule,
                        choice_.from,
                        {},
                        *before,
@@ -37,7 +46,7 @@ std::map<std::string, std::shared_ptr<const ReviewAnswer>> ReviewSession::latest
                        {}};
     for (const std::string& name : comparedScenarios()) {
         now.after = session.cityOf(name).value_or(nullptr);
-        if (auto answer = cached_.find([&](const ReviewAnswer& one) { return holds(one, now); }))
+        if (auto answer = cached_.find([&](const ReviewAnswer& one) { return holds(one, now, orSome); }))
             latest[name] = std::move(answer);
     }
     return latest;
@@ -51,9 +60,12 @@ std::vector<std::string> ReviewSession::comparedScenarios() {
     return names;
 }
 
-// Where another scenario is displayed, its own answer is shown instead of the last one.
+// Where another scenario is displayed, its own answer is shown instead of the last one, of whichever places.
 void ReviewSession::recall() {
-    const auto known = latest();
+    const auto rule = this->rule();
+    if (!rule) return;
+    const auto known =
+        findLatest(*rule, moveLines(*rule, workbench_.session().project(), candidates()), true);
     if (const auto own = known.find(scenarioName()); own != known.end()) answer_ = own->second;
 }
 
@@ -66,16 +78,18 @@ void ReviewSession::runAll() {
         if (!question) return tell(question.error());
         questions.push_back(*std::move(question));
     }
-    runningAll_.start<std::vector<ReviewAnswer>>(
+    runningAll_.start<ComputedAnswers<ReviewAnswer>>(
         tr("All reviews"),
-        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) {
+        [questions = std::move(questions)](
+            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<ReviewAnswer>> {
             return computeEach<ReviewAnswer>(questions, computeReview, progress, stop);
         },
-        [this](Result<std::vector<ReviewAnswer>> answers) {
+        [this](Result<ComputedAnswers<ReviewAnswer>> answers) {
             if (!answers) return tell(answers.error());
-            for (ReviewAnswer& one : *answers) cached_.add(std::move(one));
+            for (ReviewAnswer& one : answers->made) cached_.add(std::move(one));
             recall();
             Q_EMIT answered();
+            if (answers->error) tell(*answers->error);
         });
 }
 

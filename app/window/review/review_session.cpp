@@ -211,19 +211,30 @@ void ReviewSession::shape(std::shared_ptr<const City> proposed) {
     if (std::exchange(live_, nullptr)) Q_EMIT answered();
 }
 
-// The last run of this project.
-bool ReviewSession::wasQuick() const { return answer_ && answer_->seconds <= quickSeconds; }
+// From a run of the same rule on as many places.
+bool ReviewSession::isKnownAsQuick() const {
+    if (!answer_ || answer_->seconds > quickSeconds || answer_->question.rule.key != choice_.rule)
+        return false;
+    const auto rule = this->rule();
+    const auto places = rule ? chosenPlaces(*rule) : tl::make_unexpected(rule.error());
+    return places && places->places.size() <= answer_->question.places.size();
+}
+
+void ReviewSession::dropLive() {
+    live_.reset();
+    Q_EMIT answered();
+}
 
 // One shape is computed at a time; when it is ready, the newest that arrived meanwhile is next.
 void ReviewSession::follow() {
-    const bool shaping = proposed_ && (following_ || wasQuick());
+    const bool shaping = proposed_ && (following_ || isKnownAsQuick());
     if (!shaping || (!choice_.to.empty() && choice_.to != workbench_.session().scenario())) return;
     const auto rule = this->rule();
     const bool ofPlaces = rule && rule->receivers.surface != RuleSurface::windows;
-    if (!ofPlaces || !hasFewDays(*rule)) return Q_EMIT answered();
-    auto places = chosenPlaces(*rule);
+    auto places = ofPlaces && hasFewDays(*rule) ? chosenPlaces(*rule)
+                                                : Result<PlacesToReview>(tl::make_unexpected(Error{}));
     const auto before = workbench_.session().cityOf(choice_.from);
-    if (!places || !before) return;
+    if (!places || !before) return dropLive();
     newerShape_ = followed_.busy();
     if (newerShape_) return;
     const StudySettings& study = workbench_.document().settings();
@@ -245,6 +256,7 @@ void ReviewSession::follow() {
 }
 
 void ReviewSession::takeLive(Result<ReviewAnswer> answer) {
+    if (!answer && !isCancelled(answer.error())) live_.reset();
     if (answer && proposed_) live_ = std::make_shared<const ReviewAnswer>(*std::move(answer));
     Q_EMIT answered();
     if (std::exchange(newerShape_, false)) follow();
@@ -254,7 +266,7 @@ void ReviewSession::takeLive(Result<ReviewAnswer> answer) {
 void ReviewSession::cityChanged() {
     recall();
     Q_EMIT answered();
-    if (!following_ || proposed_ || !wasQuick()) return;
+    if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;
     const auto now = question();
     if (now && hasFewDays(now->rule) && !isSame(*now, answer_->question)) run();
 }

@@ -58,6 +58,7 @@ public:
     /// The answer that can be exported. Error: why there is none, and what to do.
     [[nodiscard]] Result<std::shared_ptr<const ReviewAnswer>> finished() const;
 
+    [[nodiscard]] bool isShaping() const { return proposed_ != nullptr; }
     /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While
     /// `following`, or after a run that was quick, the verdicts follow if the rule has few days.
     void shape(std::shared_ptr<const City> proposed);
@@ -88,7 +89,8 @@ Q_SIGNALS:
 
 private:
     void follow();
-    [[nodiscard]] bool wasQuick() const;
+    [[nodiscard]] bool isKnownAsQuick() const;
+    void dropLive();
     void takeLive(Result<ReviewAnswer> answer);
     void takeScreening(const ReviewQuestion& question, const std::vector<ScreenedPlace>& screened);
     void rename(ProjectPart part, const std::string& from, const std::string& to);
@@ -96,7 +98,9 @@ private:
     void tell(const Error& error);
     [[nodiscard]] std::string scenarioName() const;
     [[nodiscard]] Result<ReviewQuestion> questionOf(const std::string& scenario);
-    [[nodiscard]] bool holds(const ReviewAnswer& answer, const ReviewQuestion& now) const;
+    std::map<std::string, std::shared_ptr<const ReviewAnswer>> findLatest(const Rule& rule,
+                                                                          Result<PlacesToReview> places,
+                                                                          bool orSome);
     void recall();
     Result<PlacesToReview> chosenPlaces(const Rule& rule) const;
 
@@ -104,7 +108,7 @@ private:
     RuleLibrary library_;
     ReviewChoice choice_;
     std::shared_ptr<const ReviewAnswer> answer_;
-    ReviewCache<ReviewAnswer> cached_;
+    ReviewCache<ReviewAnswer, 64> cached_;
     std::shared_ptr<const ReviewAnswer> live_;
     std::shared_ptr<const City> proposed_;
     std::map<std::string, QString> screened_;

@@ -40,6 +40,7 @@ QString describeCounts(const VerdictCounts& counts) {
     addCount(parts, counts.borderline, Verdict::borderline);
     addCount(parts, counts.pass, Verdict::pass);
     addCount(parts, counts.notApplicable, Verdict::notApplicable);
+    addCount(parts, counts.notChecked, Verdict::notChecked);
     return parts.join(QStringLiteral(", "));
 }
 

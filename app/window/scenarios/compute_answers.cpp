@@ -1,8 +1,8 @@
 #include "app/input/all_engines.h"
 #include "app/window/frame/workbench.h"
+#include "app/window/review/review_cache.h"
 #include "app/window/scenarios/latest_answers.h"
 #include "app/window/weights/weights_model.h"
-#include "core/base/progress_share.h"
 #include "core/receivers/roof_receivers.h"
 #include "scenarios/scenario_list.h"
 
@@ -61,25 +61,23 @@ void LatestAnswers::scoreAll() {
     std::vector<CityPointer> lacking;
     for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
         if (const CityPointer city = cityOf(name); city && !scoreOf(city)) lacking.push_back(city);
-    using Made = std::vector<double>;
+    using Made = ComputedAnswers<double>;
     scoring_.start<Made>(
         tr("All scores"),
         [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            Made made;
-            for (std::size_t i = 0; i < lacking.size(); ++i) {
-                ProgressShare share(progress, i, lacking.size());
-                auto score =
-                    runScore(*lacking[i], settings, weights, share, stop, enginesWith(settings.engine));
-                if (!score) return tl::make_unexpected(score.error());
-                made.push_back(score->scoreM2);
-            }
-            return made;
+            const auto compute = [&](const CityPointer& city, Progress& share,
+                                     const std::stop_token& stopped) {
+                return runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine))
+                    .map([](const Score& score) { return score.scoreM2; });
+            };
+            return computeEach<double>(lacking, compute, progress, stop);
         },
-        [this, lacking, settings, weights](const Result<Made>& made) {
-            if (!made) return isCancelled(made.error()) ? void() : Q_EMIT failed(made.error());
-            for (std::size_t i = 0; i < lacking.size(); ++i)
-                add(KnownScore{lacking[i], sameAs(settings), weights, (*made)[i]});
+        [this, lacking, settings, weights](const Result<Made>& scores) {
+            if (!scores) return isCancelled(scores.error()) ? void() : Q_EMIT failed(scores.error());
+            for (std::size_t i = 0; i < scores->made.size(); ++i)
+                add(KnownScore{lacking[i], sameAs(settings), weights, scores->made[i]});
             update();
+            if (scores->error && !isCancelled(*scores->error)) Q_EMIT failed(*scores->error);
         });
 }
 

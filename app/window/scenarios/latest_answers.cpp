@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostKnown = 1000;  // figures; each holds the list of its city's buildings
+constexpr std::size_t mostKnown = 64;  // figures; each holds the list of its city's buildings
 
 template <class Known>
 void keep(std::vector<Known>& all, Known one) {
@@ -55,8 +55,11 @@ LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObje
     connect(&workbench.document(), &StudyDocument::changed, this, &LatestAnswers::update);
     for (auto signal : {&ProjectSession::changed, &ProjectSession::baselineChanged})
         connect(&workbench.session(), signal, this, &LatestAnswers::update);
-    connect(&from_.review, &ReviewSession::answered, this, &LatestAnswers::update);
-    connect(&from_.windows, &WindowSession::answered, this, &LatestAnswers::update);
+    const auto unlessShaping = [this] {  // a shape that is dragged changes no scenario
+        if (!from_.review.isShaping()) update();
+    };
+    connect(&from_.review, &ReviewSession::answered, this, unlessShaping);
+    connect(&from_.windows, &WindowSession::answered, this, unlessShaping);
     connect(&from_.weights, &WeightsModel::chosen, this, &LatestAnswers::update);
 }
 

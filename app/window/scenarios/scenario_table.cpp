@@ -31,7 +31,8 @@ QVariant orNone(const std::optional<double>& value) { return value ? QVariant(*v
 
 // The fewest fails first, then the fewest borderline verdicts.
 double rankOf(const VerdictCounts& counts) {
-    return double(counts.fail) + double(counts.borderline) / double(counts.all() + 1);
+    const double share = 1 / double(counts.all() + 1);
+    return double(counts.fail) + share * (double(counts.borderline) + share * double(counts.notChecked));
 }
 
 // Below every number, while an invalid value would be above.

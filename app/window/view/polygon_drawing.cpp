@@ -66,6 +66,7 @@ void PolygonDrawing::cancel() {
 std::optional<glm::dvec3> PolygonDrawing::groundAt(QPointF pixel) {
     auto ground = navigator_.groundAt(pixel);
     snap_.reset();
+    if (!ground) snapping_.clearMark();
     if (!ground) return ground;
     snap_ = snapping_.find(*ground, lineToSnapTo(*active()));
     if (snap_) ground = glm::dvec3(snap_->point, ground->z);

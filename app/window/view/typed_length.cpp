@@ -1,6 +1,7 @@
 #include "app/window/view/typed_length.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/window/looks/units.h"
@@ -70,7 +71,7 @@ std::optional<TypedSide> parseTypedSide(const QString& text, UnitSystem units) {
     if (mark == text.size()) return TypedSide{*length, {}};
     bool isNumber = false;
     const double degrees = text.mid(mark + 1).toDouble(&isNumber);
-    if (!isNumber) return std::nullopt;
+    if (!isNumber || !std::isfinite(degrees)) return std::nullopt;
     return TypedSide{*length, degrees};
 }
 

@@ -63,8 +63,10 @@ void VerdictCounts::add(Verdict verdict) {
         ++borderline;
     else if (verdict == Verdict::fail)
         ++fail;
-    else
+    else if (verdict == Verdict::notApplicable)
         ++notApplicable;
+    else
+        ++notChecked;
 }
 
 void VerdictChanges::add(Verdict former, Verdict verdict) {

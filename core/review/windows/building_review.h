@@ -6,10 +6,11 @@ namespace noonmark {
 
 /// How many windows, or buildings, have which verdict.
 struct VerdictCounts {
-    std::size_t pass = 0, borderline = 0, fail = 0, notApplicable = 0;
+    std::size_t pass = 0, borderline = 0, fail = 0, notApplicable = 0, notChecked = 0;
     void add(Verdict verdict);
     [[nodiscard]] std::size_t judged() const { return pass + borderline + fail; }
-    [[nodiscard]] std::size_t all() const { return judged() + notApplicable; }
+    [[nodiscard]] std::size_t notJudged() const { return notApplicable + notChecked; }
+    [[nodiscard]] std::size_t all() const { return judged() + notJudged(); }
 };
 
 /// From the baseline to the scenario.

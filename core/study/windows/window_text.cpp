@@ -114,7 +114,7 @@ Json countsJson(const VerdictCounts& counts) {
     return {{"pass", counts.pass},
             {"borderline", counts.borderline},
             {"fail", counts.fail},
-            {"not_applicable", counts.notApplicable}};
+            {"not_applicable", counts.notJudged()}};
 }
 
 Json changesJson(const VerdictChanges& changes) {

@@ -21,7 +21,7 @@ constexpr double windowTablePt = 7;
 QString countsText(const VerdictCounts& counts) {
     return QStringLiteral("%1 pass, %2 borderline, %3 fail, %4 not applicable")
         .arg(describeCount(counts.pass), describeCount(counts.borderline), describeCount(counts.fail),
-             describeCount(counts.notApplicable));
+             describeCount(counts.notJudged()));
 }
 
 void addChanges(TextBlocks& blocks, const QString& what, const VerdictChanges& changes) {

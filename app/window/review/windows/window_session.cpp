@@ -95,15 +95,17 @@ void WindowSession::runAll() {
         if (!question) return tell(question.error());
         questions.push_back(*std::move(question));
     }
-    runningAll_.start<std::vector<WindowAnswer>>(
+    runningAll_.start<ComputedAnswers<WindowAnswer>>(
         tr("All reviews"),
-        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) {
+        [questions = std::move(questions)](
+            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<WindowAnswer>> {
             return computeEach<WindowAnswer>(questions, computeWindowReview, progress, stop);
         },
-        [this](Result<std::vector<WindowAnswer>> answers) {
+        [this](Result<ComputedAnswers<WindowAnswer>> answers) {
             if (!answers) return tell(answers.error());
-            for (WindowAnswer& one : *answers) cached_.add(std::move(one));
+            for (WindowAnswer& one : answers->made) cached_.add(std::move(one));
             Q_EMIT answered();
+            if (answers->error) tell(*answers->error);
         });
 }
 

@@ -54,7 +54,7 @@ private:
     Workbench& workbench_;
     ReviewSession& review_;
     std::shared_ptr<const WindowAnswer> answer_;
-    ReviewCache<WindowAnswer> cached_;
+    ReviewCache<WindowAnswer, 8> cached_;  // a whole city's windows take some 100 MB
     JobSlot running_;
     JobSlot runningAll_;
     JobSlot estimating_;
