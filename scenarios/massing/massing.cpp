@@ -147,11 +147,23 @@ Result<void> checkSolid(const Part& part, const Footprint& piece, const WallShap
     return failure("The massing is not a closed solid", part.sourceId, "Simplify the lot's outline");
 }
 
+// One piece of the plate at some of the mesh's levels, no more than 10 degrees apart.
+std::vector<Footprint> makeSections(const Tier& tier, const Footprint& piece, double storeyHeightM) {
+    const std::vector<double> levels = levelsOf(tier, storeyHeightM);
+    const auto count = std::size_t(std::ceil(std::abs(tier.walls.twistDeg) / 10)) + 1;
+    const auto index = std::size_t(std::ranges::find(tier.plate, piece) - tier.plate.begin());
+    std::vector<Footprint> sections;
+    for (std::size_t i = 0; i <= count; ++i)
+        sections.push_back(plateAt(tier, levels[i * (levels.size() - 1) / count]).at(index));
+    return sections;
+}
+
 // The part's footprint is its outline seen from above, which a twist makes larger than any of its plates.
 Result<Part> makeLeaningPart(const Tier& tier, const Footprint& piece, Part part, double storeyHeightM) {
     auto mesh = std::make_shared<TriangleMesh>(makeLeaningMesh(tier, piece, storeyHeightM));
     if (tier.walls.twistDeg != 0) {
-        std::vector<Footprint> outline = computeOutline(*mesh, true).pieces;
+        std::vector<Footprint> outline =
+            computeOutline(*mesh, true, makeSections(tier, piece, storeyHeightM)).pieces;
         if (outline.empty())
             return failure("The outline of the twisted volume cannot be determined", part.sourceId,
                            "Twist it less");

@@ -9,6 +9,7 @@
 
 #include "core/city/city.h"
 #include "core/city/footprints/floor_area.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/study/study.h"
 #include "tests/scenarios/small_town.h"
@@ -84,6 +85,19 @@ TEST(LeaningWalls, ATwistTurnsEachFloorClockwise) {
     EXPECT_TRUE(found);
     EXPECT_NEAR(volumeOf(built), 16000, 80);
     EXPECT_GT(area(built.parts[0].footprint), 450) << "the outline contains all floors";
+}
+
+// The outline is computed faster by sections that are known to lie within it; they must not change it.
+TEST(LeaningWalls, TheOutlineOfATwistIsThatOfItsTriangles) {
+    for (const WallShape walls : {WallShape{.twistDeg = 20}, WallShape{.taper = 0.4, .twistDeg = -35},
+                                  WallShape{.taper = 0.9, .twistDeg = 60}}) {
+        const Building built = buildingOf(makeMassing(lot, tower(6, walls)).value(), "twist").value();
+        const Part& part = built.parts.at(0);
+        const auto whole = computeOutline(*part.mesh, true).pieces;
+        ASSERT_EQ(whole.size(), 1U);
+        EXPECT_NEAR(area(part.footprint), area(whole[0]), 0.05);
+        EXPECT_LT(computeAreaOutside(whole[0], {part.footprint}), 0.05);
+    }
 }
 
 TEST(LeaningWalls, LevelsAreFloorsAndNoStepTurnsFar) {

@@ -18,9 +18,11 @@ struct MeshOutline {
 /// The union of the triangles' projections. Gaps under 1 cm that would split it are closed; points within 1
 /// mm of straight lines and holes under 0.01 m2 are dropped. For a closed mesh the upward faces are enough.
 /// Walls that project from the outline are added as strips, wallStripM wide. A mesh of walls only gives the
-/// area that they enclose, or else such strips. O(n log n). Backend of this whole file:
+/// area that they enclose, or else such strips. `sections`: cuts through a solid, which its outline covers;
+/// they save the work for the triangles over them. O(n log n). Backend of this whole file:
 /// mesh_outline_geos.cpp.
-MeshOutline computeOutline(const TriangleMesh& mesh, bool closed);
+MeshOutline computeOutline(const TriangleMesh& mesh, bool closed,
+                           const std::vector<Footprint>& sections = {});
 inline constexpr double wallStripM = 0.01;
 
 /// The area that the vertical faces of a mesh enclose, seen from above: the ground inside a ring of walls. A

@@ -181,6 +181,21 @@ Geometry withoutGaps(const Geos& geos, Geometry polygons, double widthM) {
     return polygons;
 }
 
+// The sections, and the triangles that reach beyond them.
+std::vector<Footprint> keepUncovered(const Geos& geos, std::vector<Footprint> triangles,
+                                     const std::vector<Footprint>& sections) {
+    const Geometry cover = uniteGeometry(geos, collection(geos, sections));
+    const GEOSPreparedGeometry* prepared = cover ? GEOSPrepare_r(geos, cover.get()) : nullptr;
+    if (!prepared) return triangles;
+    std::erase_if(triangles, [&](const Footprint& triangle) {
+        const Geometry shape = collection(geos, std::vector<Footprint>{triangle});
+        return shape && GEOSPreparedCovers_r(geos, prepared, shape.get()) == 1;
+    });
+    GEOSPreparedGeom_destroy_r(geos, prepared);
+    triangles.insert(triangles.end(), sections.begin(), sections.end());
+    return triangles;
+}
+
 // In one piece if possible.
 std::vector<Footprint> unionOfTriangles(const Geos& geos, const std::vector<Footprint>& triangles) {
     constexpr double gapM = 0.005;
@@ -192,10 +207,12 @@ std::vector<Footprint> unionOfTriangles(const Geos& geos, const std::vector<Foot
 
 }  // namespace
 
-MeshOutline computeOutline(const TriangleMesh& mesh, bool closed) {
+MeshOutline computeOutline(const TriangleMesh& mesh, bool closed, const std::vector<Footprint>& sections) {
     const Geos geos;
     MeshOutline outline;
-    outline.pieces = unionOfTriangles(geos, projectedTriangles(mesh, closed));
+    std::vector<Footprint> triangles = projectedTriangles(mesh, closed);
+    if (!sections.empty()) triangles = keepUncovered(geos, std::move(triangles), sections);
+    outline.pieces = unionOfTriangles(geos, triangles);
     if (mesh.triangles.empty()) return outline;
     if (!outline.pieces.empty()) {
         if (!closed) outline.pieces = withWallsOutside(geos, mesh, std::move(outline.pieces));
