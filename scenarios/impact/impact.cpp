@@ -24,12 +24,6 @@ std::vector<float> difference(const std::vector<float>& before, const std::vecto
     return change;
 }
 
-CellChange changeOf(CellKind before, CellKind after) {
-    if (before == CellKind::ground && after == CellKind::building) return CellChange::becameBuilding;
-    if (before == CellKind::building && after == CellKind::ground) return CellChange::becameGround;
-    return CellChange::none;
-}
-
 // Indices of the buildings of `after` that `before` does not share.
 std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     std::unordered_set<const Building*> known;
@@ -180,6 +174,13 @@ private:
 
 }  // namespace
 
+CellChange compareKinds(CellKind before, CellKind after) {
+    if (before == CellKind::outside || after == CellKind::outside) return CellChange::none;
+    const bool wasGround = before == CellKind::ground, isGround = after == CellKind::ground;
+    if (wasGround == isGround) return CellChange::none;
+    return wasGround ? CellChange::becameBuilding : CellChange::becameGround;
+}
+
 Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
                                             const ReceiverSettings& settings, const std::stop_token& stop) {
     return gridOver(region, settings).and_then([&](const Grid& grid) {
@@ -196,7 +197,7 @@ Result<CommonReceivers> findCommonReceiversInPart(const City& before, const City
     CommonReceivers common{*std::move(made), {}};
     common.change.resize(common.receivers.kind.size());
     for (std::size_t i = 0; i < common.change.size(); ++i) {
-        common.change[i] = changeOf(old->kind[i], common.receivers.kind[i]);
+        common.change[i] = compareKinds(old->kind[i], common.receivers.kind[i]);
         if (common.change[i] == CellChange::becameGround) common.receivers.kind[i] = CellKind::building;
     }
     std::erase_if(common.receivers.cells,

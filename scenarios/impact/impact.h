@@ -5,6 +5,7 @@
 // building's shadow can reach; impact_error.h measures the error against the ray reference; impact_figures.h
 // sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities tile by tile.
 
+#include <array>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -21,6 +22,16 @@ enum class CellChange : std::uint8_t {
     becameBuilding,  ///< open ground before, under a building after
     becameGround,    ///< under a building before, open ground after
 };
+
+/// The change from one city to the other where receivers are on the ground; a roof counts as building. none
+/// also where the cell is outside of either.
+CellChange compareKinds(CellKind before, CellKind after);
+
+/// Changes of no more minutes are float32 rounding, and count as none.
+inline constexpr double noChangeMin = 1e-3;
+/// Minutes of more or less shadow above which area counts, where no others are asked for: that of the paper's
+/// case study, and that of Boston's rules.
+inline constexpr std::array usualThresholdsMin{30.0, 60.0};
 
 /// The change that a scenario causes: after minus before, on cells that are receivers in both cities.
 struct Impact {

@@ -11,8 +11,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double noChangeMin = 1e-3;
-
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr ChangeFigures notCounted{unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 

@@ -12,7 +12,7 @@ struct ImpactAnswer {
     std::string from;  ///< scenario of the city before
     std::string to;
     ImpactSettings settings;
-    std::vector<double> thresholdsMin{30, 60};  ///< 60: Boston's rules
+    std::vector<double> thresholdsMin{usualThresholdsMin.begin(), usualThresholdsMin.end()};
     ImpactStudy study;
     Provenance provenance{};
 };

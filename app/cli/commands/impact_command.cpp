@@ -25,7 +25,7 @@ struct ImpactOptions {
     SheetOptions sheets;
     std::string from;
     std::string to;
-    std::vector<double> thresholds{30, 60};
+    std::vector<double> thresholds{usualThresholdsMin.begin(), usualThresholdsMin.end()};
     bool byBuilding = false;
     std::string scale;  // empty: the project's scale
 };

@@ -8,8 +8,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr float noChangeMin = 1e-3F;  // float32 rounding
-
 void addPatch(Legend& legend, const Impact& impact, CellChange change, const QColor& colour,
               const QString& label) {
     const auto cells = std::ranges::count(impact.change, change);
@@ -27,7 +25,7 @@ const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure)
 Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale) {
     Legend legend{
         QStringLiteral("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
-    const ChangeSpread spread = changeSpreadOf(getValues(impact, measure), noChangeMin);
+    const ChangeSpread spread = changeSpreadOf(getValues(impact, measure), float(noChangeMin));
     legend.scale = legendScaleOf(scale, spread);
     legend.unit = measure == ShadowMeasure::gross ? QStringLiteral("min a day") : QStringLiteral("min");
     if (!legend.instant)
@@ -47,7 +45,7 @@ std::optional<QColor> pickColour(const Impact& impact, ShadowMeasure measure, st
     if (impact.change[cell] == CellChange::becameBuilding) return ground::becameBuilding;
     if (impact.change[cell] == CellChange::becameGround) return ground::becameGround;
     const float value = getValues(impact, measure)[cell];
-    if (std::abs(value) > noChangeMin) return impactColour(double(value) / top);
+    if (std::abs(value) > float(noChangeMin)) return impactColour(double(value) / top);
     return std::nullopt;
 }
 

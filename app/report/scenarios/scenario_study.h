@@ -26,7 +26,7 @@ struct ScenarioScore {
     double scoreM2 = 0;
 };
 
-/// The review by a rule. Places or windows that were not checked count as not applicable.
+/// The review by a rule: the number of places or windows with each verdict.
 struct ScenarioVerdicts {
     std::string rule;  ///< its name
     std::string baseline;

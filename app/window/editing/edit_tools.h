@@ -44,12 +44,12 @@ public:
     void setStoreyLines(bool on);                    ///< lines at the floors of proposed towers; on at first
     void heightReferenceChanged();                   ///< shows heights again (looks/height_reference.h)
     void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
-    /// Shows the sunlight of the edited building's facades too; at first it does.
+    /// Shows the sunlight of the edited building's facades too; on until changeAction() is switched on.
     [[nodiscard]] QAction& facadesAction() { return *facades_; }
     /// The city that edits are compared with while they are shown, and its scenario's name; null: none.
     void setBaseline(std::shared_ptr<const City> city, const std::string& scenario);
-    /// Shows the change against the baseline instead of the shadow with the edited building; at first it does
-    /// not. It excludes facadesAction(): both have a scale of their own.
+    /// Shows the change against the baseline instead of the shadow with the edited building; off until the
+    /// window's settings switch it on. It excludes facadesAction(): both have a scale of their own.
     [[nodiscard]] QAction& changeAction() { return *change_; }
 
     [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership

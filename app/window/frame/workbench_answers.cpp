@@ -140,8 +140,11 @@ void Workbench::measureAll() {
 void Workbench::runComparison() {
     const auto before = session_.cityOf(session_.baseline());
     if (!before) return tell(before.error());
-    ImpactAnswer question{
-        session_.baseline(), session_.scenario(), {document_.settings(), true}, {30, 60}, {}};
+    ImpactAnswer question{session_.baseline(),
+                          session_.scenario(),
+                          {document_.settings(), true},
+                          {usualThresholdsMin.begin(), usualThresholdsMin.end()},
+                          {}};
     running_.start<ImpactAnswer>(
         tr("Comparison"),
         [question, before = *before, after = session_.city(), warnings = city_->loaded.read.warnings](

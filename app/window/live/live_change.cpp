@@ -13,15 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr float leastChangeMin = 1e-3F;  // less is rounding, as in computeFigures()
 constexpr float notMeasured = std::numeric_limits<float>::quiet_NaN();
-
-CellChange compareKinds(CellKind before, CellKind after) {
-    const bool wasGround = before == CellKind::ground, isGround = after == CellKind::ground;
-    if (wasGround == isGround || before == CellKind::outside || after == CellKind::outside)
-        return CellChange::none;
-    return wasGround ? CellChange::becameBuilding : CellChange::becameGround;
-}
 
 // Where one of the cities has a roof, the difference of two surfaces would be no change of shadow.
 void keepOpenGround(const Receivers& before, const Receivers& after, Impact& impact) {
@@ -32,7 +24,7 @@ void keepOpenGround(const Receivers& before, const Receivers& after, Impact& imp
 
 std::optional<std::uint32_t> findWorst(const Impact& impact) {
     std::optional<std::uint32_t> worst;
-    float most = leastChangeMin;
+    auto most = float(noChangeMin);
     for (std::size_t cell = 0; cell < impact.grossMin.size(); ++cell)
         if (impact.grossMin[cell] > most) {
             most = impact.grossMin[cell];
@@ -56,7 +48,7 @@ bool changesAtEdge(const Receivers& receivers, const Impact& impact) {
     for (int row = 0; row < impact.grid.rows; ++row)
         for (int column = 0; column < impact.grid.columns; ++column) {
             const float change = std::abs(impact.grossMin[impact.grid.index(column, row)]);
-            if (change >= leastChangeMin && isAtEdge(receivers, column, row)) return true;
+            if (change > float(noChangeMin) && isAtEdge(receivers, column, row)) return true;
         }
     return false;
 }
@@ -65,7 +57,7 @@ std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<P
     std::vector<PlaceChange> changes;
     for (const PlaceCells& place : places) {
         PlaceChange change{place.name, place.whole,
-                           computeFigures(impact, place.cells, LiveChange::thresholdsMin.front())};
+                           computeFigures(impact, place.cells, usualThresholdsMin.front())};
         if (change.figures.gross.touchedM2 > 0) changes.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes, std::greater(), [](const PlaceChange& one) {
@@ -100,7 +92,7 @@ LiveChange computeLiveChange(const Receivers& before, const ShadowField& fieldBe
     LiveChange change{.impact = computeDifference(fieldBefore, fieldAfter, std::move(kinds))};
     keepOpenGround(before, after, change.impact);
     for (std::size_t i = 0; i < change.figures.size(); ++i)
-        change.figures[i] = computeFigures(change.impact, LiveChange::thresholdsMin[i]);
+        change.figures[i] = computeFigures(change.impact, usualThresholdsMin[i]);
     change.worst = findWorst(change.impact);
     change.reachesBeyond = changesAtEdge(after, change.impact);
     change.places = measurePlaces(change.impact, places);

@@ -30,11 +30,8 @@ struct PlaceChange {
 
 /// What a shape changes: gross and continuous shadow of the ground that is open with and without it.
 struct LiveChange {
-    /// Minutes a day above which new shadow counts: those of a comparison.
-    static constexpr std::array thresholdsMin{30.0, 60.0};
-
     Impact impact;
-    std::array<ImpactFigures, thresholdsMin.size()> figures;  ///< by threshold
+    std::array<ImpactFigures, usualThresholdsMin.size()> figures;  ///< by threshold
     /// Shadow changes beside the edge of what is measured: probably beyond it, too.
     bool reachesBeyond = false;
     /// The cell with the most new gross shadow; none: there is no new shadow.

@@ -49,8 +49,8 @@ public:
     void run();
     /// Reviews every scenario that latest() lacks.
     void runAll();
-    /// By scenario, its latest answer for the chosen rule and baseline whose buildings and places have not
-    /// changed since. It may be of other places than the chosen ones.
+    /// By scenario, its latest answer for the chosen rule, baseline and places, where none of them nor the
+    /// buildings have changed since.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest();
     void screen();  ///< chooses the places that can be reached
     /// Computes the expected time of run() and emits estimated().
