@@ -1,15 +1,20 @@
 #include "core/base/csv_text.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "core/base/csv_field.h"
 
 namespace noonmark {
+
+namespace {
+
+constexpr std::size_t mostDigits = 400;  // the largest double has 309 before its point
+
+}  // namespace
 
 CsvText::CsvText(const std::vector<std::string>& columns) : columns_(columns.size()) {
     for (const std::string& column : columns) text(column);
@@ -20,13 +25,15 @@ CsvText& CsvText::text(const std::string& value) { return field(csvField(value))
 
 CsvText& CsvText::number(double value, int decimals) {
     if (!std::isfinite(value)) return nothing();
-    std::array<char, 400> digits{};  // the largest double has 309 digits before its point
-    const auto written = fmt::format_to_n(digits.data(), digits.size(), "{:.{}f}", value, decimals);
-    return field({digits.data(), written.size});
+    std::array<char, mostDigits> digits{};
+    const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed, decimals);
+    return field({digits.begin(), end.ptr});
 }
 
 CsvText& CsvText::number(double value) {
-    return std::isfinite(value) ? field(fmt::format("{}", value)) : nothing();
+    if (!std::isfinite(value)) return nothing();
+    std::array<char, mostDigits> digits{};
+    return field({digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr});
 }
 
 CsvText& CsvText::nothing(std::size_t fields) {
