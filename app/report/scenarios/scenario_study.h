@@ -24,6 +24,7 @@ struct ScenarioImpact {
 struct ScenarioScore {
     std::string weights;  ///< name of the table
     double scoreM2 = 0;
+    double weightedShadeM2h = 0;  ///< NaN: not counted
 };
 
 /// The review by a rule: the number of places or windows with each verdict.

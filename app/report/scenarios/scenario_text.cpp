@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/base/csv_field.h"
 #include "core/measures/has_runs.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -39,7 +42,10 @@ Json impactJson(const std::optional<ScenarioImpact>& impact) {
 }
 
 Json scoreJson(const std::optional<ScenarioScore>& score) {
-    return score ? Json{{"weights", score->weights}, {"score_m2", score->scoreM2}} : Json();
+    if (!score) return {};
+    return {{"weights", score->weights},
+            {"weighted_shade_m2h", score->weightedShadeM2h},
+            {"score_m2", score->scoreM2}};
 }
 
 Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
@@ -81,7 +87,10 @@ std::string impactFields(const std::optional<ScenarioImpact>& impact) {
 }
 
 std::string scoreFields(const std::optional<ScenarioScore>& score) {
-    return score ? fmt::format("{},{:.1f}", csvField(score->weights), score->scoreM2) : ",";
+    if (!score) return ",,";
+    const double shade = score->weightedShadeM2h;
+    return fmt::format("{},{},{:.1f}", csvField(score->weights),
+                       std::isnan(shade) ? std::string() : fmt::format("{:.1f}", shade), score->scoreM2);
 }
 
 std::string verdictFields(const std::optional<ScenarioVerdicts>& verdicts) {
@@ -104,7 +113,8 @@ std::string scenariosCsv(const ScenarioStudies& scenarios) {
     std::string csv =
         "name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,"
         "mean_continuous_min,max_continuous_min,height_m,gross_floor_m2,impact_baseline,impact_m2,"
-        "impact_threshold_min,gained_m2,lost_m2,weights,score_m2,rule,rule_baseline,pass,borderline,fail,"
+        "impact_threshold_min,gained_m2,lost_m2,weights,weighted_shade_m2h,score_m2,rule,rule_baseline,pass,"
+        "borderline,fail,"
         "not_judged" +
         std::string(sourceColumns) + "\r\n";
     for (const ScenarioStudy& scenario : scenarios) {
@@ -157,9 +167,8 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         {"impact",
          "change from the scenario baseline, on the receivers of both; gained_m2: area whose gross "
          "shadow rises by more than threshold_min"},
-        {"score",
-         "sum over the intervals of the weight table of weight x share of their sunlit time in "
-         "shadow x cell area"},
+        {"weighted_shade_m2h", weightedShadeDefinition},
+        {"score_m2", scoreDefinition},
         {"verdicts",
          "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
          "or was not checked"},

@@ -68,13 +68,15 @@ ComparisonFigures parseComparison(const Json& impact) {
 Score parseScore(const Json& json) {
     Score score;
     score.scoreM2 = json.at("score_m2");
+    score.weightedShadeM2h = json.value("weighted_shade_m2h", unknown);
     score.receiverAreaM2 = json.at("receiver_area_m2");
     for (const Json& month : json.at("months"))
         score.months.push_back({monthFrom(month.at("month")), month.at("shadow_area_m2"),
-                                month.at("score_m2"), month.at("sunlit_min")});
+                                month.at("score_m2"), month.at("sunlit_min"),
+                                month.value("weighted_shade_m2h", unknown)});
     for (const Json& interval : json.at("intervals"))
         score.intervals.push_back({interval.at("name"), interval.at("weight"), interval.at("shadow_area_m2"),
-                                   interval.at("score_m2")});
+                                   interval.at("score_m2"), interval.value("weighted_shade_m2h", unknown)});
     score.engine = json.at("engine_settings");
     return score;
 }
