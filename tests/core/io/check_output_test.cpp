@@ -147,6 +147,18 @@ TEST_F(CheckOutput, EveryKindKnowsItsOwn) {
     EXPECT_FALSE(replaces(OutputKind::geoTiff, pngHead));
 }
 
+// The copy of a city with figures that an earlier run wrote.
+TEST_F(CheckOutput, ACopyOfTheCityReplacesItself) {
+    EXPECT_EQ(detectOutputKind("elements.city.json"), OutputKind::cityJson);
+    EXPECT_EQ(detectOutputKind("study.json"), OutputKind::json);
+    const fs::path copy = folder.file("elements.city.json", R"({"type":"CityJSON","version":"2.0"})");
+    EXPECT_EQ(why(copy, OutputKind::cityJson, {{}, true}), "");
+    EXPECT_THAT(why(copy, OutputKind::cityJson, {{copy}, true}), HasSubstr("is an input"));
+    EXPECT_THAT(whyNever(copy, OutputKind::json), HasSubstr("not JSON with figures"));
+    EXPECT_THAT(whyNever(folder.file("study.json", "{" shadow ":1}"), OutputKind::cityJson),
+                HasSubstr("not CityJSON"));
+}
+
 TEST_F(CheckOutput, WhatIsNoFileHasItsOwnMessage) {
     const fs::path pipe = folder.path("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
