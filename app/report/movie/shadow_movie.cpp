@@ -61,9 +61,9 @@ FrameLayout layOut(const MovieFormat& format) {
 Box2 widenToFrame(const Box2& area, const MovieFormat& format) {
     const QRectF map = mapAreaOf(layOut(format).diagram, 1);
     const glm::dvec2 size(area.high - area.low), centre = glm::dvec2(area.low + area.high) / 2.0;
-    const double metresAPoint = std::max(size.x / map.width(), size.y / map.height());
-    const glm::dvec2 half = glm::dvec2(map.width(), map.height()) * metresAPoint / 2.0;
-    return {glm::vec2(centre - half), glm::vec2(centre + half)};
+    const double scale =
+        std::max(size.x / map.width(), size.y / map.height()) * pointsPerMetre(1);  // of 1:scale
+    return groundOf(centre, scale, map);
 }
 
 /// Paints frames of one scene at one scale; `area` has the proportions of the map.
