@@ -192,6 +192,23 @@ Result<SunOfDay> computeSunOfDay(const PointQuestion& question, const Zone& zone
     return SunOfDay{observer, *std::move(sun), *std::move(steps)};
 }
 
+// Steps longer than a minute would miss the days on which little is lost, at the ends of a season.
+Result<std::vector<SeasonOfLoss>> findSeasons(const City& baseline, const City& scenario,
+                                              const SkyPoint& point, const PointStudy& study,
+                                              const Observer& observer, const Zone& zone,
+                                              const std::stop_token& stop) {
+    if (study.question.stepMinutes <= 1)
+        return findLosses(study.baseline.shaded, study.scenario->shaded, study.sun, zone);
+    PointQuestion minutes = study.question;
+    minutes.stepMinutes = 1;
+    const auto sun = computeSunSteps(yearOf(minutes), observer, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const auto shadedIn = [&](const City& city) {
+        return findShadedSteps(Skyline::at(point, collectSkyObstacles(city)), *sun);
+    };
+    return findLosses(shadedIn(baseline), shadedIn(scenario), *sun, zone);
+}
+
 std::size_t dayNumber(CivilDate day) {
     const CivilDate first = day.year() / std::chrono::January / 1;
     return std::size_t((std::chrono::sys_days(day) - std::chrono::sys_days(first)).count());
@@ -229,7 +246,9 @@ Result<PointStudy> runPointStudy(const City& baseline, const City* scenario, con
     if (stop.stop_requested()) return cancelled();
     if (scenario != nullptr) {
         study.scenario = viewOf(*scenario, settled->point, study, *day, north, *zone);
-        study.losses = findLosses(study.baseline.shaded, study.scenario->shaded, study.sun, *zone);
+        auto losses = findSeasons(baseline, *scenario, settled->point, study, observer, *zone, stop);
+        if (!losses) return tl::make_unexpected(losses.error());
+        study.losses = *std::move(losses);
     }
     study.seconds = watch.seconds();
     return study;

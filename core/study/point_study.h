@@ -83,7 +83,7 @@ struct PointStudy {
     std::size_t day = 0;     ///< index in SunSteps::days
     PointView baseline;
     std::optional<PointView> scenario;
-    std::vector<SeasonOfLoss> losses;  ///< the scenario's, most minutes first
+    std::vector<SeasonOfLoss> losses;  ///< the scenario's, most minutes first; at steps of a minute or less
     double seconds = 0;                ///< wall time of the computation
 };
 

@@ -156,6 +156,16 @@ TEST_F(PointOfProject, StatesWhatTheProposalTakes) {
     EXPECT_EQ(same.json()["sentence"], "The proposal takes no sun from this point on any day of the year.");
 }
 
+// The season's first and last days lose only minutes, which steps of a quarter of an hour would miss.
+TEST_F(PointOfProject, TheSeasonDoesNotDependOnTheStep) {
+    const auto sentence = [&](const char* step) {
+        return noonmarkCli(pointOf(file_, "-73.9785,40.7675",
+                                   {"--baseline", "Before", "--scenario", "Existing", "--step", step}))
+            .json()["sentence"];
+    };
+    EXPECT_EQ(sentence("15"), sentence("1"));
+}
+
 TEST_F(PointOfProject, ComparesAnyTwoScenariosAndListsAll) {
     const std::string at = "-73.9785,40.7675";
     const auto one =
