@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "core/base/clean_text.h"
 #include "core/base/progress_share.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_advice.h"
@@ -151,6 +153,20 @@ void sayFlattened(CityRead& all, const InputFile& file) {
              file.path.filename().string()});
 }
 
+bool isClean(const std::string& words) { return cleanText(words) == words; }
+
+// Names and ids come from strangers, and are printed in many places.
+std::shared_ptr<const Building> withCleanWords(std::shared_ptr<const Building> building) {
+    const auto partIsClean = [](const Part& part) { return isClean(part.sourceId); };
+    if (isClean(building->sourceId) && isClean(building->name) && isClean(building->status) &&
+        std::ranges::all_of(building->parts, partIsClean))
+        return building;
+    Building clean = *building;
+    for (std::string* words : {&clean.sourceId, &clean.name, &clean.status}) *words = cleanText(*words);
+    for (Part& part : clean.parts) part.sourceId = cleanText(part.sourceId);
+    return std::make_shared<const Building>(std::move(clean));
+}
+
 void joinBuildings(CityRead& all, const InputFile& file) {
     const FilePiece& piece = file.piece;
     sayFlattened(all, file);
@@ -163,6 +179,8 @@ void joinBuildings(CityRead& all, const InputFile& file) {
         buildings[first + i] =
             std::make_shared<const Building>(standOnTerrain(*piece.buildings[i], piece.groundM[i], terrain));
     });
+    tbb::parallel_for(first, buildings.size(),
+                      [&](std::size_t i) { buildings[i] = withCleanWords(std::move(buildings[i])); });
 }
 
 // If there are several files, adds the file's name to its warnings.

@@ -70,13 +70,16 @@ std::string scoreJson(const ScoreAnswer& answer) {
 }
 
 std::string scoreCsv(const ScoreAnswer& answer) {
-    std::string csv =
-        "month,sunlit_min,weighted_shade_m2h,shadow_area_m2,score_m2" + std::string(sourceColumns) + "\r\n";
-    const std::string source = sourceFields(answer.provenance);
-    for (const MonthFigures& month : answer.score.months)
-        csv += fmt::format("{},{:g},{:.1f},{:.1f},{:.1f}{}\r\n", formatText(month.month), month.sunlitMinutes,
-                           month.weightedShadeM2h, month.shadowAreaM2, month.scoreM2, source);
-    return csv;
+    CsvText csv(
+        withSourceColumns({"month", "sunlit_min", "weighted_shade_m2h", "shadow_area_m2", "score_m2"}));
+    const SourceValues source = sourceValues(answer.provenance);
+    for (const MonthFigures& month : answer.score.months) {
+        csv.text(formatText(month.month)).number(month.sunlitMinutes, 1);
+        csv.number(month.weightedShadeM2h, 1).number(month.shadowAreaM2, 1).number(month.scoreM2, 1);
+        addSource(csv, source);
+        csv.endRow();
+    }
+    return csv.take();
 }
 
 }  // namespace noonmark

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/csv_field.h"
 #include "core/base/csv_rows.h"
+#include "core/base/csv_text.h"
 #include "core/io/files/fold_text.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
@@ -132,14 +132,13 @@ Result<WeightedInterval> intervalFrom(const std::map<std::string, std::string>& 
 }
 
 std::string weightsCsv(const TimeWeights& weights) {
-    std::string csv = fmt::format("{}\r\n", fmt::join(columns, ","));
+    CsvText csv({columns.begin(), columns.end()});
     for (const WeightedInterval& interval : weights.intervals) {
         const auto texts = textsOf(interval);
-        std::vector<std::string> fields;
-        for (const char* column : columns) fields.push_back(quoteField(texts.at(column)));
-        csv += fmt::format("{}\r\n", fmt::join(fields, ","));
+        for (const char* column : columns) csv.text(texts.at(column));
+        csv.endRow();
     }
-    return csv;
+    return csv.take();
 }
 
 std::string weightsJson(const TimeWeights& weights) {

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/base/csv_text.h"
+
 namespace noonmark {
 
 namespace {
@@ -247,14 +249,16 @@ std::string shadedText(const PointView& view, const City& city, const Zone& zone
 }
 
 std::string pointCsv(const PointStudy& study) {
-    std::string csv = study.scenario ? "month,hour,baseline_min,scenario_min\n" : "month,hour,baseline_min\n";
+    std::vector<std::string> columns{"month", "hour", "baseline_min"};
+    if (study.scenario) columns.emplace_back("scenario_min");
+    CsvText csv(columns);
     for (std::size_t month = 0; month < study.baseline.minutes.size(); ++month)
         for (std::size_t hour = 0; hour < study.baseline.minutes[month].size(); ++hour) {
-            csv += fmt::format("{},{},{:.2f}", month + 1, hour, study.baseline.minutes[month][hour]);
-            if (study.scenario) csv += fmt::format(",{:.2f}", study.scenario->minutes[month][hour]);
-            csv += '\n';
+            csv.whole(month + 1).whole(hour).number(study.baseline.minutes[month][hour], 2);
+            if (study.scenario) csv.number(study.scenario->minutes[month][hour], 2);
+            csv.endRow();
         }
-    return csv;
+    return csv.take();
 }
 
 }  // namespace noonmark
