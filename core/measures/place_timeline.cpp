@@ -105,7 +105,7 @@ std::optional<Instant> ShadowOnPlace::exits() const {
 }
 
 DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& settings) {
-    DayTimeline day{.day = shadow.day, .areaM2 = shadow.areaM2()};
+    DayTimeline day{.day = shadow.day, .areaM2 = shadow.areaM2(), .stepMinutes = shadow.stepMinutes};
     day.sunlitMinutes = double(shadow.steps.size()) * shadow.stepMinutes;
     ShadowSum baseline(shadow, day.baseline), scenario(shadow, day.scenario),
         incremental(shadow, day.incremental), gained(shadow, day.gained);
