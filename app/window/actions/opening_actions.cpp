@@ -120,6 +120,8 @@ void OpeningActions::showGuesses() {
     const ZoneGuess& zone = workbench_.zone();
     QStringList lines;
     if (heights) lines << QString::fromStdString(*heights) + u'.';
+    const auto stand = makeStandHeadline(city.heights);
+    if (stand) lines << QString::fromStdString(*stand) + u'.';
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
@@ -130,7 +132,8 @@ void OpeningActions::showGuesses() {
     if (lines.isEmpty()) return;
     if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
     messages_.showHelp(lines.join(u'\n'));
-    if (heights && !workbench_.source().files.isEmpty() && !workbench_.session().file()) offerOptions();
+    if ((heights || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
+        offerOptions();
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.
