@@ -62,7 +62,7 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
     const ElementFigures figures = computeFigures(study);
     Table table;
     table.add("period", formatText(study.settings.period));
-    table.add("engine", study.engineKey == referenceEngine ? "rays" : "horizons of points");
+    table.add("engine", describeEngine(study));
     table.add("steps", fmt::format("{} with the sun up, {} left out below the horizon",
                                    withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon)));
     table.add("receivers", fmt::format("{} points on {}", withCommas(study.receivers.size()),
