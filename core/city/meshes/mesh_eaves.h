@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-/// A mesh in two: what stands on the ground, and the sheets that reach beyond its walls.
+/// A mesh in two: all that its walls carry or enclose, and the sheets that reach beyond them.
 struct CutEaves {
     TriangleMesh body;
     TriangleMesh eaves;
