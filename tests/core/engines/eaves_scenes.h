@@ -106,7 +106,7 @@ inline std::vector<EavesHouse> village() {
             house.turnDeg = between(-30, 30);
             house.lengthM = between(8, 14);
             house.depthM = between(6, 10);
-            house.wallM = between(3.5, 9);
+            house.wallM = between(4.5, 9);
             house.slope = between(0.2, 1);
             house.overhangM = between(0.5, 1.5);
             houses.push_back(house);

@@ -63,14 +63,15 @@ TEST(Eaves, OfAHouseShadeAsGeometrySays) {
         truth.grossMin[cell] = float(minutes.gross);
         truth.continuousMin[cell] = float(minutes.continuous);
     }
-    for (const auto& [engine, mean, largest] : {std::tuple{"ray", 0.01, 0.6},
-                                                {"projected", 0.01, 0.6},
-                                                {"horizon", 0.06, 1.0},
-                                                {"auto", 0.06, 1.0}}) {
+    for (const char* engine : {"ray", "projected", "auto"}) {
         const EavesOff off = offBetween(byEngine(engine, city, receivers, sun), truth, receivers);
-        EXPECT_LE(off.mean, mean) << engine;
-        EXPECT_LE(off.largest, largest) << engine;
+        EXPECT_LE(off.mean, 0.01) << engine;
+        EXPECT_LE(off.largest, 0.6) << engine;
     }
+    const EavesOff sweep = offBetween(swept(city, receivers, sun), truth, receivers);
+    EXPECT_LE(sweep.mean, 0.03);
+    EXPECT_LE(sweep.largest, 1);
+    EXPECT_LE(sweep.meanRun, 0.05);
 }
 
 // In front of the southern wall, 0.7 m from it, at noon: the edge of the eaves, 4.5 m high, is 0.3 m away,
@@ -115,8 +116,8 @@ TEST(Eaves, OfAVillageAgreeWithRaysInTheCaches) {
     ASSERT_TRUE(horizons.retime(sun, progress, {}));
     const auto changed = horizons.change(whole, receivers, progress, {});
     ASSERT_TRUE(changed);
-    EXPECT_LE(offBetween(*changed, truth, receivers).mean, 0.1);
-    EXPECT_LE(offBetween(*changed, truth, receivers).meanRun, 0.3);
+    EXPECT_LE(offBetween(*changed, truth, receivers).mean, 0.15);
+    EXPECT_LE(offBetween(*changed, truth, receivers).meanRun, 0.5);
 }
 
 TEST(Eaves, AreChargedToTheirHouse) {
@@ -133,7 +134,7 @@ TEST(Eaves, AreChargedToTheirHouse) {
     for (const std::uint32_t cell : receivers.cells)
         traced += double(truth.grossMin[cell]) * double(sun.dayCount());
     EXPECT_EQ(breakdown.buildings.size(), city.buildings.size());
-    EXPECT_NEAR(attributed / traced, 1, 1e-3);
+    EXPECT_NEAR(attributed / traced, 1, 5e-3);
 }
 
 TEST(Eaves, LeaveTheFacadesBelowThemAndTheirSun) {
