@@ -49,7 +49,7 @@ Ring parseRing(const Geos& geos, const GEOSGeometry* geometry, bool counterClock
 /// Collects the polygons of a geometry.
 class PolygonCollector {
 public:
-    explicit PolygonCollector(const Geos& geos) : geos_(geos) {}
+    PolygonCollector(const Geos& geos, double leastM2) : geos_(geos), leastM2_(leastM2) {}
 
     void collect(const GEOSGeometry* geometry) {
         if (geometry == nullptr) return;
@@ -74,12 +74,13 @@ private:
     }
 
     bool left(const Ring& ring) {
-        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < sliverAreaM2;
+        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < leastM2_;
         sliver = sliver || small;
         return small;
     }
 
     const Geos& geos_;
+    double leastM2_;
 };
 
 }  // namespace
@@ -131,8 +132,9 @@ Geos::Geometry subtractGeometry(const Geos& geos, const Geos::Geometry& whole, c
                 : geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM));
 }
 
-std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver) {
-    PolygonCollector collector(geos);
+std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver,
+                                  double leastM2) {
+    PolygonCollector collector(geos, leastM2);
     collector.collect(geometry.get());
     if (sliver != nullptr) *sliver = collector.sliver;
     return std::move(collector.footprints);

@@ -206,6 +206,7 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["program"] = std::string("Noonmark ") + std::string(version());
     json["engine"] = study.settings.engine;
     json["engine_used"] = study.engineKey;
+    json["engine_settings"] = describeEngine(study);
     const Observer observer = makeObserver(study.city, study.settings);
     json["period"] = periodJson(study.settings.period, study.sun, observer);
     json["steps"] = study.sun.steps.size();
