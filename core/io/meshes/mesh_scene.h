@@ -26,6 +26,7 @@ struct MeshObject {
     std::string parent = {};  ///< name of the object that contains it; empty for the file itself
     /// What the reader left out, such as "3DSOLID (2)"; such an object has nothing else. Empty: none.
     std::string note = {};
+    bool oneBuilding = false;  ///< it is all of a building, which is not to be split
     bool operator==(const MeshObject&) const = default;
 };
 
