@@ -95,7 +95,7 @@ Result<void> readScene(const std::filesystem::path& file,
     if (scene == nullptr)
         return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
                        "Export it again");
-    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string());
+    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string(), trianglesAdvice);
     if (isIfc(file.string())) return takeIfc(*scene, take);
     SceneWalk{*scene, [&](const MeshObject& object, const std::string&) { take(object); }}.visit(
         *scene->mRootNode, aiMatrix4x4());

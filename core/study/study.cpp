@@ -10,6 +10,7 @@
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_check.h"
 #include "core/study/memory_need.h"
+#include "core/sun/zone_question.h"
 
 namespace noonmark {
 
@@ -132,6 +133,9 @@ Result<Study> answer(const City& city, const StudySettings& settings, Progress& 
     study.statistics = computeStatistics(study.field);
     study.warnings = study.field.warnings;
     for (Warning& warning : makeWarnings(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
+    const Box2 box = bounds(settings.region);
+    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    if (auto question = questionZone(settings.period, middle)) study.warnings.push_back(*std::move(question));
     if (wantsError(study))
         if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();

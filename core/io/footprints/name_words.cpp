@@ -44,7 +44,7 @@ constexpr std::array vocabularies{
                "edificacoes edificacion edificaciones edifici edificis fabbricato fabbricati budova budovy "
                "budynek budynki byggnad byggnader bygning bygninger rakennus rakennukset hoone hooned ehitis "
                "epulet epuletek zgrada zgrade stavba stavby cladire cladiri bina binalar pand panden gebouw "
-               "gebouwen κτιριο κτιρια здание здания строение строения будівля будівлі 建物 建築物 建筑 "
+               "gebouwen κτιριο κτιριου κτιρια здание здания строение строения будівля будівлі 建物 建築物 建筑 "
                "建筑物 건물 건축물 gedung bangunan toanha"},
     Vocabulary{NameWord::roof,
                "roof roofs rooftop dach dachs toit toiture techo tejado cubierta telhado tetto copertura dak "
@@ -140,7 +140,10 @@ std::string_view withoutMark(char32_t point) {
 struct GreekLetter {
     char32_t marked, plain;
 };
-constexpr std::array greekLetters{GreekLetter{0x3AC, 0x3B1}, GreekLetter{0x3AD, 0x3B5},
+constexpr std::array greekLetters{GreekLetter{0x386, 0x3B1}, GreekLetter{0x388, 0x3B5},
+                                  GreekLetter{0x389, 0x3B7}, GreekLetter{0x38A, 0x3B9},
+                                  GreekLetter{0x38C, 0x3BF}, GreekLetter{0x38E, 0x3C5},
+                                  GreekLetter{0x38F, 0x3C9}, GreekLetter{0x3AC, 0x3B1}, GreekLetter{0x3AD, 0x3B5},
                                   GreekLetter{0x3AE, 0x3B7}, GreekLetter{0x3AF, 0x3B9},
                                   GreekLetter{0x3CC, 0x3BF}, GreekLetter{0x3CD, 0x3C5},
                                   GreekLetter{0x3CE, 0x3C9}, GreekLetter{0x3C2, 0x3C3}};

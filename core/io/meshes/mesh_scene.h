@@ -30,6 +30,9 @@ struct MeshObject {
     bool operator==(const MeshObject&) const = default;
 };
 
+/// Advice of the errors of a file that is sound and holds no building; of several files it is left out.
+inline constexpr const char* trianglesAdvice = "Export the buildings as triangle or polygon meshes";
+
 /// The content of a mesh file, as the reader process returns it.
 using MeshScene = std::vector<MeshObject>;
 

@@ -129,8 +129,7 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
             distances.push_back(std::hypot(double(vertex.x) - origin.x, double(vertex.y) - origin.y));
     std::erase_if(distances, [](double distance) { return !std::isfinite(distance); });
     if (distances.empty())
-        return failure("The file holds no triangles", file.string(),
-                       "Export the buildings as triangle or polygon meshes");
+        return failure("The file holds no triangles", file.string(), trianglesAdvice);
     const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());
     if (*middle <= farAwayM) return {};
@@ -225,8 +224,8 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
             {WarningKind::assumed, "the project's origin is used as the mesh's origin", reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
-        return failure("The file holds no building", file.string(),
-                       "Its meshes are flat ground or have no area");
+        return failure("The file holds no building: its meshes are flat ground or have no area", file.string(),
+                       trianglesAdvice);
     return result;
 }
 
