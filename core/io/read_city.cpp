@@ -15,6 +15,7 @@
 #include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/io/heights/implausible_buildings.h"
+#include "core/io/meshes/mesh_scene.h"
 #include "core/io/read_part.h"
 #include "core/io/terrain/ground_choice.h"
 #include "core/io/terrain/standing.h"
@@ -74,6 +75,16 @@ Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings,
     return failure("Its format is not supported", file.path.string());
 }
 
+// Of several files, a mesh that holds no building is left out and said; nothing for any other error.
+std::optional<FilePiece> pieceWithout(const InputFile& file, const Error& error, bool several) {
+    if (!several || file.kind != FileKind::mesh || error.advice != trianglesAdvice) return std::nullopt;
+    FilePiece piece;
+    piece.warnings.push_back({WarningKind::leftOut, error.what, file.path.filename().string()});
+    return piece;
+}
+
+bool holdsNothing(const InputFile& file) { return file.piece.buildings.empty() && !file.piece.terrain; }
+
 // Reads every file into its piece; the first reader that chooses a frame fixes it for the others.
 Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, Progress& progress,
                          const std::stop_token& stop, const ReadWindow* window) {
@@ -84,7 +95,12 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
         if (stop.stop_requested()) return cancelled();
         ProgressShare share(progress, i, turns.size());
         auto piece = readPiece(*turns[i], settings, share, stop, window);
-        if (!piece) return tl::make_unexpected(piece.error());
+        if (!piece) {
+            auto without = pieceWithout(*turns[i], piece.error(), turns.size() > 1);
+            if (!without || (i + 1 == turns.size() && std::ranges::all_of(files, holdsNothing)))
+                return tl::make_unexpected(piece.error());
+            piece = *std::move(without);
+        }
         if (auto some = leaveOutImplausible(turns[i]->path.filename().string(), *piece); !some)
             return tl::make_unexpected(some.error());
         if (!settings.frame) settings.frame = piece->frame;

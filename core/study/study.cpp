@@ -11,6 +11,7 @@
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_check.h"
 #include "core/study/memory_need.h"
+#include "core/sun/zone_question.h"
 
 namespace noonmark {
 
@@ -157,6 +158,9 @@ Result<Study> answer(const City& city, const StudySettings& settings, Progress& 
     study.statistics = computeStatistics(study.field);
     Warnings first = study.field.warnings;
     for (Warning& warning : makeWarnings(study.terrainCoverage)) first.push_back(std::move(warning));
+    const Box2 box = bounds(settings.region);
+    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    if (auto question = questionZone(settings.period, middle)) first.push_back(*std::move(question));
     study.warnings.insert(study.warnings.begin(), first.begin(), first.end());
     study.seconds["total"] = watch.seconds();
     return study;

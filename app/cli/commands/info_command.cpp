@@ -36,7 +36,7 @@ void printHeights(std::ostream& out, const CityRead& read) {
     if (read.heights.unknown.empty()) return;
     out << "fields that may hold heights or storeys; select one with:\n";
     for (const UnknownField& field : read.heights.unknown)
-        out << "  " << (field.whole ? "--levels-field " : "--height-field ") << describe(field) << '\n';
+        out << "  " << selectingOptions(field) << ": " << describe(field) << '\n';
 }
 
 // Prints the figures of the JSON as text.

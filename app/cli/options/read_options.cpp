@@ -1,25 +1,35 @@
 #include "app/cli/options/read_options.h"
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "app/cli/options/lon_lat_option.h"
 #include "app/cli/options/number_range.h"
+#include "core/io/heights/height_text.h"
 
 namespace noonmark::cli {
 
 namespace {
 
-const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metres},
-                                              {"ft", LengthUnit::feet},
-                                              {"us-ft", LengthUnit::usSurveyFeet},
-                                              {"cm", LengthUnit::centimetres}};
+std::map<std::string, LengthUnit> lengthUnits() {
+    std::map<std::string, LengthUnit> units;
+    for (const LengthUnitEntry& entry : listLengthUnits()) units.emplace(entry.key, entry.unit);
+    return units;
+}
+
+std::vector<std::string> unitKeys() {
+    std::vector<std::string> keys;
+    for (const LengthUnitEntry& entry : listLengthUnits()) keys.emplace_back(entry.key);
+    return keys;
+}
 
 template <class Target>
 CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
     return command
         .add_option_function<std::string>(
-            name, [&target](const std::string& unit) { target = units.at(unit); }, help)
-        ->check(CLI::IsMember({"m", "ft", "us-ft", "cm"}))
+            name, [&target](const std::string& unit) { target = lengthUnits().at(unit); }, help)
+        ->check(CLI::IsMember(unitKeys()))
         ->type_name("UNIT");
 }
 
@@ -33,7 +43,7 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
                     "Field with the storeys above the ground (default: found by its name)")
         ->type_name("NAME");
     addUnit(command, "--height-unit", settings.heightUnit,
-            "Unit of numbers without a unit in it: m, ft, us-ft or cm (default m)");
+            "Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)");
     command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
         ->capture_default_str()
         ->check(within(2.0, 6.0))
@@ -91,12 +101,16 @@ void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
     command
         .add_option_function<std::string>(
             "--up",
-            [&settings](const std::string& axis) { settings.upAxis = axis == "z" ? UpAxis::z : UpAxis::y; },
-            "Meshes: the axis that points up, y or z (default y)")
-        ->check(CLI::IsMember({"y", "z"}))
+            [&settings](const std::string& axis) {
+                settings.upAxis = axis == "z"   ? UpAxis::z
+                                  : axis == "y" ? UpAxis::y
+                                                : UpAxis::automatic;
+            },
+            "Meshes: the axis that points up, y or z; auto (default): as the format says or the shape suggests")
+        ->check(CLI::IsMember({"auto", "y", "z"}))
         ->type_name("AXIS");
     addUnit(command, "--mesh-unit", settings.meshUnit,
-            "Meshes: unit of the coordinates: m, ft, us-ft or cm (default m)");
+            "Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)");
 }
 
 void addStandOption(CLI::App& command, ReadSettings& settings) {

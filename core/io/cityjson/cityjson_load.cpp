@@ -154,14 +154,15 @@ private:
             if (value.is_number()) known.number = value.get<double>();
             if (!known.text.empty()) object.values.push_back(std::move(known));
         }
-        for (const std::string& name : names)
-            if (!findMeaning(name)) addUnknown(name, attributes.at(name));
+        for (const std::string& name : unknown_) addUnknown(name, attributes.at(name));
     }
 
     // Cached, since most objects have the attributes of the previous one.
     const std::vector<KnownField>& fieldsOf(const std::vector<std::string>& names) {
         if (names == names_) return fields_;
         names_ = names;
+        unknown_ = names;
+        std::erase_if(unknown_, [](const std::string& name) { return findMeaning(name).has_value(); });
         fields_ = knownFields(names, {settings_.heightField, settings_.levelsField}, false);
         settleUnits(fields_, {settings_.heightUnit, false}, file_, data.warnings);
         for (const KnownField& field : fields_)
@@ -175,7 +176,7 @@ private:
         if (value.is_string() && !formatText(value).empty()) data.unknown.add(name, formatText(value), {});
     }
 
-    std::vector<std::string> names_;
+    std::vector<std::string> names_, unknown_;  // of the previous object
     std::vector<KnownField> fields_;
     std::string file_;
     const ReadSettings& settings_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/files/foreign_format.h"
 #include "core/io/files/json_kind.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/meshes/stated_axes.h"
@@ -116,6 +117,7 @@ Result<FileKind> detectFileKind(const std::filesystem::path& file) {
     if (!stream) return failure("The file cannot be opened", file.string(), "Check that you may read it");
     const std::string head = headOf(stream);
     if (head.empty()) return failure("The file is empty", file.string(), "Export or download it again");
+    if (const auto known = refuseForeignFormat(file); !known) return tl::make_unexpected(known.error());
     if (const Head kind = beginsJson(head) ? kindFromJson(file) : kindFromHead(head)) return *kind;
     return detectFileKindWithGdal(file);
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 
+#include "core/io/files/foreign_format.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
@@ -154,6 +155,7 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
     if (error || file.native().starts_with("/vsi"))
         return failure("It is not a file that can be opened", given.string());
     if (auto plain = checkOnDisk(file, content); !plain) return tl::make_unexpected(plain.error());
+    if (auto known = refuseForeignFormat(file); !known) return tl::make_unexpected(known.error());
     CPLErrorReset();
     GDALDriverH found = GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content), nullptr);
     if (found == nullptr) return notOpened(given, content, CPLGetLastErrorMsg());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/meshes/mesh_outline.h"
@@ -39,6 +40,22 @@ bool isWithin(LonLat place, LonLat middle, double farAwayM) {
     constexpr double metresPerDegree = 111200;  // no less than on computeGreatCircleM()'s sphere
     const double detourDeg = std::abs(place.latDeg - middle.latDeg) + std::abs(place.lonDeg - middle.lonDeg);
     return metresPerDegree * detourDeg <= farAwayM || computeGreatCircleM(place, middle) <= farAwayM;
+}
+
+// The points of the square of that width, on a grid in degrees, that holds most of them; of equal ones the first.
+std::vector<std::size_t> findFullestPlace(const std::vector<double>& lons, const std::vector<double>& lats,
+                                          double widthM) {
+    constexpr double metresPerDegree = 111200;
+    const double side = widthM / metresPerDegree;
+    std::map<std::pair<long, long>, std::vector<std::size_t>> squares;
+    const std::vector<std::size_t>* fullest = nullptr;
+    for (std::size_t i = 0; i < lons.size(); ++i)
+        squares[{std::lround(lons[i] / side), std::lround(lats[i] / side)}].push_back(i);
+    for (const auto& [square, points] : squares)
+        if (fullest == nullptr || points.size() > fullest->size() ||
+            (points.size() == fullest->size() && points.front() < fullest->front()))
+            fullest = &points;
+    return *fullest;
 }
 
 bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
@@ -109,15 +126,28 @@ void FeatureCentres::add(const UnplacedFeature& feature) {
     if (const auto ground = feature.facts.heights.groundElevationM) elevations_.push_back(*ground);
 }
 
-Frame FeatureCentres::frame() const {
-    const LonLat middle{std::remainder(medianOf(lons_), 360.0), medianOf(lats_)};
-    return Frame(middle, elevations_.empty() ? 0 : medianOf(elevations_));
+LonLat FeatureCentres::middle(double farAwayM) const {
+    const LonLat all{medianOf(lons_), medianOf(lats_)};
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < lons_.size(); ++i)
+        near += isWithin({lons_[i], lats_[i]}, all, farAwayM) ? 1 : 0;
+    if (2 * near >= lons_.size()) return all;
+    const std::vector<std::size_t> most = findFullestPlace(lons_, lats_, farAwayM);
+    std::vector<double> lons, lats;
+    for (const std::size_t i : most) lons.push_back(lons_[i]), lats.push_back(lats_[i]);
+    return {medianOf(lons), medianOf(lats)};
 }
 
-Frame frameOf(const std::vector<UnplacedFeature>& features) {
+Frame FeatureCentres::frame(double farAwayM) const {
+    const LonLat place = middle(farAwayM);
+    return Frame({std::remainder(place.lonDeg, 360.0), place.latDeg},
+                 elevations_.empty() ? 0 : medianOf(elevations_));
+}
+
+Frame frameOf(const std::vector<UnplacedFeature>& features, double farAwayM) {
     FeatureCentres centres;
     for (const UnplacedFeature& feature : features) centres.add(feature);
-    return centres.frame();
+    return centres.frame(farAwayM);
 }
 
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,

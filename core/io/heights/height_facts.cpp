@@ -56,7 +56,8 @@ std::string formatThousands(std::size_t count) {
 }
 
 std::string describe(const UnknownField& field) {
-    return fmt::format("{} ({:g} to {:g} in {} features)", field.field, field.low, field.high,
+    const char* const datum = field.kind == FieldKind::elevations ? " above the datum, not the ground" : "";
+    return fmt::format("{} ({:g} to {:g}{} in {} features)", field.field, field.low, field.high, datum,
                        formatThousands(field.features));
 }
 
@@ -73,6 +74,22 @@ std::string describe(const BaseFit& fit) {
         text += fmt::format("; {} far from that gap were set down by themselves", formatThousands(fit.apart));
     if (fit.aloft > 0) text += fmt::format("; {} stay above the ground", formatThousands(fit.aloft));
     return text;
+}
+
+std::string selectingOptions(const UnknownField& field) {
+    const bool blank = field.field.find_first_of(" ()'\"") != std::string::npos;
+    const std::string name = blank ? "\"" + field.field + "\"" : field.field;
+    const std::string unit = field.unit.empty() ? "" : " --height-unit " + field.unit;
+    switch (field.kind) {
+        case FieldKind::storeys:
+            return "--levels-field " + name;
+        case FieldKind::either:
+            return fmt::format("--levels-field {0} or --height-field {0}", name);
+        case FieldKind::heights:
+        case FieldKind::elevations:
+            break;
+    }
+    return "--height-field " + name + unit;
 }
 
 std::string describe(const HeightField& field) {

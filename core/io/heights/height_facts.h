@@ -18,14 +18,24 @@ struct HeightField {
     bool operator==(const HeightField&) const = default;
 };
 
+/// What an unknown field could hold, by its name and its values.
+enum class FieldKind {
+    heights,
+    storeys,
+    elevations,  ///< of roofs, above a datum: heights only where the ground lies near 0
+    either,      ///< heights or storeys
+};
+
 /// A number field with an unknown name whose values could be heights or storeys.
 struct UnknownField {
     std::string file;
     std::string field;
     double low = 0;  ///< smallest value over 0
     double high = 0;
-    bool whole = false;        ///< all values are whole: storeys rather than heights
+    bool whole = false;        ///< all values are whole
     std::size_t features = 0;  ///< number of features with a value over 0
+    FieldKind kind = FieldKind::either;
+    std::string unit = {};  ///< of heights, as --height-unit takes it: "ft"; empty: metres or unknown
     bool operator==(const UnknownField&) const = default;
 };
 
@@ -65,6 +75,10 @@ struct HeightFacts {
 
 /// "H_BAT (2.5 to 41.2 in 1,204 features)": for a list of fields that a user could choose from.
 std::string describe(const UnknownField& field);
+
+/// The options that select it: "--levels-field NUM", "--height-field H --height-unit ft"; one that could be either
+/// has "--levels-field X or --height-field X".
+std::string selectingOptions(const UnknownField& field);
 
 /// "RelH2 (base of the roof), m: 1,204 features"
 std::string describe(const HeightField& field);

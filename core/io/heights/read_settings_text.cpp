@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_number.h"
+#include "core/io/heights/height_text.h"
 
 namespace noonmark {
 
@@ -28,14 +29,14 @@ void takeChoice(const Json& json, const char* key, Choice& choice, Choice last) 
 
 LengthUnit lengthUnitOf(const Json& json) {
     const int unit = wholeNumberFrom<int>(json);
-    if (unit < 0 || unit > int(LengthUnit::centimetres)) throw std::out_of_range("unit");
+    if (unit < 0 || unit >= int(listLengthUnits().size())) throw std::out_of_range("unit");
     return LengthUnit(unit);
 }
 
 Json meshSettingsJson(const ReadSettings& reading) {
     const ReadSettings usual;
     Json json = Json::object();
-    putUnusual(json, "z_up", reading.upAxis == UpAxis::z, false);
+    if (reading.upAxis != UpAxis::automatic) json["z_up"] = reading.upAxis == UpAxis::z;
     putUnusual(json, "mesh_unit", int(reading.meshUnit), int(usual.meshUnit));
     putUnusual(json, "mesh_north_deg", reading.meshNorthDeg, usual.meshNorthDeg);
     if (reading.meshAnchor) json["mesh_anchor"] = {reading.meshAnchor->lonDeg, reading.meshAnchor->latDeg};
@@ -43,7 +44,7 @@ Json meshSettingsJson(const ReadSettings& reading) {
 }
 
 void takeMeshSettings(const Json& json, ReadSettings& reading) {
-    if (json.value("z_up", false)) reading.upAxis = UpAxis::z;
+    if (json.contains("z_up")) reading.upAxis = json.at("z_up").get<bool>() ? UpAxis::z : UpAxis::y;
     if (json.contains("mesh_unit")) reading.meshUnit = lengthUnitOf(json.at("mesh_unit"));
     takeStated(json, "mesh_north_deg", reading.meshNorthDeg);
     if (json.contains("mesh_anchor")) {

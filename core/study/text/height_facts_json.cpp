@@ -1,6 +1,7 @@
 #include "core/study/text/height_facts_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/json_number.h"
@@ -17,10 +18,23 @@ HeightField heightFieldFrom(const Json& json) {
             wholeNumberFrom<std::size_t>(json.at("features"))};
 }
 
+constexpr std::array<std::string_view, 4> kindNames{"heights", "storeys", "elevations", "either"};
+
+// Without a kind in what older versions wrote.
+FieldKind kindFrom(const Json& json) {
+    const auto found = std::ranges::find(kindNames, json.value("kind", std::string("either")));
+    return found == kindNames.end() ? FieldKind::either : FieldKind(found - kindNames.begin());
+}
+
 UnknownField unknownFieldFrom(const Json& json) {
-    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
-            json.at("low").get<double>(),       json.at("high").get<double>(),
-            json.at("whole").get<bool>(),       wholeNumberFrom<std::size_t>(json.at("features"))};
+    return {json.at("file").get<std::string>(),
+            json.at("field").get<std::string>(),
+            json.at("low").get<double>(),
+            json.at("high").get<double>(),
+            json.at("whole").get<bool>(),
+            wholeNumberFrom<std::size_t>(json.at("features")),
+            kindFrom(json),
+            json.value("unit", "")};
 }
 
 }  // namespace
@@ -61,7 +75,9 @@ Json heightFactsJson(const HeightFacts& facts) {
                                     {"low", field.low},
                                     {"high", field.high},
                                     {"whole", field.whole},
-                                    {"features", field.features}});
+                                    {"features", field.features},
+                                    {"kind", kindNames[std::size_t(field.kind)]},
+                                    {"unit", field.unit}});
     json["bases"] = Json::array();
     for (const BaseFit& fit : facts.bases) json["bases"].push_back(baseFitJson(fit));
     return json;
