@@ -27,6 +27,7 @@ struct LayerSource {
     bool shapefile = false;
     bool oneOfSeveral = false;  ///< feature ids then include their layer
     std::shared_ptr<const KmlAltitudes> kml = {};  ///< of a KML file only
+    std::vector<std::string> aliases = {};         ///< listFieldAliases(); none: the fields have none
 };
 
 /// Name that ReadSettings::heightField takes for the highest Z of each outline, where no field has the heights.

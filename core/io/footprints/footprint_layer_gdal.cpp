@@ -19,27 +19,28 @@ namespace {
 
 std::string nameOf(const OGRFieldDefn& field) { return readableText(field.GetNameRef()); }
 
-// GeoPackages and file geodatabases may have a second name for people.
-std::string aliasOf(const OGRFieldDefn& field) { return readableText(field.GetAlternativeNameRef()); }
+std::string aliasAt(const LayerSource& source, int index) {
+    return std::size_t(index) < source.aliases.size() ? source.aliases[std::size_t(index)] : std::string();
+}
 
 // The alias of a field is its name if only the alias says what it holds.
-std::vector<std::string> tellingNames(const OGRFeatureDefn& definition, bool cutShort) {
+std::vector<std::string> tellingNames(const OGRFeatureDefn& definition, const LayerSource& source) {
     std::vector<std::string> names;
     for (int i = 0; i < definition.GetFieldCount(); ++i) {
         const OGRFieldDefn& field = *definition.GetFieldDefn(i);
-        const std::string alias = aliasOf(field);
-        const bool aliasTells = !findMeaning(nameOf(field), cutShort) && findMeaning(alias);
+        const std::string alias = aliasAt(source, i);
+        const bool aliasTells = !findMeaning(nameOf(field), source.shapefile) && findMeaning(alias);
         names.push_back(aliasTells ? alias : nameOf(field));
     }
     return names;
 }
 
 // The field that the user chose by its name or its alias, as it is called here; unchanged if there is none.
-std::string tellingName(const OGRFeatureDefn& definition, const std::vector<std::string>& names,
-                        const std::string& chosen) {
+std::string tellingName(const OGRFeatureDefn& definition, const LayerSource& source,
+                        const std::vector<std::string>& names, const std::string& chosen) {
     for (int i = 0; i < definition.GetFieldCount() && !chosen.empty(); ++i)
         if (const OGRFieldDefn& field = *definition.GetFieldDefn(i);
-            isSameField(nameOf(field), chosen) || isSameField(aliasOf(field), chosen))
+            isSameField(nameOf(field), chosen) || isSameField(aliasAt(source, i), chosen))
             return names[std::size_t(i)];
     return chosen;
 }
@@ -196,9 +197,9 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     if (!transform) return tl::make_unexpected(transform.error());
     FootprintLayer made(layer, *std::move(transform), settings, source);
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
-    made.names_ = tellingNames(definition, source.shapefile);
-    const FieldChoice choice{tellingName(definition, made.names_, settings.heightField),
-                             tellingName(definition, made.names_, settings.levelsField)};
+    made.names_ = tellingNames(definition, source);
+    const FieldChoice choice{tellingName(definition, source, made.names_, settings.heightField),
+                             tellingName(definition, source, made.names_, settings.levelsField)};
     for (const std::string& chosen : {choice.height, choice.levels})
         if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition))
             return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
