@@ -18,9 +18,10 @@ std::string quoted(const std::string& text) {
 // GDAL reads these from version 3.7 on.
 void addGeoPackageNames(GDALDataset& dataset, OGRLayer& layer, std::vector<std::string>& aliases) {
     const GdalCalls quiet;  // most GeoPackages have no such table
-    const std::string sql = "SELECT column_name, coalesce(name, title) AS alias FROM gpkg_data_columns WHERE "
-                            "lower(table_name) = lower(" +
-                            quoted(layer.GetName()) + ")";
+    const std::string sql =
+        "SELECT column_name, coalesce(name, title) AS alias FROM gpkg_data_columns WHERE "
+        "lower(table_name) = lower(" +
+        quoted(layer.GetName()) + ")";
     OGRLayer* const rows = dataset.ExecuteSQL(sql.c_str(), nullptr, nullptr);
     if (rows == nullptr) return;
     while (const OGRFeatureUniquePtr row{rows->GetNextFeature()}) {

@@ -118,7 +118,8 @@ bool isUprightFace(const OGRGeometry& face) {
     OGREnvelope3D box;
     face.getEnvelope(&box);
     const double width = box.MaxX - box.MinX, depth = box.MaxY - box.MinY;
-    return box.MaxZ - box.MinZ > 0.5 && face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
+    return box.MaxZ - box.MinZ > 0.5 &&
+           face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
 }
 
 // Whether a geometry consists of the faces of a solid, as a multipatch does.
@@ -127,7 +128,8 @@ bool isSolid(const OGRGeometry& geometry) {
     if (geometry.Is3D() == FALSE) return false;
     if (type == wkbPolygon || type == wkbTriangle) return isUprightFace(geometry);
     const auto any = [](const auto& faces) {
-        return std::any_of(faces.begin(), faces.end(), [](const OGRGeometry* face) { return isSolid(*face); });
+        return std::any_of(faces.begin(), faces.end(),
+                           [](const OGRGeometry* face) { return isSolid(*face); });
     };
     if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return any(*geometry.toGeometryCollection());
     if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface)) return any(*geometry.toPolyhedralSurface());
@@ -222,7 +224,8 @@ void FootprintLayer::learn(OGRLayer& layer, const ReadSettings& settings, Warnin
     if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
     settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);
     unknownFields_ = unknownFields(names_, fields_, source_.shapefile);
-    for (const auto& [index, name] : unknownFields_) unknown_.compare(name, weighField(index, fields_, sample));
+    for (const auto& [index, name] : unknownFields_)
+        unknown_.compare(name, weighField(index, fields_, sample));
     if (!hasRole(fields_, FieldRole::building)) kindField_ = findKindField(names_, sample);
     learnOutlineZ(sample, settings, isInFeet(system));
 }
@@ -303,10 +306,10 @@ bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& i
     if (kindField_ < 0 || feature.IsFieldSetAndNotNull(kindField_) == FALSE) return false;
     const std::string text = textOf(feature, kindField_);
     if (text.empty() || saysBuilding(text)) return false;
-    warnings.push_back({WarningKind::leftOut,
-                        fmt::format("is no building but \"{}\", says the field {}", text,
-                                    names_[std::size_t(kindField_)]),
-                        id});
+    warnings.push_back(
+        {WarningKind::leftOut,
+         fmt::format("is no building but \"{}\", says the field {}", text, names_[std::size_t(kindField_)]),
+         id});
     return true;
 }
 
@@ -354,10 +357,11 @@ void FootprintLayer::watchUnknown(const OGRFeature& feature) {
 
 void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) const {
     std::vector<KnownField> fields = fields_;
-    const bool fromZ = std::ranges::any_of(
-        origins_, [](const auto& origin) { return origin.first.starts_with(outlineZ); });
+    const bool fromZ =
+        std::ranges::any_of(origins_, [](const auto& origin) { return origin.first.starts_with(outlineZ); });
     if (fromZ) {
-        const FieldMeaning meaning{FieldRole::height, std::numeric_limits<int>::max(), {}, "of the outline", {}};
+        const FieldMeaning meaning{
+            FieldRole::height, std::numeric_limits<int>::max(), {}, "of the outline", {}};
         fields.push_back({-1, outlineZ, meaning, LengthUnit::metres});
     }
     noonmark::addHeightFacts(origins_, fields, unknown_, source_.file, facts, warnings);

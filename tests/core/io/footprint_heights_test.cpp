@@ -122,14 +122,18 @@ std::string squares(int count, const std::function<std::string(int)>& properties
 }
 
 TEST_F(ReadFootprints, StoreysTellThatHeightsAreFeet) {
-    const FilePiece piece = readGeoJson(squares(
-        6, [](int i) { return fmt::format(R"("height":{},"num_floors":{})", 11 * (i + 1), i + 1); }));
+    const FilePiece piece = readGeoJson(
+        squares(6, [](int i) { return fmt::format(R"("height":{},"num_floors":{})", 11 * (i + 1), i + 1); }));
     EXPECT_NEAR(heightOf(*piece.buildings.at(5)), 66 * 0.3048, 1e-3);
-    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("feet are assumed, since its values are 11")));
+    EXPECT_THAT(whats(piece.warnings),
+                testing::Contains(HasSubstr("feet are assumed, since its values are 11")));
     settings.heightUnit = LengthUnit::metres;
-    EXPECT_NEAR(heightOf(*readGeoJson(squares(6, [](int i) {
-                                 return fmt::format(R"("height":{},"num_floors":{})", 11 * (i + 1), i + 1);
-                             })).buildings.at(5)),
+    EXPECT_NEAR(heightOf(*readGeoJson(squares(6,
+                                              [](int i) {
+                                                  return fmt::format(R"("height":{},"num_floors":{})",
+                                                                     11 * (i + 1), i + 1);
+                                              }))
+                              .buildings.at(5)),
                 66, 1e-3)
         << "the user's unit holds";
 }
@@ -155,10 +159,12 @@ TEST_F(ReadFootprints, FeaturesOfAnotherKindAreLeftOutAndSaid) {
     }));
     EXPECT_EQ(piece.buildings.size(), 4U);
     EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("District System")));
-    EXPECT_EQ(readGeoJson(squares(6, [](int i) {
-                  return fmt::format(R"("height":9,"type":"{}")", i < 4 ? "shed" : "garage");
-              })).buildings.size(),
-              6U)
+    EXPECT_EQ(
+        readGeoJson(
+            squares(
+                6, [](int i) { return fmt::format(R"("height":9,"type":"{}")", i < 4 ? "shed" : "garage"); }))
+            .buildings.size(),
+        6U)
         << "kinds of buildings";
 }
 
@@ -168,18 +174,20 @@ std::string solidText(LonLat around) {
         std::string text;
         for (const auto& [place, z] : points)
             text += fmt::format("[{:.9f},{:.9f},{}],", place.lonDeg, place.latDeg, z);
-        text += fmt::format("[{:.9f},{:.9f},{}]", points[0].first.lonDeg, points[0].first.latDeg, points[0].second);
+        text += fmt::format("[{:.9f},{:.9f},{}]", points[0].first.lonDeg, points[0].first.latDeg,
+                            points[0].second);
         return "[[" + text + "]]";
     };
     const LonLat a = at(0, 0), b = at(10, 0), c = at(10, 10), d = at(0, 10);
-    return face({{a, 100}, {d, 100}, {c, 100}, {b, 100}}) + "," + face({{a, 117}, {b, 117}, {c, 117}, {d, 117}}) +
-           "," + face({{a, 100}, {b, 100}, {b, 117}, {a, 117}});
+    return face({{a, 100}, {d, 100}, {c, 100}, {b, 100}}) + "," +
+           face({{a, 117}, {b, 117}, {c, 117}, {d, 117}}) + "," +
+           face({{a, 100}, {b, 100}, {b, 117}, {a, 117}});
 }
 
 TEST_F(ReadFootprints, ASolidIsAsHighAsItsFaces) {
-    const FilePiece piece = readGeoJson(
-        R"({"type":"Feature","properties":{},"geometry":{"type":"MultiPolygon","coordinates":[)" +
-        solidText(manhattan) + "]}}");
+    const FilePiece piece =
+        readGeoJson(R"({"type":"Feature","properties":{},"geometry":{"type":"MultiPolygon","coordinates":[)" +
+                    solidText(manhattan) + "]}}");
     EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 17, 1e-3);
     EXPECT_EQ(piece.buildings.at(0)->parts.at(0).heightSource, HeightSource::measured);
 }
@@ -217,10 +225,11 @@ TEST_F(ReadFootprints, OutlinesAtAnUnknownHeightAreOfferedAndCanBeChosen) {
 
 TEST_F(ReadFootprints, KmlStatesWhatItsAltitudesCountFrom) {
     const auto polygon = [](const char* mode, const char* extrude, double x, double z) {
-        return fmt::format("<Placemark><Polygon>{0}{1}<outerBoundaryIs><LinearRing><coordinates>{2},40.75,{3} "
-                           "{4},40.75,{3} {4},40.7501,{3} {2},40.75,{3}</coordinates></LinearRing></outerBoundaryIs>"
-                           "</Polygon></Placemark>",
-                           extrude, mode, -73.98 + x, z, -73.9799 + x);
+        return fmt::format(
+            "<Placemark><Polygon>{0}{1}<outerBoundaryIs><LinearRing><coordinates>{2},40.75,{3} "
+            "{4},40.75,{3} {4},40.7501,{3} {2},40.75,{3}</coordinates></LinearRing></outerBoundaryIs>"
+            "</Polygon></Placemark>",
+            extrude, mode, -73.98 + x, z, -73.9799 + x);
     };
     const std::string relative = "<altitudeMode>relativeToGround</altitudeMode>";
     const FilePiece piece = read(folder.file(
@@ -270,10 +279,12 @@ TEST_F(ReadFootprints, AnAliasSaysWhatAFieldHolds) {
     {
         const GdalCalls calls;
         const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-        for (const char* statement :
-             {"CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, name TEXT, title "
-              "TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, PRIMARY KEY (table_name, column_name))",
-              "INSERT INTO gpkg_data_columns VALUES ('houses', 'c1', 'Building height (ft)', NULL, NULL, NULL, NULL)"})
+        for (const char* statement : {"CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name "
+                                      "TEXT NOT NULL, name TEXT, title "
+                                      "TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, PRIMARY "
+                                      "KEY (table_name, column_name))",
+                                      "INSERT INTO gpkg_data_columns VALUES ('houses', 'c1', 'Building "
+                                      "height (ft)', NULL, NULL, NULL, NULL)"})
             dataset->ExecuteSQL(statement, nullptr, nullptr);
     }
     EXPECT_NEAR(heightOf(*read(file).buildings.at(0)), 12.192, 1e-3);
