@@ -83,9 +83,8 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     if (place == Place::contradictory)
         warnings.push_back(
             {WarningKind::assumed,
-             "its layer lies below the ground, but nothing else says that it is underground; it "
-             "stands on the ground",
-             facts.id});
+             "its layer lies below the ground, but nothing else does; it stands on the ground",
+                            facts.id});
     return place != Place::underground;
 }
 

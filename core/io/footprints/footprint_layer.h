@@ -30,10 +30,6 @@ struct LayerSource {
     std::vector<std::string> aliases = {};         ///< listFieldAliases(); none: the fields have none
 };
 
-/// Name that ReadSettings::heightField takes for the highest Z of each outline, where no field has the
-/// heights.
-inline constexpr const char* outlineZ = "outline Z";
-
 /// Reads the features of one layer; fields, units and coordinate system are settled once. Backend:
 /// footprint_layer_gdal.cpp.
 class FootprintLayer {

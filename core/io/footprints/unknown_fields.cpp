@@ -110,8 +110,8 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
     described.unit = unitInName(words);
     if (words.has(NameWord::elevation) || isRoofElevation(field))
         described.kind = FieldKind::elevations;
-    else if (height != storey)
-        described.kind = height ? FieldKind::heights : FieldKind::storeys;
+    else if (field == outlineZ || height != storey)
+        described.kind = field == outlineZ || height ? FieldKind::heights : FieldKind::storeys;
     else if (byStorey != nullptr)
         described.kind = byStorey->kind;
     else if (storey && values.halves && values.high <= mostStoreys)

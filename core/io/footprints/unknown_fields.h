@@ -12,6 +12,9 @@
 
 namespace noonmark {
 
+/// Name that ReadSettings::heightField takes for the highest Z of each outline, where no field has heights.
+inline constexpr const char* outlineZ = "outline Z";
+
 /// What a comparison with the other fields of a sample of features says about a field.
 struct FieldEvidence {
     std::optional<double> perStorey;  ///< median of its values for each storey of a known field
