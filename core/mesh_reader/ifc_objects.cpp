@@ -14,8 +14,8 @@ namespace noonmark {
 
 namespace {
 
-// The name between the class and the id, "FZK-Haus" of "IfcBuilding_FZK-Haus_2hQBAVPOr5VxhS3Jl0O47h"; all of it
-// if there is none.
+// The name between the class and the id, "FZK-Haus" of "IfcBuilding_FZK-Haus_2hQBAVPOr5VxhS3Jl0O47h"; all of
+// it if there is none.
 std::string plainName(const std::string& name) {
     const auto first = name.find('_'), last = name.rfind('_');
     if (first == name.npos || last <= first + 1) return name;
@@ -37,11 +37,23 @@ std::string_view IfcObjects::classOf(std::string_view name) {
 }
 
 bool IfcObjects::isLeftOut(std::string_view className) {
-    constexpr std::array<std::string_view, 17> others{
-        "IfcSite",           "IfcGeographicElement", "IfcFurnishingElement", "IfcFurniture", "IfcVehicle",
-        "IfcPlant",          "IfcVirtualElement",    "IfcSpace",             "IfcAnnotation", "IfcGrid",
-        "IfcOpeningElement", "IfcZone",              "IfcSpatialZone",       "IfcSign",       "IfcProxy",
-        "IfcCivilElement",   "IfcSystemFurnitureElement"};
+    constexpr std::array<std::string_view, 17> others{"IfcSite",
+                                                      "IfcGeographicElement",
+                                                      "IfcFurnishingElement",
+                                                      "IfcFurniture",
+                                                      "IfcVehicle",
+                                                      "IfcPlant",
+                                                      "IfcVirtualElement",
+                                                      "IfcSpace",
+                                                      "IfcAnnotation",
+                                                      "IfcGrid",
+                                                      "IfcOpeningElement",
+                                                      "IfcZone",
+                                                      "IfcSpatialZone",
+                                                      "IfcSign",
+                                                      "IfcProxy",
+                                                      "IfcCivilElement",
+                                                      "IfcSystemFurnitureElement"};
     return std::ranges::find(others, className) != others.end();
 }
 

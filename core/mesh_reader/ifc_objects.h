@@ -12,9 +12,9 @@ namespace noonmark {
 bool isIfc(const std::string& file);
 
 /// Gathers the objects of an IFC by building. The mesh library names each "IfcWall_name_id". What lies in an
-/// IfcBuilding is one object with that building's name. Everything outside the buildings (the site, its trees and
-/// furniture) is left out and counted by class, and so are furniture, plants and the like inside. A file without
-/// an IfcBuilding that holds geometry keeps its other objects as they are.
+/// IfcBuilding is one object with that building's name. Everything outside the buildings (the site, its trees
+/// and furniture) is left out and counted by class, and so are furniture, plants and the like inside. A file
+/// without an IfcBuilding that holds geometry keeps its other objects as they are.
 class IfcObjects {
 public:
     /// The class in a node's name: "IfcBuilding"; empty for other names.
@@ -25,7 +25,7 @@ public:
     /// `building`: the name of the node of its IfcBuilding; empty outside.
     void add(MeshObject object, const std::string& building);
 
-    /// All objects: the buildings, or what stands outside if there is none, then one for what was left out.
+    /// All objects: the buildings, or what lies outside if there is none, then one for what was left out.
     std::vector<MeshObject> take();
 
 private:

@@ -77,9 +77,9 @@ struct SceneWalk {
 
 Result<void> takeIfc(const aiScene& scene, const std::function<void(const MeshObject&)>& take) {
     IfcObjects objects;
-    SceneWalk{scene, [&](MeshObject object, const std::string& building) {
-                  objects.add(std::move(object), building);
-              }}.visit(*scene.mRootNode, aiMatrix4x4());
+    SceneWalk{scene, [&](MeshObject object,
+                         const std::string& building) { objects.add(std::move(object), building); }}
+        .visit(*scene.mRootNode, aiMatrix4x4());
     for (const MeshObject& object : objects.take()) take(object);
     return {};
 }
@@ -95,7 +95,8 @@ Result<void> readScene(const std::filesystem::path& file,
     if (scene == nullptr)
         return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
                        "Export it again");
-    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string(), trianglesAdvice);
+    if (scene->mRootNode == nullptr)
+        return failure("The file holds no triangles", file.string(), trianglesAdvice);
     if (isIfc(file.string())) return takeIfc(*scene, take);
     SceneWalk{*scene, [&](const MeshObject& object, const std::string&) { take(object); }}.visit(
         *scene->mRootNode, aiMatrix4x4());

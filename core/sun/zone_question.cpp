@@ -15,10 +15,11 @@ std::optional<Warning> questionZone(const Period& period, LonLat place) {
     const double clockH = double(zone->offsetAt(noon).count()) / 3600;
     const double apartH = std::abs(std::remainder(clockH - place.lonDeg / degreesPerHour, 24.0));
     if (apartH <= mostHours) return std::nullopt;
-    return Warning{WarningKind::assumed,
-                   fmt::format("the clocks of the zone are {:.1f} h from the sun's time here: is it the right zone?",
-                               apartH),
-                   period.zone};
+    return Warning{
+        WarningKind::assumed,
+        fmt::format("the clocks of the zone are {:.1f} h from the sun's time here: is it the right zone?",
+                    apartH),
+        period.zone};
 }
 
 }  // namespace noonmark

@@ -102,11 +102,10 @@ void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
         .add_option_function<std::string>(
             "--up",
             [&settings](const std::string& axis) {
-                settings.upAxis = axis == "z"   ? UpAxis::z
-                                  : axis == "y" ? UpAxis::y
-                                                : UpAxis::automatic;
+                settings.upAxis = axis == "z" ? UpAxis::z : axis == "y" ? UpAxis::y : UpAxis::automatic;
             },
-            "Meshes: the axis that points up, y or z; auto (default): as the format says or the shape suggests")
+            "Meshes: the axis that points up, y or z; auto (default): as the format says or the shape "
+            "suggests")
         ->check(CLI::IsMember({"auto", "y", "z"}))
         ->type_name("AXIS");
     addUnit(command, "--mesh-unit", settings.meshUnit,

@@ -41,7 +41,8 @@ constexpr std::string_view toTerrain =
     "Make a terrain raster of its ground points (PDAL: writers.gdal) and read that GeoTIFF";
 constexpr std::string_view toFootprints =
     "Convert it to GeoPackage, for instance with QGIS or ogr2ogr out.gpkg FILE, and read that";
-constexpr std::string_view toObj = "Convert it to OBJ or glTF, for instance with Blender or MeshLab, and read that";
+constexpr std::string_view toObj =
+    "Convert it to OBJ or glTF, for instance with Blender or MeshLab, and read that";
 constexpr std::string_view toSource = "Take the data that it was made of: CityJSON, a mesh or footprints";
 constexpr std::string_view fromSketchUp = "Export it from SketchUp as glTF, DXF, OBJ or IFC";
 constexpr std::string_view fromRevit = "Export the model from Revit as IFC";
@@ -57,14 +58,10 @@ constexpr std::array foreignFormats{
     // 3D city models
     ForeignFormat{"CityGML", toCityJson, {"<", "www.opengis.net/citygml"}},
     ForeignFormat{"CityGML", toCityJson, {"<", "CityModel"}},
-    ForeignFormat{"3D Tiles", toSource,
-                  {"{", "\"geometricError\""}},
-    ForeignFormat{"3D Tiles", toSource,
-                  {"b3dm"}},
-    ForeignFormat{"3D Tiles", toSource,
-                  {"i3dm"}},
-    ForeignFormat{"3D Tiles", toSource,
-                  {"cmpt"}},
+    ForeignFormat{"3D Tiles", toSource, {"{", "\"geometricError\""}},
+    ForeignFormat{"3D Tiles", toSource, {"b3dm"}},
+    ForeignFormat{"3D Tiles", toSource, {"i3dm"}},
+    ForeignFormat{"3D Tiles", toSource, {"cmpt"}},
     ForeignFormat{"3D Tiles (points)", toTerrain, {"pnts"}},
     ForeignFormat{"LandXML", "Export its surface as a GeoTIFF or its buildings as DXF", {"<", "<LandXML"}},
     ForeignFormat{"gbXML", "Export the model as IFC", {"<", "<gbXML"}},
@@ -73,13 +70,14 @@ constexpr std::array foreignFormats{
     ForeignFormat{"E57, a point cloud", toTerrain, {"ASTM-E57"}},
     ForeignFormat{"PCD, a point cloud", toTerrain, {"# .PCD"}},
     // drawings and models
-    ForeignFormat{"DWG", "Save it as DXF (ASCII) with its masses as meshes, faces or outlines with a thickness",
+    ForeignFormat{"DWG",
+                  "Save it as DXF (ASCII) with its masses as meshes, faces or outlines with a thickness",
                   {"AC10"}},
     ForeignFormat{"DGN", "Save it as DXF (ASCII)", {"\x08\x09\xFE"sv}},
-    ForeignFormat{"SketchUp (SKP)", fromSketchUp,
-                  {"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0"sv}},
+    ForeignFormat{"SketchUp (SKP)", fromSketchUp, {"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0"sv}},
     ForeignFormat{"SketchUp (SKP)", fromSketchUp, {"SketchUp"}},
-    ForeignFormat{"Rhino (3DM)", "Export it from Rhino as OBJ, glTF or DXF, with solids as meshes",
+    ForeignFormat{"Rhino (3DM)",
+                  "Export it from Rhino as OBJ, glTF or DXF, with solids as meshes",
                   {"3D Geometry File Format"}},
     ForeignFormat{"Revit", fromRevit, {"\xD0\xCF\x11\xE0"sv, "", ".rvt"}},
     ForeignFormat{"Revit", fromRevit, {"\xD0\xCF\x11\xE0"sv, "", ".rfa"}},
@@ -107,8 +105,7 @@ constexpr std::array foreignFormats{
     ForeignFormat{"QGIS project", "Name the files of its layers", {"<!DOCTYPE qgis"}},
     ForeignFormat{"Excel", "Save the table as CSV with the outlines as WKT", {"PK\3\4"sv, "", ".xlsx"}},
     ForeignFormat{"KMZ", "Unpack it (it is a ZIP) and read the .kml in it", {"PK\3\4"sv, "", ".kmz"}},
-    ForeignFormat{"I3S scene layer", toSource,
-                  {"PK\3\4"sv, "", ".slpk"}},
+    ForeignFormat{"I3S scene layer", toSource, {"PK\3\4"sv, "", ".slpk"}},
     ForeignFormat{"IFC in a ZIP", "Unpack it and read the .ifc in it", {"PK\3\4"sv, "", ".ifczip"}},
     ForeignFormat{"ZIP", unpack, {"PK\3\4"sv}},
     ForeignFormat{"gzip", unpack, {"\x1F\x8B"sv}},
@@ -116,12 +113,8 @@ constexpr std::array foreignFormats{
     ForeignFormat{"RAR", unpack, {"Rar!"}},
     ForeignFormat{"bzip2", unpack, {"BZh"}},
     // weather, pictures, documents
-    ForeignFormat{"EPW, weather data",
-                  noWeather,
-                  {"LOCATION,", "DESIGN CONDITIONS"}},
-    ForeignFormat{"EPW, weather data",
-                  noWeather,
-                  {"LOCATION,", "", ".epw"}},
+    ForeignFormat{"EPW, weather data", noWeather, {"LOCATION,", "DESIGN CONDITIONS"}},
+    ForeignFormat{"EPW, weather data", noWeather, {"LOCATION,", "", ".epw"}},
     ForeignFormat{"EnergyPlus model (IDF)", "Export the building as IFC or as a mesh", {"", "", ".idf"}},
     ForeignFormat{"NetCDF", toRaster, {"CDF\1"sv}},
     ForeignFormat{"NetCDF", toRaster, {"CDF\2"sv}},
@@ -176,7 +169,8 @@ bool isStl(std::string_view head, const std::filesystem::path& file) {
 
 tl::unexpected<Error> refused(std::string_view name, const std::filesystem::path& file,
                               std::string_view remedy) {
-    return unsupported(fmt::format("This is {}, which is not read", name), file.string(), std::string(remedy));
+    return unsupported(fmt::format("This is {}, which is not read", name), file.string(),
+                       std::string(remedy));
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ bool hasBuildingFields(OGRLayer& layer) {
         const auto meaning = findMeaning(readableText(definition.GetFieldDefn(i)->GetNameRef()));
         if (!meaning) continue;
         using enum FieldRole;
-        for (const FieldRole role : {height, levels, topElevation, roofHeight, roofShape, building, buildingPart})
+        for (const FieldRole role :
+             {height, levels, topElevation, roofHeight, roofShape, building, buildingPart})
             if (meaning->role == role) return true;
     }
     return false;
@@ -70,7 +71,8 @@ JudgedLayer judge(OGRLayer& layer) {
 
 std::string whyLeft(const JudgedLayer& layer, Likeness best) {
     if (!layer.why.empty()) return std::string(layer.why);
-    return best == Likeness::byName ? "the name of another says buildings" : "another has fields of buildings";
+    return best == Likeness::byName ? "the name of another says buildings"
+                                    : "another has fields of buildings";
 }
 
 }  // namespace
@@ -90,14 +92,16 @@ std::vector<OGRLayer*> chooseBuildingLayers(GDALDataset& dataset, Warnings& warn
         if (one.likeness == best)
             chosen.push_back(one.layer);
         else if (one.layer->GetFeatureCount() != 0)
-            warnings.push_back({WarningKind::leftOut,
-                                fmt::format("a layer that was taken for no layer of buildings, since {}; if it "
-                                            "is one, read it with --layer",
-                                            whyLeft(one, best)),
-                                readableText(one.layer->GetName())});
+            warnings.push_back(
+                {WarningKind::leftOut,
+                 fmt::format("a layer that was taken for no layer of buildings, since {}; if it "
+                             "is one, read it with --layer",
+                             whyLeft(one, best)),
+                 readableText(one.layer->GetName())});
     if (chosen.size() > 1)
         for (OGRLayer* layer : chosen)
-            warnings.push_back({WarningKind::assumed, "one of several polygon layers; all are read as buildings",
+            warnings.push_back({WarningKind::assumed,
+                                "one of several polygon layers; all are read as buildings",
                                 layer->GetName()});
     return chosen;
 }

@@ -25,7 +25,8 @@ double numberOf(std::string_view text) {
 enum class Place { surface, underground, contradictory };
 
 // OpenStreetMap's layer is the order of things above each other, in places counted from the level of a plaza
-// or a deck: -1 alone says nothing about the ground, unless no storey is above it. level is the number of a floor.
+// or a deck: -1 alone says nothing about the ground, unless no storey is above it. level is the number of a
+// floor.
 bool liesBelow(const FeatureValues& values) {
     const double layer = numberOf(formatText(values, FieldRole::layer));
     const std::string_view storeys = formatText(values, FieldRole::levels);
@@ -34,8 +35,8 @@ bool liesBelow(const FeatureValues& values) {
            formatText(values, FieldRole::tunnel) == "yes";
 }
 
-// What lies below is underground, unless a height, storeys, an entrance or a location indicate a building above
-// ground.
+// What lies below is underground, unless a height, storeys, an entrance or a location indicate a building
+// above ground.
 Place placeOf(const FeatureValues& values, bool tagged) {
     if (isYes(formatText(values, FieldRole::underground))) return Place::underground;
     if (!tagged) return Place::surface;  // in other data, fields of these names have other meanings
@@ -80,9 +81,9 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     const Place place = placeOf(values, rules.tagged);
     if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
     if (place == Place::contradictory)
-        warnings.push_back({WarningKind::assumed,
-                            "its layer lies below the ground, but nothing else says that it is underground; it "
-                            "stands on the ground",
+        warnings.push_back(
+            {WarningKind::assumed,
+             "its layer lies below the ground, but nothing else does; it stands on the ground",
                             facts.id});
     return place != Place::underground;
 }

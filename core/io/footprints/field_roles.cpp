@@ -110,8 +110,8 @@ std::optional<FieldMeaning> heightOfWords(const NameWords& words) {
 
 std::optional<FieldMeaning> storeysOfWords(const NameWords& words) {
     const bool groundFloor = words.has(NameWord::ground) && !words.has(NameWord::above);
-    const bool other = words.has(NameWord::below) || words.has(NameWord::roof) || words.has(NameWord::least) ||
-                       words.has(NameWord::elevation) || unitOfWords(words);
+    const bool other = words.has(NameWord::below) || words.has(NameWord::roof) ||
+                       words.has(NameWord::least) || words.has(NameWord::elevation) || unitOfWords(words);
     if (groundFloor || other) return std::nullopt;
     return FieldMeaning{levels, int(listFieldNames().size()), {}, "", ""};
 }

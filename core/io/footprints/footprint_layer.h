@@ -25,12 +25,10 @@ namespace noonmark {
 struct LayerSource {
     std::string file;  ///< file name, for messages
     bool shapefile = false;
-    bool oneOfSeveral = false;  ///< feature ids then include their layer
+    bool oneOfSeveral = false;                     ///< feature ids then include their layer
     std::shared_ptr<const KmlAltitudes> kml = {};  ///< of a KML file only
+    std::vector<std::string> aliases = {};         ///< listFieldAliases(); none: the fields have none
 };
-
-/// Name that ReadSettings::heightField takes for the highest Z of each outline, where no field has the heights.
-inline constexpr const char* outlineZ = "outline Z";
 
 /// Reads the features of one layer; fields, units and coordinate system are settled once. Backend:
 /// footprint_layer_gdal.cpp.
@@ -63,7 +61,8 @@ private:
     void watchUnknown(const OGRFeature& feature);
     void learn(OGRLayer& layer, const ReadSettings& settings, Warnings& warnings);
     void learnOutlineZ(const LayerSample& sample, const ReadSettings& settings, bool mapInFeet);
-    [[nodiscard]] bool isOtherKind(const OGRFeature& feature, const std::string& id, Warnings& warnings) const;
+    [[nodiscard]] bool isOtherKind(const OGRFeature& feature, const std::string& id,
+                                   Warnings& warnings) const;
     [[nodiscard]] std::optional<FeatureValue> outlineZOf(const OGRGeometry& geometry, const std::string& id,
                                                          Warnings& warnings) const;
     [[nodiscard]] std::optional<FieldRole> roleOfZ(const OGRGeometry& geometry, const std::string& id,
@@ -96,7 +95,7 @@ private:
     std::size_t broken_ = 0;       // features with points that cannot be transformed
     std::size_t implausible_ = 0;  // features outside the area of use of their system
     std::size_t nearZero_ = 0;     // features whose coordinates could be degrees
-    bool hasZ_ = false;  // of outlines whose elevations are not used
+    bool hasZ_ = false;            // of outlines whose elevations are not used
 };
 
 }  // namespace noonmark

@@ -19,27 +19,28 @@ namespace {
 
 std::string nameOf(const OGRFieldDefn& field) { return readableText(field.GetNameRef()); }
 
-// GeoPackages and file geodatabases may have a second name for people.
-std::string aliasOf(const OGRFieldDefn& field) { return readableText(field.GetAlternativeNameRef()); }
+std::string aliasAt(const LayerSource& source, int index) {
+    return std::size_t(index) < source.aliases.size() ? source.aliases[std::size_t(index)] : std::string();
+}
 
 // The alias of a field is its name if only the alias says what it holds.
-std::vector<std::string> tellingNames(const OGRFeatureDefn& definition, bool cutShort) {
+std::vector<std::string> tellingNames(const OGRFeatureDefn& definition, const LayerSource& source) {
     std::vector<std::string> names;
     for (int i = 0; i < definition.GetFieldCount(); ++i) {
         const OGRFieldDefn& field = *definition.GetFieldDefn(i);
-        const std::string alias = aliasOf(field);
-        const bool aliasTells = !findMeaning(nameOf(field), cutShort) && findMeaning(alias);
+        const std::string alias = aliasAt(source, i);
+        const bool aliasTells = !findMeaning(nameOf(field), source.shapefile) && findMeaning(alias);
         names.push_back(aliasTells ? alias : nameOf(field));
     }
     return names;
 }
 
 // The field that the user chose by its name or its alias, as it is called here; unchanged if there is none.
-std::string tellingName(const OGRFeatureDefn& definition, const std::vector<std::string>& names,
-                        const std::string& chosen) {
+std::string tellingName(const OGRFeatureDefn& definition, const LayerSource& source,
+                        const std::vector<std::string>& names, const std::string& chosen) {
     for (int i = 0; i < definition.GetFieldCount() && !chosen.empty(); ++i)
         if (const OGRFieldDefn& field = *definition.GetFieldDefn(i);
-            isSameField(nameOf(field), chosen) || isSameField(aliasOf(field), chosen))
+            isSameField(nameOf(field), chosen) || isSameField(aliasAt(source, i), chosen))
             return names[std::size_t(i)];
     return chosen;
 }
@@ -117,7 +118,8 @@ bool isUprightFace(const OGRGeometry& face) {
     OGREnvelope3D box;
     face.getEnvelope(&box);
     const double width = box.MaxX - box.MinX, depth = box.MaxY - box.MinY;
-    return box.MaxZ - box.MinZ > 0.5 && face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
+    return box.MaxZ - box.MinZ > 0.5 &&
+           face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
 }
 
 // Whether a geometry consists of the faces of a solid, as a multipatch does.
@@ -126,7 +128,8 @@ bool isSolid(const OGRGeometry& geometry) {
     if (geometry.Is3D() == FALSE) return false;
     if (type == wkbPolygon || type == wkbTriangle) return isUprightFace(geometry);
     const auto any = [](const auto& faces) {
-        return std::any_of(faces.begin(), faces.end(), [](const OGRGeometry* face) { return isSolid(*face); });
+        return std::any_of(faces.begin(), faces.end(),
+                           [](const OGRGeometry* face) { return isSolid(*face); });
     };
     if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return any(*geometry.toGeometryCollection());
     if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface)) return any(*geometry.toPolyhedralSurface());
@@ -196,9 +199,9 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     if (!transform) return tl::make_unexpected(transform.error());
     FootprintLayer made(layer, *std::move(transform), settings, source);
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
-    made.names_ = tellingNames(definition, source.shapefile);
-    const FieldChoice choice{tellingName(definition, made.names_, settings.heightField),
-                             tellingName(definition, made.names_, settings.levelsField)};
+    made.names_ = tellingNames(definition, source);
+    const FieldChoice choice{tellingName(definition, source, made.names_, settings.heightField),
+                             tellingName(definition, source, made.names_, settings.levelsField)};
     for (const std::string& chosen : {choice.height, choice.levels})
         if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition))
             return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
@@ -221,7 +224,8 @@ void FootprintLayer::learn(OGRLayer& layer, const ReadSettings& settings, Warnin
     if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
     settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);
     unknownFields_ = unknownFields(names_, fields_, source_.shapefile);
-    for (const auto& [index, name] : unknownFields_) unknown_.compare(name, weighField(index, fields_, sample));
+    for (const auto& [index, name] : unknownFields_)
+        unknown_.compare(name, weighField(index, fields_, sample));
     if (!hasRole(fields_, FieldRole::building)) kindField_ = findKindField(names_, sample);
     learnOutlineZ(sample, settings, isInFeet(system));
 }
@@ -302,10 +306,10 @@ bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& i
     if (kindField_ < 0 || feature.IsFieldSetAndNotNull(kindField_) == FALSE) return false;
     const std::string text = textOf(feature, kindField_);
     if (text.empty() || saysBuilding(text)) return false;
-    warnings.push_back({WarningKind::leftOut,
-                        fmt::format("is no building but \"{}\", says the field {}", text,
-                                    names_[std::size_t(kindField_)]),
-                        id});
+    warnings.push_back(
+        {WarningKind::leftOut,
+         fmt::format("is no building but \"{}\", says the field {}", text, names_[std::size_t(kindField_)]),
+         id});
     return true;
 }
 
@@ -353,10 +357,11 @@ void FootprintLayer::watchUnknown(const OGRFeature& feature) {
 
 void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) const {
     std::vector<KnownField> fields = fields_;
-    const bool fromZ = std::ranges::any_of(
-        origins_, [](const auto& origin) { return origin.first.starts_with(outlineZ); });
+    const bool fromZ =
+        std::ranges::any_of(origins_, [](const auto& origin) { return origin.first.starts_with(outlineZ); });
     if (fromZ) {
-        const FieldMeaning meaning{FieldRole::height, std::numeric_limits<int>::max(), {}, "of the outline", {}};
+        const FieldMeaning meaning{
+            FieldRole::height, std::numeric_limits<int>::max(), {}, "of the outline", {}};
         fields.push_back({-1, outlineZ, meaning, LengthUnit::metres});
     }
     noonmark::addHeightFacts(origins_, fields, unknown_, source_.file, facts, warnings);

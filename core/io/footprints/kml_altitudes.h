@@ -20,8 +20,8 @@ class KmlAltitudes {
 public:
     using Corner = std::tuple<double, double, double>;  ///< longitude, latitude, altitude
 
-    /// Nothing for a file that is not XML. Reads the whole file; memory some ten times its size. Backend:
-    /// kml_altitudes_gdal.cpp.
+    /// Nothing for a file that is not XML or larger than 256 MiB. Reads the whole file; memory some ten times
+    /// its size. Backend: kml_altitudes_gdal.cpp.
     static KmlAltitudes of(const std::filesystem::path& file);
 
     [[nodiscard]] std::optional<KmlStanding> find(const Corner& firstCorner) const;

@@ -1,6 +1,7 @@
 #include <cpl_minixml.h>
 
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -11,6 +12,8 @@
 namespace noonmark {
 
 namespace {
+
+constexpr std::uintmax_t mostBytes = std::uintmax_t(256) << 20;  // some 2.5 GB of memory
 
 struct TreeRelease {
     void operator()(CPLXMLNode* tree) const { CPLDestroyXMLNode(tree); }
@@ -55,6 +58,8 @@ void collectPolygons(const CPLXMLNode* node, std::map<KmlAltitudes::Corner, KmlS
 KmlAltitudes KmlAltitudes::of(const std::filesystem::path& file) {
     const GdalCalls quiet;
     KmlAltitudes altitudes;
+    std::error_code error;
+    if (std::filesystem::file_size(file, error) > mostBytes || error) return altitudes;
     const std::unique_ptr<CPLXMLNode, TreeRelease> tree(CPLParseXMLFile(file.c_str()));
     if (!tree) return altitudes;
     CPLStripXMLNamespace(tree.get(), nullptr, TRUE);

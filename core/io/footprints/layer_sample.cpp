@@ -56,8 +56,8 @@ bool growsWithArea(const LayerSample& sample, int index) {
 }
 
 const KnownField* fieldOfRole(const std::vector<KnownField>& fields, FieldRole role) {
-    const auto found = std::ranges::find_if(
-        fields, [&](const KnownField& field) { return field.meaning.role == role; });
+    const auto found =
+        std::ranges::find_if(fields, [&](const KnownField& field) { return field.meaning.role == role; });
     return found == fields.end() ? nullptr : &*found;
 }
 
@@ -97,7 +97,8 @@ std::optional<Finding> findUnit(const KnownField& field, const std::vector<Known
     return std::nullopt;
 }
 
-bool repeatsStoreys(const KnownField& field, const std::vector<KnownField>& fields, const LayerSample& sample) {
+bool repeatsStoreys(const KnownField& field, const std::vector<KnownField>& fields,
+                    const LayerSample& sample) {
     const KnownField* const storeys = fieldOfRole(fields, FieldRole::levels);
     const auto ratio = storeys != nullptr ? findRatio(sample, field.index, storeys->index) : std::nullopt;
     return ratio && isBetween(*ratio, 0.95, 1.05);

@@ -15,9 +15,7 @@ namespace {
 constexpr std::size_t mostSampled = 1000;
 constexpr std::size_t mostTextBytes = 40;
 
-bool isNumberType(OGRFieldType type) {
-    return type == OFTInteger || type == OFTInteger64 || type == OFTReal;
-}
+bool isNumberType(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
 
 void addFields(const OGRFeature& feature, SampledFeature& sampled) {
     for (int i = 0; i < feature.GetFieldCount(); ++i) {

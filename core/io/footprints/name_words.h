@@ -35,8 +35,8 @@ enum class NameWord {
 /// "建物高さ" stays as it is. UTF-8; bytes that are not are dropped.
 std::string foldName(std::string_view name);
 
-/// The words of a name, folded; they end at blanks, punctuation and digits and before a capital: "HeightInFeet"
-/// is height, in, feet. Words written together are told apart where all of them are known.
+/// The words of a name, folded; they end at blanks, punctuation and digits and before a capital:
+/// "HeightInFeet" is height, in, feet. Words written together are told apart where all of them are known.
 std::vector<std::string> wordsOfName(std::string_view name);
 
 /// Nothing for an unknown word. `word`: one of wordsOfName().

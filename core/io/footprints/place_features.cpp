@@ -42,7 +42,8 @@ bool isWithin(LonLat place, LonLat middle, double farAwayM) {
     return metresPerDegree * detourDeg <= farAwayM || computeGreatCircleM(place, middle) <= farAwayM;
 }
 
-// The points of the square of that width, on a grid in degrees, that holds most of them; of equal ones the first.
+// The points of the square of that width, on a grid in degrees, that holds most of them; of equal ones the
+// first.
 std::vector<std::size_t> findFullestPlace(const std::vector<double>& lons, const std::vector<double>& lats,
                                           double widthM) {
     constexpr double metresPerDegree = 111200;

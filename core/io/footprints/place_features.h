@@ -24,8 +24,8 @@ public:
     void add(const UnplacedFeature& feature);
     /// The frame at the middle of the features: the median of their centres, which a few distant features do
     /// not move. Where less than half of them lie within `farAwayM` of that (several places in one file), the
-    /// median of the place with most features. Its elevation is the median of the stated ground elevations, or
-    /// 0. At least one feature was added.
+    /// median of the place with most features. Its elevation is the median of the stated ground elevations,
+    /// or 0. At least one feature was added.
     [[nodiscard]] Frame frame(double farAwayM) const;
 
 private:

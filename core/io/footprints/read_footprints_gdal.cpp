@@ -12,6 +12,7 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/build_footprints.h"
 #include "core/io/footprints/building_layers.h"
+#include "core/io/footprints/field_aliases.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/footprints/layer_window.h"
@@ -121,7 +122,7 @@ private:
 
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
         const LayerSource source{file_.filename().string(), open_.driver == "ESRI Shapefile", oneOfSeveral,
-                                 kml_};
+                                 kml_, listFieldAliases(*open_.dataset, layer)};
         auto reader = FootprintLayer::of(layer, settings_, source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
         if (window_ != nullptr && isIndexed(layer)) return readWindow(layer, *reader, calls);

@@ -41,10 +41,9 @@ struct KindByStorey {
     std::string_view unit;
 };
 // A storey is 2.2 to 6.5 m high.
-constexpr std::array kindsByStorey{KindByStorey{0.85, 1.2, FieldKind::storeys, ""},
-                                   KindByStorey{2.2, 6.5, FieldKind::heights, ""},
-                                   KindByStorey{7.2, 21.5, FieldKind::heights, "ft"},
-                                   KindByStorey{220, 650, FieldKind::heights, "cm"}};
+constexpr std::array kindsByStorey{
+    KindByStorey{0.85, 1.2, FieldKind::storeys, ""}, KindByStorey{2.2, 6.5, FieldKind::heights, ""},
+    KindByStorey{7.2, 21.5, FieldKind::heights, "ft"}, KindByStorey{220, 650, FieldKind::heights, "cm"}};
 
 const KindByStorey* findKindByStorey(const FieldEvidence& evidence) {
     if (!evidence.perStorey) return nullptr;
@@ -98,8 +97,7 @@ bool UnknownFields::couldBeHeights(const std::string& field, const Values& value
     const NameWords words(field);
     const bool ofOneStorey = words.has(NameWord::height) && words.has(NameWord::storey) && !values.halves &&
                              values.low >= 2 && values.high <= 6.5;
-    return varies && !years && !numbersThem && !codes && !ofOneStorey &&
-           !evidenceOf(field).followsFootprint;
+    return varies && !years && !numbersThem && !codes && !ofOneStorey && !evidenceOf(field).followsFootprint;
 }
 
 // The name decides; where it says nothing or both, storeys of another field, then the values alone.
@@ -112,8 +110,8 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
     described.unit = unitInName(words);
     if (words.has(NameWord::elevation) || isRoofElevation(field))
         described.kind = FieldKind::elevations;
-    else if (height != storey)
-        described.kind = height ? FieldKind::heights : FieldKind::storeys;
+    else if (field == outlineZ || height != storey)
+        described.kind = field == outlineZ || height ? FieldKind::heights : FieldKind::storeys;
     else if (byStorey != nullptr)
         described.kind = byStorey->kind;
     else if (storey && values.halves && values.high <= mostStoreys)

@@ -12,6 +12,9 @@
 
 namespace noonmark {
 
+/// Name that ReadSettings::heightField takes for the highest Z of each outline, where no field has heights.
+inline constexpr const char* outlineZ = "outline Z";
+
 /// What a comparison with the other fields of a sample of features says about a field.
 struct FieldEvidence {
     std::optional<double> perStorey;  ///< median of its values for each storey of a known field
@@ -29,8 +32,8 @@ public:
     void compare(const std::string& field, const FieldEvidence& evidence) { evidence_[field] = evidence; }
 
     /// Fields whose values over 0 could all be heights (up to 4,000, for feet) or storeys, and that are not
-    /// years, areas, codes, notes on quality or feature numbers, by name, values and evidence; at most eight, those
-    /// whose name says heights or storeys first, then those with the most values.
+    /// years, areas, codes, notes on quality or feature numbers, by name, values and evidence; at most eight,
+    /// those whose name says heights or storeys first, then those with the most values.
     [[nodiscard]] std::vector<UnknownField> thatCouldBeHeights(const std::string& file) const;
 
 private:
@@ -39,7 +42,7 @@ private:
         double high = 0;
         bool whole = true;
         bool halves = true;  // multiples of 0.5: storeys may be
-        bool odd = false;  // a text that is not a length
+        bool odd = false;    // a text that is not a length
         std::size_t above0 = 0;
         std::set<double> different;  // up to as many as are needed to decide
     };

@@ -76,8 +76,8 @@ struct HeightFacts {
 /// "H_BAT (2.5 to 41.2 in 1,204 features)": for a list of fields that a user could choose from.
 std::string describe(const UnknownField& field);
 
-/// The options that select it: "--levels-field NUM", "--height-field H --height-unit ft"; one that could be either
-/// has "--levels-field X or --height-field X".
+/// The options that select it: "--levels-field NUM", "--height-field H --height-unit ft"; one that could be
+/// either has "--levels-field X or --height-field X".
 std::string selectingOptions(const UnknownField& field);
 
 /// "RelH2 (base of the roof), m: 1,204 features"

@@ -130,8 +130,8 @@ private:
         reading.origin = from.field;
     }
 
-    // Counted in storeys, the underside is at most at the eaves of a measured height: what lies below a storey of
-    // its own is below its roof.
+    // Counted in storeys, the underside is at most at the eaves of a measured height: what lies below a
+    // storey of its own is below its roof.
     std::optional<double> underside(const HeightReading& reading) {
         const auto height = first(
             FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestBuildingM; },

@@ -78,6 +78,7 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
     ReadSettings reading;
     if (text.empty()) return reading;
     const Json json = Json::parse(text);
+    if (!json.is_object()) return std::nullopt;
     takeMeshSettings(json, reading);
     takeStated(json, "height_field", reading.heightField);
     takeStated(json, "levels_field", reading.levelsField);

@@ -129,8 +129,8 @@ IfcSite readIfcSite(const std::filesystem::path& file, const std::stop_token& st
 std::string describe(const IfcSite& site) {
     Words words;
     if (site.place)
-        words.push_back(fmt::format("its place (--mesh-anchor {:.6f},{:.6f})", site.place->lonDeg,
-                                    site.place->latDeg));
+        words.push_back(
+            fmt::format("its place (--mesh-anchor {:.6f},{:.6f})", site.place->lonDeg, site.place->latDeg));
     if (site.place && site.elevationM && *site.elevationM != 0)
         words.push_back(fmt::format("its elevation, {:g}", *site.elevationM));
     if (site.trueNorthDeg)

@@ -128,8 +128,7 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
         for (const glm::vec3 vertex : object.mesh.vertices)
             distances.push_back(std::hypot(double(vertex.x) - origin.x, double(vertex.y) - origin.y));
     std::erase_if(distances, [](double distance) { return !std::isfinite(distance); });
-    if (distances.empty())
-        return failure("The file holds no triangles", file.string(), trianglesAdvice);
+    if (distances.empty()) return failure("The file holds no triangles", file.string(), trianglesAdvice);
     const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());
     if (*middle <= farAwayM) return {};
@@ -165,8 +164,8 @@ std::string formatOf(const std::filesystem::path& file) {
 }
 
 // Settings with a decided axis. glTF has y up; other meshes that state none are judged by their shape.
-ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene, const std::filesystem::path& file,
-                        bool stated, Warnings& warnings) {
+ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene,
+                        const std::filesystem::path& file, bool stated, Warnings& warnings) {
     ReadSettings decided = settings;
     if (settings.upAxis != UpAxis::automatic || stated) return decided;
     decided.upAxis = UpAxis::y;
@@ -183,8 +182,9 @@ ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene, co
 
 void warnOfUnusedPlace(const std::filesystem::path& file, SceneReader& reader, const std::stop_token& stop) {
     if (const std::string words = describe(readIfcSite(file, stop)); !words.empty())
-        reader.warnings.push_back(
-            {WarningKind::leftOut, "the IFC states where it stands, which is not used: " + words, reader.file});
+        reader.warnings.push_back({WarningKind::leftOut,
+                                   "the IFC states where it stands, which is not used: " + words,
+                                   reader.file});
 }
 
 Warning describeUnit(const StatedAxes& stated, const std::string& file) {
@@ -206,7 +206,8 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     const auto stated = findStatedAxes(file);
     Warnings assumed;
     const Placement placement(withUpAxis(settings, scene, file, stated.has_value(), assumed), stated, origin);
-    SceneReader reader{placement, file.filename().string(), formatOf(file) == ifcFormat, {}, std::move(assumed)};
+    SceneReader reader{
+        placement, file.filename().string(), formatOf(file) == ifcFormat, {}, std::move(assumed)};
     if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
     if (reader.ifc) warnOfUnusedPlace(file, reader, stop);
     for (const MeshObject& object : scene) {
@@ -224,8 +225,8 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
             {WarningKind::assumed, "the project's origin is used as the mesh's origin", reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
-        return failure("The file holds no building: its meshes are flat ground or have no area", file.string(),
-                       trianglesAdvice);
+        return failure("The file holds no building: its meshes are flat ground or have no area",
+                       file.string(), trianglesAdvice);
     return result;
 }
 

@@ -55,8 +55,8 @@ const char* letterOf(UpAxis axis) { return axis == UpAxis::z ? "z" : "y"; }
 std::optional<UpAxisGuess> guessCity(const UpSizes& sizes) {
     constexpr float leastWidth = 100;
     if (sizes.narrow < leastWidth || sizes.up >= sizes.narrow / 2) return std::nullopt;
-    return UpAxisGuess{sizes.axis, fmt::format("the mesh is {:.4g} x {:.4g} and only {:.4g} in {}", sizes.wide,
-                                               sizes.narrow, sizes.up, letterOf(sizes.axis))};
+    return UpAxisGuess{sizes.axis, fmt::format("the mesh is {:.4g} x {:.4g} and only {:.4g} in {}",
+                                               sizes.wide, sizes.narrow, sizes.up, letterOf(sizes.axis))};
 }
 
 std::optional<UpAxisGuess> guessTower(const UpSizes& sizes) {

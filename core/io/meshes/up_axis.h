@@ -13,9 +13,10 @@ struct UpAxisGuess {
     std::string why;
 };
 
-/// From the shape of a mesh whose format does not state it, in its own unit. In this order: a city is flat, less
-/// than half as high as it is wide either way, and 100 units or more wide; a tower is higher than one and a half
-/// times its width; buildings have most of their points at their feet; y, which is usual. O(points).
+/// From the shape of a mesh whose format does not state it, in its own unit. In this order: a city is flat,
+/// less than half as high as it is wide either way, and 100 units or more wide; a tower is higher than one
+/// and a half times its width; buildings have most of their points at their feet; y, which is usual.
+/// O(points).
 UpAxisGuess guessUpAxis(const MeshScene& scene);
 
 }  // namespace noonmark

@@ -14,7 +14,8 @@ std::shared_ptr<const Building> squareAt(float x, float y) {
 
 City village() {
     City city;
-    for (int i = 0; i < 100; ++i) city.buildings.push_back(squareAt(float(20 * (i % 10)), float(20 * (i / 10))));
+    for (int i = 0; i < 100; ++i)
+        city.buildings.push_back(squareAt(float(20 * (i % 10)), float(20 * (i / 10))));
     return city;
 }
 

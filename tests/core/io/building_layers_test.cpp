@@ -33,7 +33,8 @@ void writeLayers(const std::filesystem::path& file, const std::vector<TestLayer>
         for (int i = 0; i < 25; ++i) {
             const double x = 585000 + 20 * (i % 5), y = 4511000 + 20 * (i / 5), side = double(wanted.sideM);
             OGRLinearRing line;
-            for (const auto& [dx, dy] : {std::pair(0.0, 0.0), {side, 0.0}, {side, side}, {0.0, side}, {0.0, 0.0}})
+            for (const auto& [dx, dy] :
+                 {std::pair(0.0, 0.0), {side, 0.0}, {side, side}, {0.0, side}, {0.0, 0.0}})
                 line.addPoint(x + dx, y + dy);
             OGRPolygon polygon;
             polygon.addRing(&line);
@@ -92,7 +93,8 @@ TEST_F(BuildingLayers, TheOnlyOneIsTakenWhateverItsName) {
 }
 
 TEST_F(BuildingLayers, SeveralOfBuildingsAreAllRead) {
-    const FilePiece piece = readLayers({{"houses_north", "", 10}, {"houses_south", "", 10}, {"lots", "", 19}});
+    const FilePiece piece =
+        readLayers({{"houses_north", "", 10}, {"houses_south", "", 10}, {"lots", "", 19}});
     EXPECT_EQ(piece.features, 50U);
     EXPECT_THAT(leftOut(piece), ElementsAre("lots"));
 }

@@ -41,7 +41,8 @@ TEST(ForeignFormat, IsRefusedByItsNameWithWhatToDo) {
         {"a.parquet", "PAR1\x15\4"sv, "Parquet", "GeoPackage"},
         {"a.tab", "!table\n!version 300\n", "MapInfo", "GeoPackage"},
         {"a.mif", "Version 300\nCharset \"Neutral\"\nColumns 1\n", "MapInfo", "GeoPackage"},
-        {"tileset.json", R"({"asset":{"version":"1.0"},"geometricError":500,"root":{}})", "3D Tiles", "CityJSON"},
+        {"tileset.json", R"({"asset":{"version":"1.0"},"geometricError":500,"root":{}})", "3D Tiles",
+         "CityJSON"},
         {"a.b3dm", "b3dm\1\0\0\0"sv, "3D Tiles", "CityJSON"},
         {"a.dwg", "AC1032\0\0"sv, "DWG", "DXF"},
         {"a.skp", "\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0 \0M\0o\0d\0e\0l\0"sv, "SketchUp", "glTF"},
@@ -66,8 +67,8 @@ TEST(ForeignFormat, IsRefusedByItsNameWithWhatToDo) {
 TEST(ForeignFormat, WhatIsReadIsNot) {
     const tests::TemporaryFolder folder;
     for (const std::string_view content :
-         {"ISO-10303-21;\nFILE_SCHEMA(('IFC4'));"sv, R"({"asset":{"version":"2.0"}})"sv, "<kml><Document/></kml>"sv,
-          "<osm version='0.6'>"sv, "v 0 0 0\n"sv, "II*\0"sv, "hello"sv, ""sv})
+         {"ISO-10303-21;\nFILE_SCHEMA(('IFC4'));"sv, R"({"asset":{"version":"2.0"}})"sv,
+          "<kml><Document/></kml>"sv, "<osm version='0.6'>"sv, "v 0 0 0\n"sv, "II*\0"sv, "hello"sv, ""sv})
         EXPECT_TRUE(refuseForeignFormat(folder.file("a", content))) << content;
     EXPECT_TRUE(refuseForeignFormat(folder.file("N48W122.hgt", "\xFF\xD8\xFF\xE0"sv))) << "-40 m and -32 m";
     EXPECT_TRUE(refuseForeignFormat(folder.path("missing")));
@@ -75,9 +76,9 @@ TEST(ForeignFormat, WhatIsReadIsNot) {
 }
 
 TEST(ForeignFormat, PublishedCityGmlAndWeatherAreRecognised) {
-    for (const auto& [file, name] : {std::pair("world/berlin_glienicke_lod1.xml", "CityGML"),
-                                     std::pair("world/53392642_bldg_6697_op2.gml", "CityGML"),
-                                     std::pair("world/chicago.epw", "EPW")}) {
+    for (const auto& [file, name] :
+         {std::pair("world/berlin_glienicke_lod1.xml", "CityGML"),
+          std::pair("world/53392642_bldg_6697_op2.gml", "CityGML"), std::pair("world/chicago.epw", "EPW")}) {
         const auto path = tests::sharedData(file);
         if (!path) GTEST_SKIP() << "shared data is missing";
         const auto kind = detectFileKind(*path);

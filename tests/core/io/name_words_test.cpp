@@ -93,8 +93,9 @@ TEST(FieldWords, SayHeightsStoreysAndUnits) {
 }
 
 TEST(FieldWords, AWordThatIsNotKnownOrSaysOtherwiseDecidesNothing) {
-    for (const char* name : {"story_ht_", "floor_area", "height_class", "ground_floor", "地下階数", "min_roof_height",
-                             "height_limit", "PREC_PLANI", "lod", "addr:postcode", "number", "storeys_ft"})
+    for (const char* name :
+         {"story_ht_", "floor_area", "height_class", "ground_floor", "地下階数", "min_roof_height",
+          "height_limit", "PREC_PLANI", "lod", "addr:postcode", "number", "storeys_ft"})
         EXPECT_FALSE(findMeaning(name)) << name;
 }
 

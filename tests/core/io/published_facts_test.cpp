@@ -103,8 +103,9 @@ TEST_F(PublishedFacts, PraguesBuildingsHaveTheirTrueArea) {
 TEST_F(PublishedFacts, ExtrudedPolygonsOfKmlHaveTheirAltitudeAsHeight) {
     if (!tests::sharedData("world/KML_Samples.kml")) GTEST_SKIP() << "shared data is missing";
     ASSERT_TRUE(readFile("world/KML_Samples.kml"));
-    EXPECT_THAT(heights(), testing::ElementsAre(testing::DoubleNear(17, 0.01), testing::DoubleNear(17, 0.01),
-                                                testing::DoubleNear(19, 0.01), testing::DoubleNear(25, 0.01)));
+    EXPECT_THAT(heights(),
+                testing::ElementsAre(testing::DoubleNear(17, 0.01), testing::DoubleNear(17, 0.01),
+                                     testing::DoubleNear(19, 0.01), testing::DoubleNear(25, 0.01)));
     EXPECT_NEAR(read.city.frame.origin().lonDeg, -122.085, 0.01) << "the campus, not between continents";
     EXPECT_THAT(warningLines(), Contains(HasSubstr("from the middle")));
 }

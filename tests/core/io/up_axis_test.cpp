@@ -51,7 +51,8 @@ TEST(UpAxis, OtherwiseYIsUsual) {
 
 const char* const flatCity =
     "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 20\nv 10 0 20\nv 10 10 20\nv 0 10 20\n"
-    "v 300 300 0\nv 310 300 0\nv 310 310 0\nv 300 310 0\nv 300 300 20\nv 310 300 20\nv 310 310 20\nv 300 310 20\n"
+    "v 300 300 0\nv 310 300 0\nv 310 310 0\nv 300 310 0\nv 300 300 20\nv 310 300 20\nv 310 310 20\nv 300 310 "
+    "20\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
     "f 12 11 10 9\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
 
@@ -73,7 +74,8 @@ TEST(UpAxis, IsSaidWhereItIsAssumedAndStatedOtherwise) {
     const auto assumed = readMeshFile(file);
     ASSERT_TRUE(assumed) << assumed.error().text();
     EXPECT_NEAR(topM(*assumed->buildings.at(0)), 20, 1e-4);
-    EXPECT_THAT(textsOf(assumed->warnings), HasSubstr("z was taken, since the mesh is 310 x 310 and only 20 in z"));
+    EXPECT_THAT(textsOf(assumed->warnings),
+                HasSubstr("z was taken, since the mesh is 310 x 310 and only 20 in z"));
     const auto stated = readMeshFile(file, {.upAxis = UpAxis::y});
     EXPECT_THAT(textsOf(stated->warnings), testing::Not(HasSubstr("axis is up")));
 }
@@ -91,10 +93,11 @@ TEST(MeshUnits, MillimetresAndInchesAreUnits) {
 
 TEST(MeshScale, ComesBeforeTheLimitsOfABuilding) {
     const tests::TemporaryFolder folder;
-    const auto file = folder.file("tower.obj",
-                                  "v 0 0 0\nv 30000 0 0\nv 30000 30000 0\nv 0 30000 0\nv 0 0 90000\nv 30000 0 90000\n"
-                                  "v 30000 30000 90000\nv 0 30000 90000\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\n"
-                                  "f 3 4 8 7\nf 4 1 5 8\n");
+    const auto file =
+        folder.file("tower.obj",
+                    "v 0 0 0\nv 30000 0 0\nv 30000 30000 0\nv 0 30000 0\nv 0 0 90000\nv 30000 0 90000\n"
+                    "v 30000 30000 90000\nv 0 30000 90000\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\n"
+                    "f 3 4 8 7\nf 4 1 5 8\n");
     NoProgress quiet;
     ReadSettings settings{.upAxis = UpAxis::z, .meshScale = 0.001, .frame = Frame({8.4, 49})};
     const auto city = readCity({file}, settings, quiet, {});
@@ -107,8 +110,9 @@ TEST(MeshScale, ComesBeforeTheLimitsOfABuilding) {
 TEST(SeveralMeshes, OneWithoutTrianglesIsLeftOutAndSaid) {
     const tests::TemporaryFolder folder;
     const auto points = folder.file(
-        "points.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
-                      "z\nend_header\n0 0 0\n1 0 0\n0 1 0\n");
+        "points.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+        "z\nend_header\n0 0 0\n1 0 0\n0 1 0\n");
     const auto city = folder.file("city.obj", flatCity);
     NoProgress quiet;
     const ReadSettings settings{.upAxis = UpAxis::z, .frame = Frame({8.4, 49})};
