@@ -81,6 +81,8 @@ std::vector<std::shared_ptr<const Building>> readBuildings(Database& database) {
     while (row.step()) {
         if (row.integer(10) != last) finish();
         last = row.integer(10);
+        // Buildings are saved under these numbers.
+        if (last != std::int64_t(buildings.size())) throwDamaged("buildings are missing");
         building.sourceId = row.text(2);
         building.name = row.text(4);
         building.status = row.text(5);
