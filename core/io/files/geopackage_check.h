@@ -6,9 +6,10 @@
 
 namespace noonmark {
 
-/// Error if opening a GeoPackage would run SQL from the file: its system tables, or the layers that it lists,
-/// are views or virtual tables. A view may run without end. Reads the file and writes nothing. Takes
-/// milliseconds. Backend: geopackage_check_sqlite.cpp.
+/// Error if reading a GeoPackage would run SQL from the file or take more memory than its size explains: its
+/// system tables, or the layers that it lists, are views or virtual tables; columns are computed; its tiles
+/// are huge; or what lies beside it is not harmless (checkBeside). A view may run without end. Reads the file
+/// and writes nothing. Takes milliseconds. Backend: geopackage_check_sqlite.cpp.
 Result<void> checkGeoPackage(const std::filesystem::path& file);
 
 /// Whether a file is a Noonmark project, whatever its name: an SQLite database with the table `noonmark`.

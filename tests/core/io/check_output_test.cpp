@@ -116,6 +116,10 @@ TEST_F(CheckOutput, ADamagedOrBusyDatabaseIsLeftAlone) {
     EXPECT_NE(whyNever(folder.path("cut.gpkg"), OutputKind::geoPackage), "");
     (void)folder.file("city.gpkg-journal", "half a transaction");
     EXPECT_THAT(why(file, OutputKind::geoPackage, {{}, true}), HasSubstr("is writing to this file"));
+    (void)folder.file("gone.gpkg-journal", "half a transaction");
+    for (const OutputKind kind : {OutputKind::geoPackage, OutputKind::project})
+        EXPECT_THAT(why(folder.path("gone.gpkg"), kind, {{}, true}), HasSubstr("remove the journal"))
+            << "it would be applied to a new file of that name";
 }
 
 TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
