@@ -158,9 +158,6 @@ std::set<std::uint32_t> findFresh(const City& scenario, const City& baseline) {
 
 Result<void> placeWindows(WindowScene& scene, const WindowReviewSettings& settings, Progress& progress,
                           const std::stop_token& stop) {
-    if (scene.days.sun.steps.empty())
-        return failure("The sun is below the horizon in all hours of the rule", scene.rule.key,
-                       "Check place and year");
     StudySettings where;
     where.region = settings.region;
     auto placed =
