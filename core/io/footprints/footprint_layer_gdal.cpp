@@ -20,17 +20,6 @@ std::vector<std::string> listFieldNames(const OGRFeatureDefn& definition) {
     return names;
 }
 
-// The system to use: the user's, else the layer's.
-OGRSpatialReference systemOf(OGRLayer& layer, const ReadSettings& settings) {
-    OGRSpatialReference system;
-    if (settings.crs)
-        system.SetFromUserInput(settings.crs->c_str(),
-                                OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
-    else if (layer.GetSpatialRef() != nullptr)
-        system = *layer.GetSpatialRef();
-    return system;
-}
-
 bool isInFeet(const OGRSpatialReference& system) {
     return system.IsProjected() != 0 && std::abs(system.GetLinearUnits() - 0.3048) < 1e-5;
 }
@@ -136,7 +125,7 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
                            fmt::format("Its fields are: {}", fmt::join(names, ", ")));
     warnOfElevationsAlone(names, made.fields_, source, warnings);
     made.unknownFields_ = unknownFields(names, made.fields_, source.shapefile);
-    const OGRSpatialReference system = systemOf(layer, settings);
+    const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
     made.publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
     settleUnits(made.fields_, {settings.heightUnit, isInFeet(system)}, source.file, warnings);
     const bool converted = made.otherTags_ >= 0 || made.osmWayId_ >= 0;

@@ -2,6 +2,7 @@
 #include <system_error>
 
 #include "core/io/files/companion_files.h"
+#include "core/io/files/plain_file.h"
 #include "core/study/provenance/provenance.h"
 #include "core/study/provenance/sha256.h"
 
@@ -21,6 +22,7 @@ std::string sha256Of(std::istream& file) {
 }  // namespace
 
 Result<InputFile> describeInputFile(const std::filesystem::path& path) {
+    if (const auto plain = checkPlainFile(path); !plain) return tl::make_unexpected(plain.error());
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);

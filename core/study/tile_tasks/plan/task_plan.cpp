@@ -9,6 +9,7 @@
 
 #include "core/base/json_number.h"
 #include "core/base/version.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/tile_tasks/plan/check_task_plan.h"
@@ -181,6 +182,9 @@ Result<void> writeTaskPlan(const std::filesystem::path& folder, const TaskPlan& 
 
 Result<TaskPlan> readTaskPlan(const std::filesystem::path& folder) try {
     const std::filesystem::path file = folder / planFileName;
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored))
+        if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
         return failure("There is no plan of tiles in this folder", file.string(),
