@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <array>
 #include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "core/base/stop_scope.h"
 #include "core/io/files/geopackage_check.h"
 
 namespace noonmark {
@@ -65,7 +67,7 @@ std::string firstText(const Query& query) {
 }
 
 // The standard's own tables are checked first: the list of layers is read from them only if they are tables.
-// Views and virtual tables have no root page.
+// Views and virtual tables have no root page; hidden columns of the kinds 2 and 3 are computed from others.
 constexpr const char* standardTables =
     "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
     "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
@@ -76,6 +78,31 @@ constexpr const char* listedTables =
     "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
     "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
     "AND name COLLATE NOCASE IN (SELECT table_name FROM gpkg_contents)";
+constexpr const char* computedColumns =
+    "SELECT master.name FROM sqlite_master AS master, pragma_table_xinfo(master.name) AS field "
+    "WHERE master.type = 'table' AND master.rootpage > 0 AND master.sql NOT LIKE 'create virtual%' "
+    "AND field.hidden IN (2, 3)";
+constexpr const char* tooManyLayers =
+    "SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000";  // mostLayers
+
+// What must find nothing, in this order, and what it means if it does.
+struct Check {
+    const char* query;
+    const char* trouble;
+    const char* advice;
+};
+constexpr const char* viewTrouble =
+    "A layer of the GeoPackage is a view or a virtual table, whose SQL is not run";
+constexpr std::array checks{
+    Check{standardTables, viewTrouble, "Export the layer into a new GeoPackage"},
+    Check{listedTables, viewTrouble, "Export the layer into a new GeoPackage"},
+    Check{computedColumns, "A table of the GeoPackage computes a column, whose SQL is not run",
+          "Export the layer into a new GeoPackage"},
+    Check{tooManyLayers, "The GeoPackage has more than 1,000 layers",
+          "Export the layers of buildings alone"}};
+static_assert(mostLayers == 1000);
+
+int isStopRequested(void*) { return StopScope::isStopped() ? 1 : 0; }
 
 }  // namespace
 
@@ -102,21 +129,25 @@ Result<bool> holdsProject(const std::filesystem::path& file) {
 Result<void> checkGeoPackage(const std::filesystem::path& file) {
     const OpenFile database = openFile(file);
     if (!database) return failure("The GeoPackage cannot be opened", file.string(), "Export it again");
-    for (const char* tables : {standardTables, listedTables}) {
-        const Query query = prepareQuery(database, tables);
-        if (!query)
-            return failure(fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(database.get())),
-                           file.string(), "Export it again");
-        const int step = sqlite3_step(query.get());
+    for (const Check& check : checks) {
+        const Query query = prepareQuery(database, check.query);
+        const int step = query ? sqlite3_step(query.get()) : SQLITE_ERROR;
         if (step == SQLITE_ROW)
-            return failure("A layer of the GeoPackage is a view or a virtual table, whose SQL is not run",
-                           fmt::format("{}, '{}'", file.string(), firstText(query)),
-                           "Export the layer into a new GeoPackage");
+            return failure(check.trouble, fmt::format("{}, '{}'", file.string(), firstText(query)),
+                           check.advice);
         if (step != SQLITE_DONE)
             return failure(fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(database.get())),
                            file.string(), "Export it again");
     }
     return {};
+}
+
+void limitGeoPackage(void* database) {
+    constexpr int mostBytes = 100'000'000;  // of a text or a geometry: a ring of 6 million points
+    constexpr int instructions = 10'000;    // about 0.1 ms
+    auto* const sqlite = static_cast<sqlite3*>(database);
+    sqlite3_limit(sqlite, SQLITE_LIMIT_LENGTH, mostBytes);
+    sqlite3_progress_handler(sqlite, instructions, isStopRequested, nullptr);
 }
 
 }  // namespace noonmark
