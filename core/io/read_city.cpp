@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/clean_text.h"
+#include "core/base/gdal_calls.h"
 #include "core/base/progress_share.h"
 #include "core/city/same_buildings.h"
 #include "core/io/files/file_kind.h"
@@ -253,6 +254,7 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
 
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
                          const ReadWindow* window, Progress& progress, const std::stop_token& stop) {
+    const GdalCalls calls(stop);  // recognising a file may read all of it
     auto files = recogniseFiles(paths, window);
     if (!files) return tl::make_unexpected(files.error());
     const auto frame = readPieces(*files, settings, progress, stop, window);
@@ -284,12 +286,16 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
 
 Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
                           std::stop_token stop) {
-    return readAll(paths, settings, nullptr, progress, stop);
+    auto all = readAll(paths, settings, nullptr, progress, stop);
+    if (stop.stop_requested()) return cancelled();
+    return all;
 }
 
 Result<CityRead> readCityWindow(const std::vector<Path>& paths, const ReadSettings& settings,
                                 const ReadWindow& window, Progress& progress, std::stop_token stop) {
-    return readAll(paths, settings, &window, progress, stop);
+    auto all = readAll(paths, settings, &window, progress, stop);
+    if (stop.stop_requested()) return cancelled();
+    return all;
 }
 
 }  // namespace noonmark

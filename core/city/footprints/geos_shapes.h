@@ -13,7 +13,8 @@ struct GEOSContextHandle_HS;
 
 namespace noonmark {
 
-/// A GEOS context that suppresses messages; failures are null pointers. Cheap to make; not thread-safe.
+/// A GEOS context that suppresses messages; failures are null pointers, also after a stop request to this
+/// thread's StopScope. Cheap to make; not thread-safe.
 /// Backend of this whole file: geos_shapes_geos.cpp.
 class Geos {
 public:

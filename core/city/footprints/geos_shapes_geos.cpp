@@ -3,12 +3,34 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/geos_shapes.h"
 
 namespace noonmark {
 
-Geos::Geos() : context_(GEOS_init_r()) {}
+namespace {
+
+struct GeosStopped : std::runtime_error {
+    GeosStopped() : std::runtime_error("stopped") {}
+};
+
+// GEOS calls this in its long loops. Its own way to interrupt is a flag of the whole process, which another
+// thread could answer; an exception ends the operation of this thread, and GEOS returns a null pointer.
+void throwIfStopped() {
+    if (StopScope::isStopped()) throw GeosStopped();
+}
+
+GEOSContextHandle_t makeContext() {
+    static const auto before = GEOS_interruptRegisterCallback(throwIfStopped);
+    (void)before;
+    return GEOS_init_r();
+}
+
+}  // namespace
+
+Geos::Geos() : context_(makeContext()) {}
 Geos::~Geos() { GEOS_finish_r(context_); }
 void Geos::Destroy::operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
 

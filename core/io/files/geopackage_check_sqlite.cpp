@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/stop_scope.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/own_files.h"
 
@@ -84,6 +85,7 @@ struct Forbidden {
     const char* sql;  ///< gives the name of each table that has it
     const char* what;
     const char* needs = nullptr;  ///< the table that the SQL reads; without it there is nothing to find
+    const char* advice = "Export the layer into a new GeoPackage";
 };
 
 // The standard's own tables are checked first: the list of layers is read from them only if they are tables.
@@ -111,7 +113,12 @@ constexpr std::array forbidden{
     Forbidden{"SELECT table_name FROM gpkg_tile_matrix WHERE NOT ifnull(tile_width BETWEEN 1 AND 4096 "
               "AND tile_height BETWEEN 1 AND 4096, 0)",
               "The tiles of a layer are larger than 4,096 x 4,096, or have no size", "gpkg_tile_matrix"},
+    Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // mostLayers
+              "The GeoPackage has more than 1,000 layers", "gpkg_contents",
+              "Export the layers of buildings alone"},
 };
+
+static_assert(mostLayers == 1000);
 
 Error unreadable(const OpenFile& open, const std::filesystem::path& file) {
     // Only a connection that writes can undo what a stopped program left in a journal.
@@ -133,11 +140,12 @@ Result<void> checkFor(const Forbidden& one, const OpenFile& open, const std::fil
     const Query query = prepareQuery(open, one.sql);
     const int step = query ? sqlite3_step(query.get()) : SQLITE_ERROR;
     if (step == SQLITE_ROW)
-        return failure(one.what, fmt::format("{}, '{}'", file.string(), firstText(query)),
-                       "Export the layer into a new GeoPackage");
+        return failure(one.what, fmt::format("{}, '{}'", file.string(), firstText(query)), one.advice);
     if (step != SQLITE_DONE) return tl::make_unexpected(unreadable(open, file));
     return {};
 }
+
+int isStopRequested(void*) { return StopScope::isStopped() ? 1 : 0; }
 
 }  // namespace
 
@@ -168,6 +176,14 @@ Result<void> checkGeoPackage(const std::filesystem::path& file) {
     for (const Forbidden& one : forbidden)
         if (auto free = checkFor(one, *open, file); !free) return free;
     return {};
+}
+
+void limitGeoPackage(void* database) {
+    constexpr int mostBytes = 100'000'000;  // of a text or a geometry: a ring of 6 million points
+    constexpr int instructions = 10'000;    // about 0.1 ms
+    auto* const sqlite = static_cast<sqlite3*>(database);
+    sqlite3_limit(sqlite, SQLITE_LIMIT_LENGTH, mostBytes);
+    sqlite3_progress_handler(sqlite, instructions, isStopRequested, nullptr);
 }
 
 }  // namespace noonmark

@@ -235,6 +235,18 @@ TEST_F(HostileFile, AGeoPackageRunsNoSqlOfItsMaker) {
     expectRefused(geoPackage(
         "load.gpkg", contents + "CREATE VIEW city AS SELECT 1 AS fid, gdal_get_pixel_value('/vsicurl/" +
                          listener.address() + "/a.tif', 1, 'pixel', 0, 0) AS geom;"));
+    EXPECT_NE(
+        expectNothingHappens(
+            geoPackage("computed.gpkg", contents + "CREATE TABLE city (fid INTEGER PRIMARY KEY, geom BLOB, "
+                                                   "height TEXT AS (hex(zeroblob(400000000))));"
+                                                   "INSERT INTO city (fid) VALUES (1);"))
+            .find("computes a column"),
+        std::string::npos);
+    expectRefused(geoPackage(
+        "layers.gpkg",
+        contents +
+            "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n WHERE x < 1000) INSERT INTO "
+            "gpkg_contents SELECT 'c' || x, 'features', 'c' || x, '', '', 0, 0, 1, 1, 4326 FROM n;"));
     (void)expectNothingHappens(geoPackage(
         "trigger.gpkg", contents +
                             "CREATE TABLE city (fid INTEGER PRIMARY KEY, geom BLOB);"
