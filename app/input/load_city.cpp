@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/stopwatch.h"
+#include "core/city/main_bounds.h"
 #include "core/city/map_context.h"
 #include "core/samples/sample_city.h"
 
@@ -90,8 +91,12 @@ void addReading(Study& study, const LoadedCity& loaded) {
     study.seconds["total"] += loaded.seconds;
 }
 
-Region cityRegion(const City& city) {
-    Region region = makeRegionFromLocalBox(bounds(city));
+Result<Region> cityRegion(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty())
+        return failure("There is no building, so \"city\" is no region", {},
+                       "Name files with buildings, or give the region as west,south,east,north");
+    Region region = makeRegionFromLocalBox(box);
     region.name = "the whole city";
     return region;
 }
@@ -99,7 +104,7 @@ Region cityRegion(const City& city) {
 Region firstRegion(const LoadedCity& loaded, float mostM) {
     if (loaded.files.size() == 1 && loaded.files.front() == parkSample)
         return centralParkRegion(loaded.read.city);
-    Box2 box = bounds(loaded.read.city);
+    Box2 box = mainBounds(loaded.read.city);
     if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
     const glm::vec2 centre = (box.low + box.high) / 2.0F;
     // The border leaves some open ground even around a single building.

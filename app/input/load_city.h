@@ -38,7 +38,7 @@ bool isSample(std::string_view file);
 Result<City> sampleCity(const std::string& name);
 
 /// The bounding box of all buildings.
-Region cityRegion(const City& city);
+Result<Region> cityRegion(const City& city);
 
 /// A default region: the park for Central Park South, otherwise the centre of the city with a border of 50 m,
 /// up to `mostM` metres per side.

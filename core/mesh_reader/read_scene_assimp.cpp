@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/mesh_reader/guarded_files.h"
+#include "core/mesh_reader/ifc_objects.h"
 #include "core/mesh_reader/read_scene.h"
 
 namespace noonmark {
@@ -57,19 +58,31 @@ MeshPiece pieceOf(const aiMesh& mesh, const aiMatrix4x4& toScene) {
 
 struct SceneWalk {
     const aiScene& scene;
-    const std::function<void(const MeshObject&)>& take;
+    std::function<void(MeshObject, const std::string& building)> take;
 
-    void visit(const aiNode& node, const aiMatrix4x4& parent) const {
+    // `building`: the node of an IfcBuilding above; empty for none.
+    void visit(const aiNode& node, const aiMatrix4x4& parent, const std::string& building = {}) const {
         const aiMatrix4x4 toScene = parent * node.mTransformation;
         // The root is named after the file.
         const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
         MeshObject object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             object.pieces.push_back(pieceOf(*scene.mMeshes[node.mMeshes[i]], toScene));
-        if (!object.pieces.empty()) take(object);
-        for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], toScene);
+        const bool isBuilding = IfcObjects::classOf(object.name) == "IfcBuilding";
+        const std::string within = isBuilding ? object.name : building;
+        if (!object.pieces.empty()) take(std::move(object), within);
+        for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], toScene, within);
     }
 };
+
+Result<void> takeIfc(const aiScene& scene, const std::function<void(const MeshObject&)>& take) {
+    IfcObjects objects;
+    SceneWalk{scene, [&](MeshObject object,
+                         const std::string& building) { objects.add(std::move(object), building); }}
+        .visit(*scene.mRootNode, aiMatrix4x4());
+    for (const MeshObject& object : objects.take()) take(object);
+    return {};
+}
 
 }  // namespace
 
@@ -82,8 +95,11 @@ Result<void> readScene(const std::filesystem::path& file,
     if (scene == nullptr)
         return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
                        "Export it again");
-    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string());
-    SceneWalk{*scene, take}.visit(*scene->mRootNode, aiMatrix4x4());
+    if (scene->mRootNode == nullptr)
+        return failure("The file holds no triangles", file.string(), trianglesAdvice);
+    if (isIfc(file.string())) return takeIfc(*scene, take);
+    SceneWalk{*scene, [&](const MeshObject& object, const std::string&) { take(object); }}.visit(
+        *scene->mRootNode, aiMatrix4x4());
     return {};
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),

@@ -29,6 +29,7 @@ struct CityArrays {
     std::vector<glm::vec3> groundPoints;
     std::vector<std::uint32_t> groundTriangles;
     ViewBounds bounds;
+    Box2 mainBox;  ///< around the main body of the city, which is shown first; empty: all of it
 };
 
 /// Merges the buildings into one array. The ground is the terrain, or a level square that extends far beyond

@@ -153,9 +153,11 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     tiles_->clear();
     other_.clear();
     setSides({});
+    ViewBounds first = arrays->bounds;
+    if (!arrays->mainBox.empty()) first.box = arrays->mainBox;
     displayed_.showCity(std::move(arrays));
     tellTraced();
-    setPose(wholeCity(viewBounds(), lens()));
+    setPose(wholeCity(first, lens()));
 }
 
 void CityView::showChanges(const ArrayDifference& changes) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
 #include "core/study/provenance/provenance_json.h"
@@ -26,18 +27,23 @@ Json changeJson(const ChangeFigures& figures) {
             {"most_lost_min", figures.mostLostMin}};
 }
 
+}  // namespace
+
+Json figuresJson(const ImpactFigures& figures) {
+    return {{"threshold_min", figures.thresholdMin},
+            {"receiver_area_m2", figures.receiverAreaM2},
+            {"gross", changeJson(figures.gross)},
+            {"continuous", changeJson(figures.continuous)},
+            {"shadow_area_change_m2", figures.shadowAreaChangeM2},
+            {"became_building_m2", figures.becameBuildingM2},
+            {"became_ground_m2", figures.becameGroundM2}};
+}
+
+namespace {
+
 Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
     Json json = Json::array();
-    for (const double threshold : thresholds) {
-        const ImpactFigures figures = computeFigures(impact, threshold);
-        json.push_back({{"threshold_min", threshold},
-                        {"receiver_area_m2", figures.receiverAreaM2},
-                        {"gross", changeJson(figures.gross)},
-                        {"continuous", changeJson(figures.continuous)},
-                        {"shadow_area_change_m2", figures.shadowAreaChangeM2},
-                        {"became_building_m2", figures.becameBuildingM2},
-                        {"became_ground_m2", figures.becameGroundM2}});
-    }
+    for (const double threshold : thresholds) json.push_back(figuresJson(computeFigures(impact, threshold)));
     return json;
 }
 

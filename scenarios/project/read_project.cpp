@@ -167,12 +167,21 @@ bool isTileTable(std::string_view name) {
            numbers.find('_', bar + 1) == numbers.npos;
 }
 
+// A grid takes memory for every cell, so its tiles must all be there.
+void checkTileCount(Database& database, const std::string& table, const Grid& grid) {
+    const auto along = [](int cells) { return std::int64_t((cells + tileCells - 1) / tileCells); };
+    const auto found = database.value("SELECT count(*) FROM " + table + " WHERE zoom_level = 0");
+    if (found != std::to_string(along(grid.columns) * along(grid.rows)))
+        throwDamaged(fmt::format("table {}: tiles are missing", table));
+}
+
 SavedLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
     SavedLayer layer{row.text(0), row.text(1), {}};
-    layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     const std::string table = row.text(2);
     if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is not a table of a result", table));
     checkTable(database, table, {"id", "zoom_level", "tile_column", "tile_row", "tile_data"});
+    checkTileCount(database, table, grid);
+    layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     Statement tile = database.prepare("SELECT id, tile_column, tile_row, tile_data FROM " + table +
                                       " WHERE zoom_level = 0");
     const int lastColumn = (grid.columns - 1) / tileCells, lastRow = (grid.rows - 1) / tileCells;
@@ -195,6 +204,7 @@ std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) 
     Statement row = database.prepare(
         "SELECT id, name, kind, scenario, baseline, settings, inputs, west_m, south_m, cell_m, columns, rows "
         "FROM results ORDER BY id");
+    std::size_t cells = 0;
     while (row.step()) {
         SavedResult result{cleanText(row.text(1)),
                            row.text(2),
@@ -207,8 +217,12 @@ std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) 
         result.grid = CheckedRow(row, "results").grid(7);
         Statement layer =
             database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
-        for (layer.begin(row.integer(0)); layer.step();)
+        for (layer.begin(row.integer(0)); layer.step();) {
+            cells += result.grid.size();
+            if (cells > mostLayerCells)
+                throwDamaged(fmt::format("its results have more than {} cells", mostLayerCells));
             result.layers.push_back(readLayer(database, layer, result.grid));
+        }
         result.elements = readElements(database, row.integer(0));
         results.push_back(std::make_shared<const SavedResult>(std::move(result)));
     }

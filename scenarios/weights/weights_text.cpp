@@ -13,6 +13,7 @@
 #include "core/base/csv_rows.h"
 #include "core/base/csv_text.h"
 #include "core/io/files/fold_text.h"
+#include "core/io/files/plain_file.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 
@@ -190,6 +191,7 @@ Result<TimeWeights> parseWeightsJson(std::string_view text, const std::string& n
 }
 
 Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::string& name) {
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     std::ifstream stream(file, std::ios::binary);
     std::string text(largestFile + 1, '\0');
     stream.read(text.data(), std::streamsize(text.size()));

@@ -52,7 +52,7 @@ std::optional<UnplacedFeature> featureOf(const std::string& line, Warnings& warn
 
 void assemble(std::vector<UnplacedFeature> features) {
     Warnings warnings;
-    const Frame middle = frameOf(features);
+    const Frame middle = frameOf(features, ReadSettings().farAwayM);
     const auto placed = placeFeatures(std::move(features), middle, 60000, warnings);
     for (const AssembledBuilding& made : assembleBuildings(placed, 3.2, warnings))
         requireSound(made.building);

@@ -416,8 +416,10 @@ TEST_F(EditToolsTest, AMeshStandsUprightWithTheAxisAndUnitThatAreSaid) {
         const auto& built = tools.context().preview.changes().added;
         return built.empty() ? 0 : double(topM(*built.back()));
     };
-    EXPECT_NEAR(shownHeight(), 10, 1e-3) << "Y is up";
+    EXPECT_NEAR(shownHeight(), 100, 1e-3) << "ten times as high as wide: Z is up";
     pick("upAxis", 1);
+    ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 10) < 1e-3; }, 10000)) << "Y is up";
+    pick("upAxis", 2);
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 100) < 1e-3; }, 10000));
     pick("meshUnit", 1);
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 30.48) < 1e-3; }, 10000));

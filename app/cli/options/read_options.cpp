@@ -1,25 +1,35 @@
 #include "app/cli/options/read_options.h"
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "app/cli/options/lon_lat_option.h"
 #include "app/cli/options/number_range.h"
+#include "core/io/heights/height_text.h"
 
 namespace noonmark::cli {
 
 namespace {
 
-const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metres},
-                                              {"ft", LengthUnit::feet},
-                                              {"us-ft", LengthUnit::usSurveyFeet},
-                                              {"cm", LengthUnit::centimetres}};
+std::map<std::string, LengthUnit> lengthUnits() {
+    std::map<std::string, LengthUnit> units;
+    for (const LengthUnitEntry& entry : listLengthUnits()) units.emplace(entry.key, entry.unit);
+    return units;
+}
+
+std::vector<std::string> unitKeys() {
+    std::vector<std::string> keys;
+    for (const LengthUnitEntry& entry : listLengthUnits()) keys.emplace_back(entry.key);
+    return keys;
+}
 
 template <class Target>
 CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
     return command
         .add_option_function<std::string>(
-            name, [&target](const std::string& unit) { target = units.at(unit); }, help)
-        ->check(CLI::IsMember({"m", "ft", "us-ft", "cm"}))
+            name, [&target](const std::string& unit) { target = lengthUnits().at(unit); }, help)
+        ->check(CLI::IsMember(unitKeys()))
         ->type_name("UNIT");
 }
 
@@ -33,7 +43,7 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
                     "Field with the storeys above the ground (default: found by its name)")
         ->type_name("NAME");
     addUnit(command, "--height-unit", settings.heightUnit,
-            "Unit of numbers without a unit in it: m, ft, us-ft or cm (default m)");
+            "Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)");
     command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
         ->capture_default_str()
         ->check(within(2.0, 6.0))
@@ -46,7 +56,7 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
         ->type_name("M");
 }
 
-void addTerrainOption(CLI::App& command, ReadSettings& settings) {
+void addTerrainOptions(CLI::App& command, ReadSettings& settings) {
     static const std::map<std::string, TerrainFromBases> choices{{"auto", TerrainFromBases::automatic},
                                                                  {"always", TerrainFromBases::always},
                                                                  {"never", TerrainFromBases::never}};
@@ -58,6 +68,19 @@ void addTerrainOption(CLI::App& command, ReadSettings& settings) {
             "only where neighbours stand at different heights")
         ->check(CLI::IsMember({"auto", "always", "never"}))
         ->type_name("WHEN");
+    static const std::map<std::string, TerrainShows> shown{{"auto", TerrainShows::automatic},
+                                                           {"ground", TerrainShows::ground},
+                                                           {"surface", TerrainShows::surface}};
+    command
+        .add_option_function<std::string>(
+            "--terrain-shows",
+            [&settings](const std::string& choice) { settings.terrainShows = shown.at(choice); },
+            "What terrain rasters show: the bare ground, or a surface with the buildings on it; auto "
+            "(default): a surface where they jump at the outlines of buildings")
+        ->check(CLI::IsMember({"auto", "ground", "surface"}))
+        ->type_name("WHAT");
+    command.add_flag("--heights-from-surface", settings.heightsFromSurface,
+                     "Give buildings without a height that of the surface model above the ground");
 }
 
 void addMeshOptions(CLI::App& command, ReadSettings& settings) {
@@ -78,12 +101,27 @@ void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
     command
         .add_option_function<std::string>(
             "--up",
-            [&settings](const std::string& axis) { settings.upAxis = axis == "z" ? UpAxis::z : UpAxis::y; },
-            "Meshes: the axis that points up, y or z (default y)")
-        ->check(CLI::IsMember({"y", "z"}))
+            [&settings](const std::string& axis) {
+                settings.upAxis = axis == "z" ? UpAxis::z : axis == "y" ? UpAxis::y : UpAxis::automatic;
+            },
+            "Meshes: the axis that points up, y or z; auto (default): as the format says or the shape "
+            "suggests")
+        ->check(CLI::IsMember({"auto", "y", "z"}))
         ->type_name("AXIS");
     addUnit(command, "--mesh-unit", settings.meshUnit,
-            "Meshes: unit of the coordinates: m, ft, us-ft or cm (default m)");
+            "Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)");
+}
+
+void addStandOption(CLI::App& command, ReadSettings& settings) {
+    static const std::map<std::string, Stand> choices{
+        {"auto", Stand::automatic}, {"terrain", Stand::terrain}, {"absolute", Stand::absolute}};
+    command
+        .add_option_function<std::string>(
+            "--stand", [&settings](const std::string& choice) { settings.stand = choices.at(choice); },
+            "Where buildings stand: each on the terrain, or at the elevations that the file states "
+            "(absolute); auto (default): as its bases lie against the terrain")
+        ->check(CLI::IsMember({"auto", "terrain", "absolute"}))
+        ->type_name("HOW");
 }
 
 void addReadOptions(CLI::App& command, ReadOptions& options) {
@@ -103,7 +141,8 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         ->capture_default_str()
         ->check(within(100, 200000))
         ->type_name("M");
-    addTerrainOption(command, settings);
+    addTerrainOptions(command, settings);
+    addStandOption(command, settings);
     addMeshOptions(command, settings);
 }
 

@@ -47,8 +47,9 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     Shape shape{.hasPlace = *kind != FileKind::mesh};
     const Interrupt interrupt;
     NoProgress progress;
-    auto import =
-        readShape(options.mesh, id, options.read, frame, shape.warnings, progress, interrupt.token());
+    ReadSettings read = options.read;
+    if (!shape.hasPlace) read.meshScale = options.scale;  // before the limits of what a building can be
+    auto import = readShape(options.mesh, id, read, frame, shape.warnings, progress, interrupt.token());
     if (!import) return tl::make_unexpected(import.error());
     shape.import = *std::move(import);
     return shape;
@@ -57,7 +58,7 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
 // `usual`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> usual) {
-    Placement placement{.scale = options.scale, .clockwiseDeg = options.clockwiseDeg};
+    Placement placement{.scale = shape.hasPlace ? options.scale : 1, .clockwiseDeg = options.clockwiseDeg};
     if (!options.originAt) placement.about = findMiddle(*shape.import.shape);
     std::optional<glm::dvec2> target = usual;
     if (shape.hasPlace) target = placement.about;
@@ -145,6 +146,7 @@ void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
 void addShapeOptions(CLI::App& command, ShapeOptions& options) {
     addPlaceOptions(command, options);
     addMeshAxesOptions(command, options.read);
+    addStandOption(command, options.read);
     command
         .add_option("--crs", options.read.crs, "CityJSON that does not state its reference system: EPSG:2263")
         ->type_name("CRS");

@@ -6,6 +6,7 @@
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -37,7 +38,10 @@ Json impactJson(const std::optional<ScenarioImpact>& impact) {
 }
 
 Json scoreJson(const std::optional<ScenarioScore>& score) {
-    return score ? Json{{"weights", score->weights}, {"score_m2", score->scoreM2}} : Json();
+    if (!score) return {};
+    return {{"weights", score->weights},
+            {"weighted_shade_m2h", score->weightedShadeM2h},
+            {"score_m2", score->scoreM2}};
 }
 
 Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
@@ -77,8 +81,8 @@ void addImpact(CsvText& csv, const std::optional<ScenarioImpact>& impact) {
 }
 
 void addScore(CsvText& csv, const std::optional<ScenarioScore>& score) {
-    if (!score) return void(csv.nothing(2));
-    csv.text(score->weights).number(score->scoreM2, 1);
+    if (!score) return void(csv.nothing(3));
+    csv.text(score->weights).number(score->weightedShadeM2h, 1).number(score->scoreM2, 1);
 }
 
 void addVerdicts(CsvText& csv, const std::optional<ScenarioVerdicts>& verdicts) {
@@ -107,6 +111,7 @@ std::string scenariosCsv(const ScenarioStudies& scenarios) {
                                    "gained_m2",
                                    "lost_m2",
                                    "weights",
+                                   "weighted_shade_m2h",
                                    "score_m2",
                                    "rule",
                                    "rule_baseline",
@@ -166,9 +171,8 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         {"impact",
          "change from the scenario baseline, on the receivers of both; gained_m2: area whose gross "
          "shadow rises by more than threshold_min"},
-        {"score",
-         "sum over the intervals of the weight table of weight x share of their sunlit time in "
-         "shadow x cell area"},
+        {"weighted_shade_m2h", weightedShadeDefinition},
+        {"score_m2", scoreDefinition},
         {"verdicts",
          "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
          "or was not checked"},

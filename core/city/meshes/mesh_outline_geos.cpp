@@ -3,11 +3,13 @@
 #include <geos_c.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <memory>
 #include <numeric>
+#include <set>
 
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/plan_lines.h"
@@ -20,6 +22,17 @@ namespace {
 
 using Geometry = Geos::Geometry;
 
+// Removes triangles that come again: they add nothing to a union, but GEOS would take minutes for a million.
+void removeRepeated(std::vector<Footprint>& triangles) {
+    constexpr std::size_t few = 10'000;
+    if (triangles.size() <= few) return;
+    std::set<std::array<float, 6>> known;
+    std::erase_if(triangles, [&](const Footprint& triangle) {
+        const Ring& ring = triangle.outer;
+        return !known.insert({ring[0].x, ring[0].y, ring[1].x, ring[1].y, ring[2].x, ring[2].y}).second;
+    });
+}
+
 // The projections of the relevant triangles, as polygons in plan.
 std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpward) {
     constexpr double leastTriangleM2 = 1e-6;
@@ -31,6 +44,7 @@ std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpw
         if (area < (onlyUpward ? leastTriangleM2 : -1e30) || std::abs(area) < leastTriangleM2) continue;
         triangles.push_back({std::move(ring), {}});
     }
+    removeRepeated(triangles);
     return triangles;
 }
 
@@ -65,9 +79,13 @@ std::vector<WallTrace> lowWallTraces(const TriangleMesh& mesh, float aboveM) {
     return traces;
 }
 
+// Each line once: equal walls above one another are one in plan.
 std::vector<PlanLine> linesOf(const std::vector<WallTrace>& traces) {
     std::vector<PlanLine> lines;
-    for (const WallTrace& trace : traces) lines.push_back({trace.a, trace.b});
+    std::set<std::array<double, 4>> known;
+    for (const WallTrace& trace : traces)
+        if (known.insert({trace.a.x, trace.a.y, trace.b.x, trace.b.y}).second)
+            lines.push_back({trace.a, trace.b});
     return lines;
 }
 

@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/files/foreign_format.h"
 #include "core/io/files/json_kind.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/files/stoppable_stream.h"
 #include "core/io/meshes/stated_axes.h"
 
 namespace noonmark {
@@ -92,7 +94,7 @@ Head kindFromHead(std::string_view head) {
 
 // The kind of a JSON file; nothing if GDAL must decide (TopoJSON, ESRI JSON).
 Head kindFromJson(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    StoppableStream stream(file);
     switch (detectJsonKind(stream)) {
         case JsonKind::cityJson:
             return FileKind::cityJson;
@@ -116,6 +118,7 @@ Result<FileKind> detectFileKind(const std::filesystem::path& file) {
     if (!stream) return failure("The file cannot be opened", file.string(), "Check that you may read it");
     const std::string head = headOf(stream);
     if (head.empty()) return failure("The file is empty", file.string(), "Export or download it again");
+    if (const auto known = refuseForeignFormat(file); !known) return tl::make_unexpected(known.error());
     if (const Head kind = beginsJson(head) ? kindFromJson(file) : kindFromHead(head)) return *kind;
     return detectFileKindWithGdal(file);
 }

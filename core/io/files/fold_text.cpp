@@ -1,38 +1,12 @@
 #include "core/io/files/fold_text.h"
 
 #include <cstddef>
-#include <cstdint>
+
+#include "core/io/files/readable_text.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr char32_t notText = 0xFFFD;  // the replacement character
-
-int continuationBytes(unsigned char lead) {
-    if (lead >= 0xC2 && lead < 0xE0) return 1;
-    if (lead >= 0xE0 && lead < 0xF0) return 2;
-    if (lead >= 0xF0 && lead < 0xF5) return 3;
-    return 0;
-}
-
-// The code point at `at`; advances `at` past it, or by one byte if the bytes are not UTF-8.
-char32_t nextCodePoint(std::string_view text, std::size_t& at) {
-    const auto lead = static_cast<unsigned char>(text[at++]);
-    if (lead < 0x80) return lead;
-    const auto more = std::size_t(continuationBytes(lead));
-    if (more == 0 || text.size() - at < more) return notText;
-    char32_t point = lead & (0x3FU >> more);
-    for (std::size_t i = 0; i < more; ++i) {
-        const auto byte = static_cast<unsigned char>(text[at + i]);
-        if ((byte & 0xC0U) != 0x80U) return notText;
-        point = (point << 6U) | (byte & 0x3FU);
-    }
-    constexpr char32_t least[] = {0, 0x80, 0x800, 0x10000};  // a form longer than necessary is not UTF-8
-    if (point < least[more]) return notText;
-    at += more;
-    return point;
-}
 
 bool isBlank(char32_t point) {
     const bool wide = point >= 0x2000 && point <= 0x200B;

@@ -30,7 +30,7 @@ void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, co
 
 Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> features,
                              const ReadSettings& settings, Progress& progress, const std::stop_token& stop) {
-    if (!settings.frame) piece.frame = frameOf(features);
+    if (!settings.frame) piece.frame = frameOf(features, settings.farAwayM);
     const Frame frame = settings.frame ? *settings.frame : *piece.frame;
     progress.report(shareOfReading, "repairing outlines");
     const auto placed = placeFeatures(std::move(features), frame, settings.farAwayM, piece.warnings, stop);

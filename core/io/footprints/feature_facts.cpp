@@ -25,17 +25,25 @@ double numberOf(std::string_view text) {
 enum class Place { surface, underground, contradictory };
 
 // OpenStreetMap's layer is the order of things above each other, in places counted from the level of a plaza
-// or a deck; level is the number of a floor. A value of either below 0 means underground, unless a height,
-// storeys, an entrance or a location indicate a building above ground.
+// or a deck: -1 alone says nothing about the ground, unless no storey is above it. level is the number of a
+// floor.
+bool liesBelow(const FeatureValues& values) {
+    const double layer = numberOf(formatText(values, FieldRole::layer));
+    const std::string_view storeys = formatText(values, FieldRole::levels);
+    const bool noStorey = !storeys.empty() && numberOf(storeys) == 0;
+    return layer < -1 || (layer < 0 && noStorey) || numberOf(formatText(values, FieldRole::level)) < 0 ||
+           formatText(values, FieldRole::tunnel) == "yes";
+}
+
+// What lies below is underground, unless a height, storeys, an entrance or a location indicate a building
+// above ground.
 Place placeOf(const FeatureValues& values, bool tagged) {
     if (isYes(formatText(values, FieldRole::underground))) return Place::underground;
     if (!tagged) return Place::surface;  // in other data, fields of these names have other meanings
     const std::string_view location = formatText(values, FieldRole::location);
     if (location == "underground") return Place::underground;
-    const bool below = numberOf(formatText(values, FieldRole::layer)) < 0 ||
-                       numberOf(formatText(values, FieldRole::level)) < 0 ||
-                       formatText(values, FieldRole::tunnel) == "yes";
-    if (!below) return Place::surface;
+    if (!liesBelow(values))
+        return numberOf(formatText(values, FieldRole::layer)) < 0 ? Place::contradictory : Place::surface;
     const auto isAbove0 = [&](FieldRole role) { return numberOf(formatText(values, role)) > 0; };
     const bool above = isAbove0(FieldRole::height) || isAbove0(FieldRole::levels) ||
                        isAbove0(FieldRole::minHeight) || isAbove0(FieldRole::minLevel) ||
@@ -73,9 +81,9 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     const Place place = placeOf(values, rules.tagged);
     if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
     if (place == Place::contradictory)
-        warnings.push_back({WarningKind::assumed,
-                            "its layer lies below the ground, but its height, storeys, entrance or location "
-                            "contradict that; it stands on the ground",
+        warnings.push_back(
+            {WarningKind::assumed,
+             "its layer lies below the ground, but nothing else does; it stands on the ground",
                             facts.id});
     return place != Place::underground;
 }

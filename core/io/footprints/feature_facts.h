@@ -30,9 +30,9 @@ struct LayerRules {
 };
 
 /// Nothing for a feature that is not a building (tagged no, or without a building tag) or is underground:
-/// location=underground, or a layer or level below 0 or tunnel=yes unless a height, storeys, an entrance or a
-/// location says otherwise. That contradiction gives a warning, and so does a roof that is not flat (drawn
-/// flat at full height).
+/// location=underground, or a level below 0, a layer below -1 or tunnel=yes unless a height, storeys, an
+/// entrance or a location says otherwise. That contradiction gives a warning, and so does layer=-1, which
+/// alone does not mean underground, and a roof that is not flat (drawn flat at full height).
 std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const LayerRules& rules, std::string id,
                                          Warnings& warnings);
 

@@ -229,6 +229,7 @@ constexpr auto listedFieldNames() {
         {"altitudemaximalesol", groundElevation, "", m},
         {"unvolqb", groundElevation, "", m},
         {"surfelev", groundElevation, "", {}, "Portland, Oregon"},
+        {"surfaceelevation", other},  // URBANopt: in feet beside heights in metres
         {"baseelev", groundElevation},
         {"baseelevation", groundElevation, "", {}, "Philadelphia"},
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "core/io/footprints/field_names.h"
+#include "core/io/footprints/name_words.h"
 #include "core/io/heights/height_reading.h"
+#include "core/io/heights/height_text.h"
 
 namespace noonmark {
 
@@ -28,14 +29,6 @@ constexpr std::array unitEndings{
     UnitEnding{"metre", LengthUnit::metres},      UnitEnding{"meter", LengthUnit::metres},
     UnitEnding{"cm", LengthUnit::centimetres},    UnitEnding{"m", LengthUnit::metres},
 };
-
-std::string plain(std::string_view name) {
-    std::string letters;
-    for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            letters += char(std::tolower(static_cast<unsigned char>(c)));
-    return letters;
-}
 
 std::optional<FieldMeaning> meaningAt(std::size_t rank) {
     const FieldName& known = listFieldNames()[rank];
@@ -80,8 +73,62 @@ std::optional<FieldMeaning> meaningOfBeginning(std::string_view beginning) {
     return only ? meaningAt(*only) : std::nullopt;
 }
 
+bool beginsListedName(std::string_view beginning) {
+    return std::ranges::any_of(listFieldNames(),
+                               [&](const FieldName& known) { return known.name.starts_with(beginning); });
+}
+
 bool before(const KnownField& a, const KnownField& b) {
     return std::pair(a.meaning.role, a.meaning.rank) < std::pair(b.meaning.role, b.meaning.rank);
+}
+
+std::optional<LengthUnit> unitOfWords(const NameWords& words) {
+    if (words.has(NameWord::usSurveyFeet)) return LengthUnit::usSurveyFeet;
+    if (words.has(NameWord::feet)) return LengthUnit::feet;
+    if (words.has(NameWord::centimetres)) return LengthUnit::centimetres;
+    return words.has(NameWord::metres) ? std::optional(LengthUnit::metres) : std::nullopt;
+}
+
+// Behind every listed name: a typical height, one at the eaves, the highest point.
+FieldMeaning lengthOfWords(const NameWords& words, FieldRole role) {
+    FieldMeaning meaning{role, int(listFieldNames().size()), unitOfWords(words), "", ""};
+    const auto say = [&](int later, std::string_view what) { meaning.rank += later, meaning.meaning = what; };
+    if (words.has(NameWord::typical)) say(1, "mean or median of the roof");
+    if (words.has(NameWord::eaves)) say(2, "base of the roof");
+    if (words.has(NameWord::greatest)) say(3, "highest point");
+    return meaning;
+}
+
+std::optional<FieldMeaning> heightOfWords(const NameWords& words) {
+    if (words.has(NameWord::below) || words.has(NameWord::least)) return std::nullopt;
+    const bool overGround = words.has(NameWord::above);
+    if (words.has(NameWord::elevation))
+        return lengthOfWords(words, words.has(NameWord::ground) ? groundElevation : topElevation);
+    if (words.has(NameWord::ground) && !overGround) return std::nullopt;  // an elevation, or above the ground
+    return lengthOfWords(words, height);
+}
+
+std::optional<FieldMeaning> storeysOfWords(const NameWords& words) {
+    const bool groundFloor = words.has(NameWord::ground) && !words.has(NameWord::above);
+    const bool other = words.has(NameWord::below) || words.has(NameWord::roof) ||
+                       words.has(NameWord::least) || words.has(NameWord::elevation) || unitOfWords(words);
+    if (groundFloor || other) return std::nullopt;
+    return FieldMeaning{levels, int(listFieldNames().size()), {}, "", ""};
+}
+
+// What the words of a name that is not listed say, if all of them are known. Storeys and height in one name
+// mean the height of a storey or of all: nobody knows.
+std::optional<FieldMeaning> meaningOfWords(std::string_view name) {
+    const NameWords words(name);
+    if (!words.areAllKnown() || words.has(NameWord::otherThing) || words.has(NameWord::otherLayer))
+        return std::nullopt;
+    const bool isHeight = words.has(NameWord::height), isStoreys = words.has(NameWord::storey);
+    if (isHeight && isStoreys) return std::nullopt;
+    if (isHeight) return heightOfWords(words);
+    if (isStoreys) return storeysOfWords(words);
+    const bool place = words.has(NameWord::roof) != words.has(NameWord::ground);
+    if (!words.has(NameWord::elevation) || !place) return std::nullopt;
+    return lengthOfWords(words, words.has(NameWord::roof) ? topElevation : groundElevation);
 }
 
 // A clearance in OpenStreetMap; other data writes MAX_HEIGHT.
@@ -90,15 +137,16 @@ constexpr std::string_view clearance = "maxheight";
 }  // namespace
 
 std::optional<FieldMeaning> findMeaning(std::string_view fieldName, bool cutShort) {
-    const std::string letters = plain(fieldName);
+    const std::string letters = foldName(fieldName);
     if (fieldName == clearance) return std::nullopt;
     if (const std::size_t rank = rankOf(letters); rank < listFieldNames().size()) return meaningAt(rank);
     if (const auto withUnit = meaningWithUnit(letters)) return withUnit;
-    if (cutShort && fieldName.size() == shapefileNameLength) return meaningOfBeginning(letters);
-    return std::nullopt;
+    if (cutShort && fieldName.size() == shapefileNameLength && beginsListedName(letters))
+        return meaningOfBeginning(letters);
+    return meaningOfWords(fieldName);
 }
 
-bool isSameField(std::string_view a, std::string_view b) { return plain(a) == plain(b); }
+bool isSameField(std::string_view a, std::string_view b) { return foldName(a) == foldName(b); }
 
 std::optional<FieldMeaning> findTagMeaning(std::string_view key) {
     constexpr std::array<std::string_view, 4> tags{"height", "buildingheight", "buildinglevels", "levels"};
@@ -106,7 +154,7 @@ std::optional<FieldMeaning> findTagMeaning(std::string_view key) {
     if (!meaning) return meaning;
     const bool tells = meaning->role == height || meaning->role == levels || meaning->role == topElevation ||
                        meaning->role == groundElevation;
-    if (tells && std::ranges::find(tags, plain(key)) == tags.end()) return std::nullopt;
+    if (tells && std::ranges::find(tags, foldName(key)) == tags.end()) return std::nullopt;
     return meaning;
 }
 
@@ -131,6 +179,16 @@ public:
         });
         if (statistics && !hasRole(fields_, buildingPart))
             std::erase_if(fields_, [](const KnownField& field) { return isNamed(field, "minheight"); });
+    }
+
+    // Outside OpenStreetMap's tags the height of the roof is that of the building.
+    void takeRoofHeightsAsHeights() {
+        const bool tags = hasRole(fields_, building) || hasRole(fields_, buildingPart) ||
+                          hasRole(fields_, roofShape) || hasRole(fields_, roofLevels);
+        if (tags || hasRole(fields_, height)) return;
+        for (KnownField& field : fields_)
+            if (field.meaning.role == roofHeight && field.name.find(':') == std::string::npos)
+                field.meaning.role = height, field.meaning.meaning = "roof";
     }
 
     void takeBasesAsElevations() {
@@ -173,7 +231,8 @@ public:
 
 private:
     static bool isNamed(const KnownField& field, std::string_view name) {
-        return listFieldNames()[std::size_t(field.meaning.rank)].name == name;
+        const auto rank = std::size_t(field.meaning.rank);
+        return rank < listFieldNames().size() && listFieldNames()[rank].name == name;
     }
     std::vector<KnownField> fields_;
 };
@@ -185,6 +244,7 @@ std::vector<KnownField> knownFields(const std::vector<std::string>& names, const
     FieldChooser chooser(names, cutShort);
     chooser.dropStatisticsAsUndersides();
     chooser.takeBasesAsElevations();
+    chooser.takeRoofHeightsAsHeights();
     chooser.take(choice.height, height, names);
     chooser.take(choice.levels, levels, names);
     chooser.dropElevationsOfRoofsAlone();
@@ -222,11 +282,6 @@ void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::st
                "the map is in feet, but metres are assumed for its heights: state the unit if that is wrong");
 }
 
-std::string_view unitName(LengthUnit unit) {
-    constexpr std::array<std::string_view, 4> names{"m", "ft", "US survey ft", "cm"};
-    return names[std::size_t(unit)];
-}
-
 }  // namespace
 
 void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules, const std::string& where,
@@ -249,7 +304,7 @@ std::optional<HeightField> findHeightField(const std::vector<KnownField>& fields
     return HeightField{{},
                        origin,
                        std::string(found->meaning.meaning),
-                       std::string(storeys ? "storeys" : unitName(found->unit))};
+                       std::string(storeys ? "storeys" : entryOf(found->unit).name)};
 }
 
 }  // namespace noonmark

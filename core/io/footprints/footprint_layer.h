@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,11 +9,14 @@
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/footprints/feature_facts.h"
 #include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/kml_altitudes.h"
+#include "core/io/footprints/layer_sample.h"
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/height_origins.h"
 
 class OGRFeature;
+class OGRGeometry;
 class OGRLayer;
 
 namespace noonmark {
@@ -21,7 +25,9 @@ namespace noonmark {
 struct LayerSource {
     std::string file;  ///< file name, for messages
     bool shapefile = false;
-    bool oneOfSeveral = false;  ///< feature ids then include their layer
+    bool oneOfSeveral = false;                     ///< feature ids then include their layer
+    std::shared_ptr<const KmlAltitudes> kml = {};  ///< of a KML file only
+    std::vector<std::string> aliases = {};         ///< listFieldAliases(); none: the fields have none
 };
 
 /// Reads the features of one layer; fields, units and coordinate system are settled once. Backend:
@@ -53,6 +59,14 @@ private:
     [[nodiscard]] std::string idOf(const OGRFeature& feature, const FeatureValues& values) const;
     [[nodiscard]] FeatureValues getValues(const OGRFeature& feature) const;
     void watchUnknown(const OGRFeature& feature);
+    void learn(OGRLayer& layer, const ReadSettings& settings, Warnings& warnings);
+    void learnOutlineZ(const LayerSample& sample, const ReadSettings& settings, bool mapInFeet);
+    [[nodiscard]] bool isOtherKind(const OGRFeature& feature, const std::string& id,
+                                   Warnings& warnings) const;
+    [[nodiscard]] std::optional<FeatureValue> outlineZOf(const OGRGeometry& geometry, const std::string& id,
+                                                         Warnings& warnings) const;
+    [[nodiscard]] std::optional<FieldRole> roleOfZ(const OGRGeometry& geometry, const std::string& id,
+                                                   Warnings& warnings) const;
 
     struct Kept {
         FeatureFacts facts;
@@ -65,6 +79,10 @@ private:
     std::vector<std::pair<int, std::string>> unknownFields_;  // their index and name
     UnknownFields unknown_;
     HeightOrigins origins_;
+    std::vector<std::string> names_;  // of all fields, as they are shown and chosen
+    int kindField_ = -1;              // says what kind of object a feature is; -1 without one
+    std::optional<FieldRole> zRole_;  // of the outlines' highest Z; nothing: it is not used
+    LengthUnit zUnit_ = LengthUnit::metres;
     int otherTags_ = -1;  // index of the field; -1 if there is none
     int osmId_ = -1;
     int osmWayId_ = -1;
@@ -77,7 +95,7 @@ private:
     std::size_t broken_ = 0;       // features with points that cannot be transformed
     std::size_t implausible_ = 0;  // features outside the area of use of their system
     std::size_t nearZero_ = 0;     // features whose coordinates could be degrees
-    bool hasZ_ = false;
+    bool hasZ_ = false;            // of outlines whose elevations are not used
 };
 
 }  // namespace noonmark

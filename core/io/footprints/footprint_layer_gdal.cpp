@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/city/plausible_heights.h"
+#include "core/io/files/readable_text.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/place_advice.h"
+#include "core/io/heights/height_text.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/other_tags.h"
 
@@ -13,22 +17,32 @@ namespace noonmark {
 
 namespace {
 
-std::vector<std::string> listFieldNames(const OGRFeatureDefn& definition) {
+std::string nameOf(const OGRFieldDefn& field) { return readableText(field.GetNameRef()); }
+
+std::string aliasAt(const LayerSource& source, int index) {
+    return std::size_t(index) < source.aliases.size() ? source.aliases[std::size_t(index)] : std::string();
+}
+
+// The alias of a field is its name if only the alias says what it holds.
+std::vector<std::string> tellingNames(const OGRFeatureDefn& definition, const LayerSource& source) {
     std::vector<std::string> names;
-    for (int i = 0; i < definition.GetFieldCount(); ++i)
-        names.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
+    for (int i = 0; i < definition.GetFieldCount(); ++i) {
+        const OGRFieldDefn& field = *definition.GetFieldDefn(i);
+        const std::string alias = aliasAt(source, i);
+        const bool aliasTells = !findMeaning(nameOf(field), source.shapefile) && findMeaning(alias);
+        names.push_back(aliasTells ? alias : nameOf(field));
+    }
     return names;
 }
 
-// The system to use: the user's, else the layer's.
-OGRSpatialReference systemOf(OGRLayer& layer, const ReadSettings& settings) {
-    OGRSpatialReference system;
-    if (settings.crs)
-        system.SetFromUserInput(settings.crs->c_str(),
-                                OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
-    else if (layer.GetSpatialRef() != nullptr)
-        system = *layer.GetSpatialRef();
-    return system;
+// The field that the user chose by its name or its alias, as it is called here; unchanged if there is none.
+std::string tellingName(const OGRFeatureDefn& definition, const LayerSource& source,
+                        const std::vector<std::string>& names, const std::string& chosen) {
+    for (int i = 0; i < definition.GetFieldCount() && !chosen.empty(); ++i)
+        if (const OGRFieldDefn& field = *definition.GetFieldDefn(i);
+            isSameField(nameOf(field), chosen) || isSameField(aliasAt(source, i), chosen))
+            return names[std::size_t(i)];
+    return chosen;
 }
 
 bool isInFeet(const OGRSpatialReference& system) {
@@ -43,11 +57,11 @@ std::string textOf(const OGRFeature& feature, int index) {
     const bool plain = field.GetSubType() == OFSTNone && field.GetWidth() == 0;
     if (plain && field.GetType() == OFTReal) return fmt::format("{:.15g}", feature.GetFieldAsDouble(index));
     if (plain && isNumber(field.GetType())) return fmt::format("{}", feature.GetFieldAsInteger64(index));
-    return trimmed(feature.GetFieldAsString(index));
+    return trimmed(readableText(feature.GetFieldAsString(index)));
 }
 
 std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField& field) {
-    if (feature.IsFieldSetAndNotNull(field.index) == FALSE) return std::nullopt;
+    if (field.index < 0 || feature.IsFieldSetAndNotNull(field.index) == FALSE) return std::nullopt;
     FeatureValue value{field.meaning.role, field.name, textOf(feature, field.index), {}, field.unit};
     if (value.text.empty()) return std::nullopt;
     const OGRFieldDefn& definition = *feature.GetFieldDefnRef(field.index);
@@ -76,10 +90,55 @@ bool isKnownField(const std::vector<KnownField>& known, int index) {
 std::vector<std::pair<int, std::string>> unknownFields(const std::vector<std::string>& names,
                                                        const std::vector<KnownField>& known, bool cutShort) {
     std::vector<std::pair<int, std::string>> unknown;
-    for (int i = 0; i < int(names.size()); ++i)
-        if (!isKnownField(known, i) && !findMeaning(names[std::size_t(i)], cutShort))
-            unknown.emplace_back(i, names[std::size_t(i)]);
+    for (int i = 0; i < int(names.size()); ++i) {
+        const auto meaning = findMeaning(names[std::size_t(i)], cutShort);
+        const bool unused = !meaning || meaning->role == FieldRole::topElevation;
+        if (!isKnownField(known, i) && unused) unknown.emplace_back(i, names[std::size_t(i)]);
+    }
     return unknown;
+}
+
+bool isOutlineZ(const std::string& chosen, const OGRFeatureDefn& definition) {
+    return isSameField(chosen, outlineZ) && wkbHasZ(definition.GetGeomType()) != FALSE;
+}
+
+// A face of a solid that stands upright has no area in plan.
+bool isUprightFace(const OGRGeometry& face) {
+    OGREnvelope3D box;
+    face.getEnvelope(&box);
+    const double width = box.MaxX - box.MinX, depth = box.MaxY - box.MinY;
+    return box.MaxZ - box.MinZ > 0.5 &&
+           face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
+}
+
+// Whether a geometry consists of the faces of a solid, as a multipatch does.
+bool isSolid(const OGRGeometry& geometry) {
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    if (geometry.Is3D() == FALSE) return false;
+    if (type == wkbPolygon || type == wkbTriangle) return isUprightFace(geometry);
+    const auto any = [](const auto& faces) {
+        return std::any_of(faces.begin(), faces.end(),
+                           [](const OGRGeometry* face) { return isSolid(*face); });
+    };
+    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return any(*geometry.toGeometryCollection());
+    if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface)) return any(*geometry.toPolyhedralSurface());
+    return false;
+}
+
+const OGRPolygon* firstPolygon(const OGRGeometry& geometry) {
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    if (type == wkbPolygon) return geometry.toPolygon();
+    if (!OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return nullptr;
+    for (const OGRGeometry* part : *geometry.toGeometryCollection())
+        if (const OGRPolygon* polygon = firstPolygon(*part)) return polygon;
+    return nullptr;
+}
+
+std::optional<KmlAltitudes::Corner> firstCornerOf(const OGRGeometry& geometry) {
+    const OGRPolygon* const polygon = firstPolygon(geometry);
+    const OGRLinearRing* const ring = polygon != nullptr ? polygon->getExteriorRing() : nullptr;
+    if (ring == nullptr || ring->getNumPoints() == 0) return std::nullopt;
+    return KmlAltitudes::Corner{ring->getX(0), ring->getY(0), ring->getZ(0)};
 }
 
 void warnOfElevationsAlone(const std::vector<std::string>& names, const std::vector<KnownField>& known,
@@ -128,22 +187,48 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     auto transform = findLayerCrs(layer, settings.crs, source.file);
     if (!transform) return tl::make_unexpected(transform.error());
     FootprintLayer made(layer, *std::move(transform), settings, source);
-    const std::vector<std::string> names = listFieldNames(*layer.GetLayerDefn());
-    made.fields_ = knownFields(names, {settings.heightField, settings.levelsField}, source.shapefile);
-    for (const std::string& chosen : {settings.heightField, settings.levelsField})
-        if (!chosen.empty() && !hasField(names, chosen))
+    const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+    made.names_ = tellingNames(definition, source);
+    const FieldChoice choice{tellingName(definition, source, made.names_, settings.heightField),
+                             tellingName(definition, source, made.names_, settings.levelsField)};
+    for (const std::string& chosen : {choice.height, choice.levels})
+        if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition))
             return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
-                           fmt::format("Its fields are: {}", fmt::join(names, ", ")));
-    warnOfElevationsAlone(names, made.fields_, source, warnings);
-    made.unknownFields_ = unknownFields(names, made.fields_, source.shapefile);
-    const OGRSpatialReference system = systemOf(layer, settings);
-    made.publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
-    settleUnits(made.fields_, {settings.heightUnit, isInFeet(system)}, source.file, warnings);
+                           fmt::format("Its fields are: {}", fmt::join(made.names_, ", ")));
+    made.fields_ = knownFields(made.names_, choice, source.shapefile);
+    warnOfElevationsAlone(made.names_, made.fields_, source, warnings);
+    made.learn(layer, settings, warnings);
     const bool converted = made.otherTags_ >= 0 || made.osmWayId_ >= 0;
     made.rules_.tagged = isTagged(made.fields_, converted);
     made.rules_.sayNoBuilding = !converted;
     made.rules_.heights.decimalComma = !made.rules_.tagged;
     return made;
+}
+
+// What the values of the first features say about the fields.
+void FootprintLayer::learn(OGRLayer& layer, const ReadSettings& settings, Warnings& warnings) {
+    const LayerSample sample = sampleLayer(layer);
+    const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
+    publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
+    if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
+    settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);
+    unknownFields_ = unknownFields(names_, fields_, source_.shapefile);
+    for (const auto& [index, name] : unknownFields_)
+        unknown_.compare(name, weighField(index, fields_, sample));
+    if (!hasRole(fields_, FieldRole::building)) kindField_ = findKindField(names_, sample);
+    learnOutlineZ(sample, settings, isInFeet(system));
+}
+
+void FootprintLayer::learnOutlineZ(const LayerSample& sample, const ReadSettings& settings, bool mapInFeet) {
+    zUnit_ = settings.heightUnit.value_or(mapInFeet ? LengthUnit::feet : LengthUnit::metres);
+    if (isSameField(settings.heightField, outlineZ)) {
+        std::erase_if(fields_, [](const KnownField& field) {
+            return field.meaning.role == FieldRole::height || field.meaning.role == FieldRole::topElevation;
+        });
+        zRole_ = FieldRole::height;
+    } else if (settings.heightField.empty() && areOutlinesAtRoofs(fields_, sample)) {
+        zRole_ = FieldRole::topElevation;
+    }
 }
 
 FootprintLayer::FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings,
@@ -183,11 +268,18 @@ FeatureValues FootprintLayer::getValues(const OGRFeature& feature) const {
 }
 
 void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
-    const FeatureValues values = getValues(feature);
+    FeatureValues values = getValues(feature);
+    const std::string id = idOf(feature, values);
     const OGRGeometry* geometry = feature.GetGeometryRef();
+    if (isOtherKind(feature, id, warnings)) return;
+    if (geometry != nullptr && geometry->Is3D() != FALSE) {
+        auto z = outlineZOf(*geometry, id, warnings);
+        hasZ_ = hasZ_ || !z;
+        if (z) values.push_back(*std::move(z));
+    }
     auto polygons = geometry != nullptr ? readPolygons(*geometry) : std::vector<CrsPolygon>();
     polygonFeatures_ += polygons.empty() ? 0 : 1;
-    auto facts = collectFacts(values, rules_, idOf(feature, values), warnings);
+    auto facts = collectFacts(values, rules_, id, warnings);
     if (!facts) return;
     if (polygons.empty()) {
         warnings.push_back({WarningKind::dropped, "has no polygon", facts->id});
@@ -195,9 +287,46 @@ void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
     }
     ++origins_[facts->heights.origin];
     watchUnknown(feature);
-    hasZ_ |= geometry->Is3D() != FALSE;
     nearZero_ += couldBeDegrees(polygons) ? 1 : 0;
     kept_.push_back({*std::move(facts), std::move(polygons)});
+}
+
+bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& id, Warnings& warnings) const {
+    if (kindField_ < 0 || feature.IsFieldSetAndNotNull(kindField_) == FALSE) return false;
+    const std::string text = textOf(feature, kindField_);
+    if (text.empty() || saysBuilding(text)) return false;
+    warnings.push_back(
+        {WarningKind::leftOut,
+         fmt::format("is no building but \"{}\", says the field {}", text, names_[std::size_t(kindField_)]),
+         id});
+    return true;
+}
+
+std::optional<FieldRole> FootprintLayer::roleOfZ(const OGRGeometry& geometry, const std::string& id,
+                                                 Warnings& warnings) const {
+    const auto corner = source_.kml ? firstCornerOf(geometry) : std::nullopt;
+    const auto standing = corner ? source_.kml->find(*corner) : std::nullopt;
+    if (zRole_ || !standing) return zRole_;
+    if (standing == KmlStanding::onGround) return std::nullopt;
+    if (standing == KmlStanding::floating)
+        warnings.push_back({WarningKind::assumed,
+                            "it floats at its altitude without walls; it is drawn down to the ground", id});
+    return standing == KmlStanding::absolute ? FieldRole::topElevation : FieldRole::height;
+}
+
+// The height of a solid, or the highest point of the outline where its meaning is known.
+std::optional<FeatureValue> FootprintLayer::outlineZOf(const OGRGeometry& geometry, const std::string& id,
+                                                       Warnings& warnings) const {
+    OGREnvelope3D box;
+    geometry.getEnvelope(&box);
+    if (isSolid(geometry)) {
+        const double heightM = (box.MaxZ - box.MinZ) * metresPer(zUnit_);
+        return FeatureValue{FieldRole::height, outlineZ, fmt::format("{:g}", heightM), heightM, {}};
+    }
+    const auto role = roleOfZ(geometry, id, warnings);
+    const double topM = box.MaxZ * metresPer(zUnit_);
+    if (!role || topM < lowestLandM) return std::nullopt;  // -1000 and the like mean "unknown"
+    return FeatureValue{*role, outlineZ, fmt::format("{:g}", topM), topM, {}};
 }
 
 void FootprintLayer::watchUnknown(const OGRFeature& feature) {
@@ -208,10 +337,23 @@ void FootprintLayer::watchUnknown(const OGRFeature& feature) {
         if (!text.empty())
             unknown_.add(name, text, number ? std::optional(feature.GetFieldAsDouble(index)) : std::nullopt);
     }
+    const OGRGeometry& geometry = *feature.GetGeometryRef();
+    if (zRole_ || source_.kml || geometry.Is3D() == FALSE) return;
+    OGREnvelope3D box;
+    geometry.getEnvelope(&box);
+    unknown_.add(outlineZ, {}, box.MaxZ);
 }
 
 void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) const {
-    noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, warnings);
+    std::vector<KnownField> fields = fields_;
+    const bool fromZ =
+        std::ranges::any_of(origins_, [](const auto& origin) { return origin.first.starts_with(outlineZ); });
+    if (fromZ) {
+        const FieldMeaning meaning{
+            FieldRole::height, std::numeric_limits<int>::max(), {}, "of the outline", {}};
+        fields.push_back({-1, outlineZ, meaning, LengthUnit::metres});
+    }
+    noonmark::addHeightFacts(origins_, fields, unknown_, source_.file, facts, warnings);
 }
 
 void FootprintLayer::moveStored(std::vector<UnplacedFeature>& features, Warnings& warnings) {

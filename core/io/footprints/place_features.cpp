@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/geo/distance.h"
@@ -39,6 +41,23 @@ bool isWithin(LonLat place, LonLat middle, double farAwayM) {
     constexpr double metresPerDegree = 111200;  // no less than on computeGreatCircleM()'s sphere
     const double detourDeg = std::abs(place.latDeg - middle.latDeg) + std::abs(place.lonDeg - middle.lonDeg);
     return metresPerDegree * detourDeg <= farAwayM || computeGreatCircleM(place, middle) <= farAwayM;
+}
+
+// The points of the square of that width, on a grid in degrees, that holds most of them; of equal ones the
+// first.
+std::vector<std::size_t> findFullestPlace(const std::vector<double>& lons, const std::vector<double>& lats,
+                                          double widthM) {
+    constexpr double metresPerDegree = 111200;
+    const double side = widthM / metresPerDegree;
+    std::map<std::pair<long, long>, std::vector<std::size_t>> squares;
+    const std::vector<std::size_t>* fullest = nullptr;
+    for (std::size_t i = 0; i < lons.size(); ++i)
+        squares[{std::lround(lons[i] / side), std::lround(lats[i] / side)}].push_back(i);
+    for (const auto& [square, points] : squares)
+        if (fullest == nullptr || points.size() > fullest->size() ||
+            (points.size() == fullest->size() && points.front() < fullest->front()))
+            fullest = &points;
+    return *fullest;
 }
 
 bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
@@ -86,8 +105,20 @@ std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame
     return pieces.size() > 1 ? disjoint(std::move(pieces), feature.facts.id, warnings) : pieces;
 }
 
+bool isTooLarge(const UnplacedFeature& feature) {
+    std::size_t points = 0;
+    for (const LonLatPolygon& polygon : feature.polygons)
+        for (const auto& ring : polygon) points += ring.size();
+    return points > mostOutlinePoints;
+}
+
 // Without pieces if it cannot be used.
 PlacedFeature place(UnplacedFeature& feature, const Frame& frame, double farAwayM, Warnings& warnings) {
+    if (isTooLarge(feature)) {
+        warnings.push_back({WarningKind::dropped, fmt::format("has more than {} points", mostOutlinePoints),
+                            feature.facts.id});
+        return {};
+    }
     if (isNear(feature, frame.origin(), farAwayM)) {
         auto pieces = repair(feature, frame, warnings);
         feature.polygons = {};  // here, on all threads: freeing them together takes as long as reading them
@@ -109,15 +140,28 @@ void FeatureCentres::add(const UnplacedFeature& feature) {
     if (const auto ground = feature.facts.heights.groundElevationM) elevations_.push_back(*ground);
 }
 
-Frame FeatureCentres::frame() const {
-    const LonLat middle{std::remainder(medianOf(lons_), 360.0), medianOf(lats_)};
-    return Frame(middle, elevations_.empty() ? 0 : medianOf(elevations_));
+LonLat FeatureCentres::middle(double farAwayM) const {
+    const LonLat all{medianOf(lons_), medianOf(lats_)};
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < lons_.size(); ++i)
+        near += isWithin({lons_[i], lats_[i]}, all, farAwayM) ? 1 : 0;
+    if (2 * near >= lons_.size()) return all;
+    const std::vector<std::size_t> most = findFullestPlace(lons_, lats_, farAwayM);
+    std::vector<double> lons, lats;
+    for (const std::size_t i : most) lons.push_back(lons_[i]), lats.push_back(lats_[i]);
+    return {medianOf(lons), medianOf(lats)};
 }
 
-Frame frameOf(const std::vector<UnplacedFeature>& features) {
+Frame FeatureCentres::frame(double farAwayM) const {
+    const LonLat place = middle(farAwayM);
+    return Frame({std::remainder(place.lonDeg, 360.0), place.latDeg},
+                 elevations_.empty() ? 0 : medianOf(elevations_));
+}
+
+Frame frameOf(const std::vector<UnplacedFeature>& features, double farAwayM) {
     FeatureCentres centres;
     for (const UnplacedFeature& feature : features) centres.add(feature);
-    return centres.frame();
+    return centres.frame(farAwayM);
 }
 
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
@@ -125,6 +169,7 @@ std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, 
     std::vector<PlacedFeature> placed(features.size());
     std::vector<Warnings> remarks(features.size());
     tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+        const StopScope scope(stop);
         if (!stop.stop_requested()) placed[i] = place(features[i], frame, farAwayM, remarks[i]);
     });
     for (Warnings& some : remarks) std::ranges::move(some, std::back_inserter(warnings));

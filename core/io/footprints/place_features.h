@@ -23,17 +23,19 @@ class FeatureCentres {
 public:
     void add(const UnplacedFeature& feature);
     /// The frame at the middle of the features: the median of their centres, which a few distant features do
-    /// not move; its elevation is the median of the stated ground elevations, or 0. At least one feature was
-    /// added.
-    [[nodiscard]] Frame frame() const;
+    /// not move. Where less than half of them lie within `farAwayM` of that (several places in one file), the
+    /// median of the place with most features. Its elevation is the median of the stated ground elevations,
+    /// or 0. At least one feature was added.
+    [[nodiscard]] Frame frame(double farAwayM) const;
 
 private:
+    [[nodiscard]] LonLat middle(double farAwayM) const;
     double nearLonDeg_ = 0;
     std::vector<double> lons_, lats_, elevations_;
 };
 
 /// The frame at the middle of the features (FeatureCentres); `features` is not empty.
-Frame frameOf(const std::vector<UnplacedFeature>& features);
+Frame frameOf(const std::vector<UnplacedFeature>& features, double farAwayM);
 
 /// Transforms features to local metres and repairs their outlines. Left out with a warning: features with a
 /// point more than `farAwayM` from the frame's origin, and features without a usable outline. Ends early when

@@ -11,6 +11,8 @@
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/build_footprints.h"
+#include "core/io/footprints/building_layers.h"
+#include "core/io/footprints/field_aliases.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/footprints/layer_window.h"
@@ -44,28 +46,6 @@ std::string formatName(const OpenFile& open) {
     return open.driver;
 }
 
-bool mayHavePolygons(OGRLayer& layer) {
-    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
-    return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
-           type == wkbGeometryCollection;
-}
-
-// The layer that writeCityGeoPackage() writes; other layers of such a file are not buildings.
-bool isOurOwn(OGRLayer& layer) {
-    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
-    return std::string_view(layer.GetName()) == "buildings" && fields.GetFieldIndex("building_id") >= 0 &&
-           fields.GetFieldIndex("height_source") >= 0;
-}
-
-std::vector<OGRLayer*> polygonLayers(const OpenFile& open) {
-    std::vector<OGRLayer*> layers;
-    for (OGRLayer* layer : open.dataset->GetLayers()) {
-        if (isOurOwn(*layer)) return {layer};
-        if (mayHavePolygons(*layer)) layers.push_back(layer);
-    }
-    return layers;
-}
-
 std::vector<std::string> layerNames(const OpenFile& open) {
     std::vector<std::string> names;
     for (OGRLayer* layer : open.dataset->GetLayers()) names.emplace_back(layer->GetName());
@@ -79,14 +59,9 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
         return failure(fmt::format("There is no layer \"{}\"", settings.layer), file.string(),
                        fmt::format("Its layers are: {}", fmt::join(layerNames(open), ", ")));
     }
-    auto layers = polygonLayers(open);
+    auto layers = chooseBuildingLayers(*open.dataset, warnings);
     if (layers.empty())
         return failure("It holds no polygons", file.string(), "Export the building footprints as polygons");
-    if (layers.size() > 1)
-        for (OGRLayer* layer : layers)
-            warnings.push_back({WarningKind::assumed,
-                                "one of several polygon layers; all are read as buildings",
-                                layer->GetName()});
     return layers;
 }
 
@@ -103,6 +78,7 @@ public:
     Result<std::vector<UnplacedFeature>> read(const GdalCalls& calls) {
         auto layers = chosenLayers(open_, settings_, file_, warnings);
         if (!layers) return tl::make_unexpected(layers.error());
+        if (open_.driver == "KML") kml_ = std::make_shared<const KmlAltitudes>(KmlAltitudes::of(file_));
         for (OGRLayer* layer : *layers)
             if (auto done = readLayer(*layer, layers->size() > 1, calls); !done)
                 return tl::make_unexpected(done.error());
@@ -130,6 +106,7 @@ public:
 
 private:
     void interpret(const OgrFeatures& chunk, FootprintLayer& reader) {
+        const StopScope scope(stop_);
         for (const OGRFeatureUniquePtr& feature : chunk) reader.read(*feature, warnings);
         features += chunk.size();
         reader.moveStored(found_, warnings);
@@ -145,7 +122,8 @@ private:
     }
 
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
-        const LayerSource source{file_.filename().string(), open_.driver == "ESRI Shapefile", oneOfSeveral};
+        const LayerSource source{file_.filename().string(), open_.driver == "ESRI Shapefile", oneOfSeveral,
+                                 kml_, listFieldAliases(*open_.dataset, layer)};
         auto reader = FootprintLayer::of(layer, settings_, source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
         if (window_ != nullptr && isIndexed(layer)) return readWindow(layer, *reader, calls);
@@ -217,6 +195,7 @@ private:
         return finishLayer(reader);
     }
 
+    std::shared_ptr<const KmlAltitudes> kml_;  // of a KML file only
     const LonLatBox* window_ = nullptr;
     FootprintScan* scan_ = nullptr;
     FeatureCentres* centres_ = nullptr;
@@ -248,7 +227,7 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                                  std::stop_token stop, const LonLatBox* window) try {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     if (const auto osm = findOsmFormat(file)) return readOsmFootprints(file, *osm, settings, progress, stop);
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
@@ -276,7 +255,7 @@ Result<FootprintScan> scanFootprints(const Path& file, const ReadSettings& setti
                                      std::stop_token stop) try {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     if (const auto osm = findOsmFormat(file)) return scanOsmFootprints(file, *osm, settings, progress, stop);
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
     FileReader reader(*open, file, settings, progress, std::move(stop));
@@ -287,7 +266,7 @@ Result<FootprintScan> scanFootprints(const Path& file, const ReadSettings& setti
     if (scan.features == 0)
         return failure("None of its polygons can be used as a building", file.string(),
                        "Export the building footprints as polygons");
-    scan.frame = centres.frame();
+    scan.frame = centres.frame(settings.farAwayM);
     return scan;
 } catch (const std::exception& exception) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
+#include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/name_words.h"
 #include "core/io/heights/height_text.h"
 
 namespace noonmark {
@@ -19,29 +20,48 @@ constexpr std::size_t enoughDifferent = 1000;
 constexpr std::size_t fewDifferent = 20;
 constexpr std::size_t mostListed = 8;
 
-// Words in names of fields that hold something else; a name is split where letters meet other characters.
-constexpr std::array<std::string_view, 40> otherThings{
-    "id",        "fid",     "oid",    "gid",        "objectid", "code",       "kod",       "num",
-    "year",      "date",    "datum",  "area",       "areal",    "surface",    "shape",     "length",
-    "perimeter", "leng",    "lat",    "lon",        "latitude", "longitude",  "x",         "y",
-    "zip",       "volume",  "vol",    "angle",      "prinx",    "member",     "yearbuilt", "annee",
-    "jahr",      "flaeche", "umfang", "superficie", "version",  "confidence", "precision", "accuracy"};
-
-std::vector<std::string> wordsOfName(std::string_view name) {
-    std::vector<std::string> words{""};
-    for (const char c : name) {
-        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-            words.back() += char(std::tolower(static_cast<unsigned char>(c)));
-        else if (!words.back().empty())
-            words.emplace_back();
-    }
-    return words;
-}
+constexpr double mostStoreys = 170;  // of any building, with some to spare
 
 bool saysOtherwise(const std::string& field) {
-    return std::ranges::any_of(wordsOfName(field), [](const std::string& word) {
-        return std::ranges::find(otherThings, word) != otherThings.end();
+    const NameWords words(field);
+    if (words.has(NameWord::otherThing)) return true;
+    const bool height = words.has(NameWord::height) || words.has(NameWord::storey);
+    return !height && (words.has(NameWord::count) || words.has(NameWord::otherLayer));
+}
+
+// Names that say what they are come first.
+bool saysHeights(const UnknownField& field) {
+    const NameWords words(field.field);
+    return words.has(NameWord::height) || words.has(NameWord::storey);
+}
+
+struct KindByStorey {
+    double least, most;  // of the field for each storey
+    FieldKind kind;
+    std::string_view unit;
+};
+// A storey is 2.2 to 6.5 m high.
+constexpr std::array kindsByStorey{
+    KindByStorey{0.85, 1.2, FieldKind::storeys, ""}, KindByStorey{2.2, 6.5, FieldKind::heights, ""},
+    KindByStorey{7.2, 21.5, FieldKind::heights, "ft"}, KindByStorey{220, 650, FieldKind::heights, "cm"}};
+
+const KindByStorey* findKindByStorey(const FieldEvidence& evidence) {
+    if (!evidence.perStorey) return nullptr;
+    const auto found = std::ranges::find_if(kindsByStorey, [&](const KindByStorey& one) {
+        return *evidence.perStorey >= one.least && *evidence.perStorey <= one.most;
     });
+    return found == kindsByStorey.end() ? nullptr : &*found;
+}
+
+bool isRoofElevation(const std::string& field) {
+    const auto meaning = findMeaning(field);
+    return meaning && meaning->role == FieldRole::topElevation;
+}
+
+std::string unitInName(const NameWords& words) {
+    if (words.has(NameWord::feet)) return "ft";
+    if (words.has(NameWord::usSurveyFeet)) return "us-ft";
+    return words.has(NameWord::centimetres) ? "cm" : "";
 }
 
 }  // namespace
@@ -57,26 +77,59 @@ void UnknownFields::add(const std::string& field, std::string_view text, std::op
     values.low = values.above0 == 0 ? *number : std::min(values.low, *number);
     values.high = std::max(values.high, *number);
     values.whole = values.whole && *number == std::floor(*number);
+    values.halves = values.halves && 2 * *number == std::floor(2 * *number);
     ++values.above0;
     if (values.different.size() < enoughDifferent) values.different.insert(*number);
 }
 
-bool UnknownFields::couldBeHeights(const std::string& field, const Values& values) {
+FieldEvidence UnknownFields::evidenceOf(const std::string& field) const {
+    const auto found = evidence_.find(field);
+    return found == evidence_.end() ? FieldEvidence() : found->second;
+}
+
+bool UnknownFields::couldBeHeights(const std::string& field, const Values& values) const {
     if (values.odd || values.above0 == 0 || values.high > mostFeet || saysOtherwise(field)) return false;
     const bool years = values.whole && values.low >= 1500 && values.high <= 2200;
     const bool numbersThem = values.whole && values.above0 > 10 &&
                              values.different.size() == std::min<std::size_t>(values.above0, enoughDifferent);
     const bool codes = values.whole && values.low >= 100 && values.different.size() <= fewDifferent;
     const bool varies = values.low < values.high || values.above0 == 1;
-    return varies && !years && !numbersThem && !codes;
+    const NameWords words(field);
+    const bool ofOneStorey = words.has(NameWord::height) && words.has(NameWord::storey) && !values.halves &&
+                             values.low >= 2 && values.high <= 6.5;
+    return varies && !years && !numbersThem && !codes && !ofOneStorey && !evidenceOf(field).followsFootprint;
+}
+
+// The name decides; where it says nothing or both, storeys of another field, then the values alone.
+UnknownField UnknownFields::describeField(const std::string& file, const std::string& field,
+                                          const Values& values) const {
+    const NameWords words(field);
+    UnknownField described{file, field, values.low, values.high, values.whole, values.above0};
+    const bool height = words.has(NameWord::height), storey = words.has(NameWord::storey);
+    const KindByStorey* const byStorey = findKindByStorey(evidenceOf(field));
+    described.unit = unitInName(words);
+    if (words.has(NameWord::elevation) || isRoofElevation(field))
+        described.kind = FieldKind::elevations;
+    else if (field == outlineZ || height != storey)
+        described.kind = field == outlineZ || height ? FieldKind::heights : FieldKind::storeys;
+    else if (byStorey != nullptr)
+        described.kind = byStorey->kind;
+    else if (storey && values.halves && values.high <= mostStoreys)
+        described.kind = FieldKind::storeys;
+    else if (!values.halves || values.high > mostStoreys)
+        described.kind = FieldKind::heights;
+    const bool bare = described.kind == FieldKind::heights && described.unit.empty();
+    if (bare && byStorey != nullptr && byStorey->kind == FieldKind::heights) described.unit = byStorey->unit;
+    return described;
 }
 
 std::vector<UnknownField> UnknownFields::thatCouldBeHeights(const std::string& file) const {
     std::vector<UnknownField> listed;
     for (const auto& [field, values] : fields_)
-        if (couldBeHeights(field, values))
-            listed.push_back({file, field, values.low, values.high, values.whole, values.above0});
-    std::ranges::stable_sort(listed, std::greater<>{}, &UnknownField::features);
+        if (couldBeHeights(field, values)) listed.push_back(describeField(file, field, values));
+    std::ranges::stable_sort(listed, std::greater<>{}, [](const UnknownField& field) {
+        return std::pair(saysHeights(field), field.features);
+    });
     if (listed.size() > mostListed) listed.resize(mostListed);
     return listed;
 }

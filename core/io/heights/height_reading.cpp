@@ -25,7 +25,7 @@ public:
         const auto groundM = ground();
         if (groundM) reading.groundElevationM = groundM->number;
         readTop(reading, canopy, groundM);
-        const auto bottom = underside();
+        const auto bottom = underside(reading);
         if (bottom && *bottom >= leastHeightM) reading.bottomM = *bottom;
         if (reading.bottomM > reading.topM - leastHeightM) settle(reading);
         if (canopy && !bottom) makeSlab(reading);
@@ -130,7 +130,9 @@ private:
         reading.origin = from.field;
     }
 
-    std::optional<double> underside() {
+    // Counted in storeys, the underside is at most at the eaves of a measured height: what lies below a
+    // storey of its own is below its roof.
+    std::optional<double> underside(const HeightReading& reading) {
         const auto height = first(
             FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestBuildingM; },
             "a min_height that cannot be read; it is ignored",
@@ -138,7 +140,10 @@ private:
         if (height) return height->number;
         const auto storeys = levels(FieldRole::minLevel);
         if (!storeys) return std::nullopt;
-        return storeys->number * rules_.metresPerLevel;
+        const double countedM = storeys->number * rules_.metresPerLevel;
+        const double eavesM = reading.topM - roof();
+        const bool known = reading.source == HeightSource::measured && eavesM > 0 && eavesM < reading.topM;
+        return known ? std::min(countedM, eavesM) : countedM;
     }
 
     void settle(HeightReading& reading) {

@@ -131,19 +131,19 @@ bool repeats(Reader& reader, double metres, double bareUnitM) {
 
 }  // namespace
 
-double metresPer(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::metres:
-            return 1;
-        case LengthUnit::feet:
-            return metresPerFoot;
-        case LengthUnit::usSurveyFeet:
-            return 1200.0 / 3937.0;
-        case LengthUnit::centimetres:
-            return 0.01;
-    }
-    return 1;
+std::span<const LengthUnitEntry> listLengthUnits() {
+    static constexpr std::array units{
+        LengthUnitEntry{LengthUnit::metres, "m", "m", 1},
+        LengthUnitEntry{LengthUnit::feet, "ft", "ft", metresPerFoot},
+        LengthUnitEntry{LengthUnit::usSurveyFeet, "us-ft", "US survey ft", 1200.0 / 3937.0},
+        LengthUnitEntry{LengthUnit::centimetres, "cm", "cm", 0.01},
+        LengthUnitEntry{LengthUnit::millimetres, "mm", "mm", 0.001},
+        LengthUnitEntry{LengthUnit::inches, "in", "in", inchM},
+    };
+    return units;
 }
+
+const LengthUnitEntry& entryOf(LengthUnit unit) { return listLengthUnits()[std::size_t(unit)]; }
 
 std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit) {
     const std::string folded = foldText(text);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,18 @@ std::optional<double> parseLevels(std::string_view text);
 /// returned unchanged, also "1,250": that could be a thousand.
 std::string withDecimalPoint(std::string_view text);
 
-double metresPer(LengthUnit unit);
+/// A unit of lengths in data.
+struct LengthUnitEntry {
+    LengthUnit unit;
+    std::string_view key;   ///< as options take it: "us-ft"
+    std::string_view name;  ///< for people: "US survey ft"
+    double metres;
+};
+
+/// All units, in the order of LengthUnit.
+std::span<const LengthUnitEntry> listLengthUnits();
+
+const LengthUnitEntry& entryOf(LengthUnit unit);
+inline double metresPer(LengthUnit unit) { return entryOf(unit).metres; }
 
 }  // namespace noonmark

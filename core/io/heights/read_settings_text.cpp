@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_number.h"
+#include "core/io/heights/height_text.h"
 
 namespace noonmark {
 
@@ -21,16 +22,21 @@ void takeStated(const Json& json, const char* key, T& value) {
     if (json.contains(key)) json.at(key).get_to(value);
 }
 
+template <class Choice>
+void takeChoice(const Json& json, const char* key, Choice& choice, Choice last) {
+    if (json.contains(key)) choice = Choice(std::clamp(wholeNumberFrom<int>(json.at(key)), 0, int(last)));
+}
+
 LengthUnit lengthUnitOf(const Json& json) {
     const int unit = wholeNumberFrom<int>(json);
-    if (unit < 0 || unit > int(LengthUnit::centimetres)) throw std::out_of_range("unit");
+    if (unit < 0 || unit >= int(listLengthUnits().size())) throw std::out_of_range("unit");
     return LengthUnit(unit);
 }
 
 Json meshSettingsJson(const ReadSettings& reading) {
     const ReadSettings usual;
     Json json = Json::object();
-    putUnusual(json, "z_up", reading.upAxis == UpAxis::z, false);
+    if (reading.upAxis != UpAxis::automatic) json["z_up"] = reading.upAxis == UpAxis::z;
     putUnusual(json, "mesh_unit", int(reading.meshUnit), int(usual.meshUnit));
     putUnusual(json, "mesh_north_deg", reading.meshNorthDeg, usual.meshNorthDeg);
     if (reading.meshAnchor) json["mesh_anchor"] = {reading.meshAnchor->lonDeg, reading.meshAnchor->latDeg};
@@ -38,7 +44,7 @@ Json meshSettingsJson(const ReadSettings& reading) {
 }
 
 void takeMeshSettings(const Json& json, ReadSettings& reading) {
-    if (json.value("z_up", false)) reading.upAxis = UpAxis::z;
+    if (json.contains("z_up")) reading.upAxis = json.at("z_up").get<bool>() ? UpAxis::z : UpAxis::y;
     if (json.contains("mesh_unit")) reading.meshUnit = lengthUnitOf(json.at("mesh_unit"));
     takeStated(json, "mesh_north_deg", reading.meshNorthDeg);
     if (json.contains("mesh_anchor")) {
@@ -62,6 +68,9 @@ std::string formatText(const ReadSettings& reading) {
     putUnusual(json, "lod", reading.lod, usual.lod);
     putUnusual(json, "far_away_m", reading.farAwayM, usual.farAwayM);
     putUnusual(json, "terrain_from_bases", int(reading.terrainFromBases), int(usual.terrainFromBases));
+    putUnusual(json, "stand", int(reading.stand), int(usual.stand));
+    putUnusual(json, "terrain_shows", int(reading.terrainShows), int(usual.terrainShows));
+    putUnusual(json, "heights_from_surface", reading.heightsFromSurface, usual.heightsFromSurface);
     return json.empty() ? std::string() : json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -69,6 +78,7 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
     ReadSettings reading;
     if (text.empty()) return reading;
     const Json json = Json::parse(text);
+    if (!json.is_object()) return std::nullopt;
     takeMeshSettings(json, reading);
     takeStated(json, "height_field", reading.heightField);
     takeStated(json, "levels_field", reading.levelsField);
@@ -79,9 +89,10 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
     if (json.contains("crs")) reading.crs = json.at("crs").get<std::string>();
     takeStated(json, "lod", reading.lod);
     takeStated(json, "far_away_m", reading.farAwayM);
-    if (json.contains("terrain_from_bases"))
-        reading.terrainFromBases = TerrainFromBases(
-            std::clamp(wholeNumberFrom<int>(json.at("terrain_from_bases")), 0, int(TerrainFromBases::never)));
+    takeChoice(json, "terrain_from_bases", reading.terrainFromBases, TerrainFromBases::never);
+    takeChoice(json, "stand", reading.stand, Stand::absolute);
+    takeChoice(json, "terrain_shows", reading.terrainShows, TerrainShows::surface);
+    takeStated(json, "heights_from_surface", reading.heightsFromSurface);
     return reading;
 } catch (const std::exception&) {  // not JSON, or of another structure
     return std::nullopt;

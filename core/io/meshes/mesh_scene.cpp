@@ -6,10 +6,12 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::string_view sceneHead = "noonmark mesh 2\n";
+constexpr std::string_view sceneHead = "noonmark mesh 3\n";
 constexpr char objectTag = 'o';
 constexpr char endTag = 'z';
 constexpr char errorTag = 'e';
+constexpr char oneBuildingTag = 'b';
+constexpr char piecesTag = 'p';
 
 template <class Item>
 void appendItems(std::string& bytes, const Item* items, std::uint64_t count) {
@@ -88,6 +90,7 @@ MeshObject takeObject(SceneBytes& bytes) {
     for (std::size_t i = 0; i < pieces && bytes.good(); ++i) object.pieces.push_back(takePiece(bytes));
     bytes.takeList(object.parent);
     bytes.takeList(object.note);
+    object.oneBuilding = bytes.takeTag() == oneBuildingTag;
     return object;
 }
 
@@ -115,6 +118,7 @@ void appendObject(std::string& bytes, const MeshObject& object) {
     }
     appendList(bytes, object.parent);
     appendList(bytes, object.note);
+    bytes += object.oneBuilding ? oneBuildingTag : piecesTag;
 }
 
 void appendSceneEnd(std::string& bytes) { bytes += endTag; }

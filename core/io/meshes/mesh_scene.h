@@ -26,8 +26,12 @@ struct MeshObject {
     std::string parent = {};  ///< name of the object that contains it; empty for the file itself
     /// What the reader left out, such as "3DSOLID (2)"; such an object has nothing else. Empty: none.
     std::string note = {};
+    bool oneBuilding = false;  ///< it is all of a building, which is not to be split
     bool operator==(const MeshObject&) const = default;
 };
+
+/// Advice of the errors of a file that is sound and holds no building; of several files it is left out.
+inline constexpr const char* trianglesAdvice = "Export the buildings as triangle or polygon meshes";
 
 /// The content of a mesh file, as the reader process returns it.
 using MeshScene = std::vector<MeshObject>;

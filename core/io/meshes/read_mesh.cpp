@@ -10,14 +10,19 @@
 #include "core/city/meshes/surface_mesher.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/io/heights/height_text.h"
+#include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_buildings.h"
 #include "core/io/meshes/mesh_reader_process.h"
 #include "core/io/meshes/stated_axes.h"
+#include "core/io/meshes/up_axis.h"
 #include "core/io/read_part.h"
 
 namespace noonmark {
 
 namespace {
+
+constexpr const char* ifcFormat = "IFC";
+constexpr const char* gltfFormat = "glTF";
 
 // Transforms the mesh's axes and unit to metres east, north and up of its origin.
 class Placement {
@@ -26,6 +31,7 @@ public:
         : metres_(metresPer(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
         if (stated) yUp_ = stated->yUp;
         if (stated) metres_ = stated->metresPerUnit.value_or(metres_);
+        metres_ *= settings.meshScale;
         const double north = settings.meshNorthDeg * std::numbers::pi / 180;
         sin_ = std::sin(north);
         cos_ = std::cos(north);
@@ -74,14 +80,18 @@ FaceCounts addFaces(const MeshPiece& piece, SurfaceMesher& mesher) {
 struct SceneReader {
     const Placement& placement;
     std::string file;
+    bool ifc = false;
     std::vector<NamedMesh> objects;
     Warnings warnings;
 
     void add(const MeshObject& read) {
         if (!read.note.empty())
-            warnings.push_back({WarningKind::leftOut, "drawing entities that are no masses",
+            warnings.push_back({WarningKind::leftOut,
+                                ifc ? "objects of the IFC that belong to no building"
+                                    : "drawing entities that are no masses",
                                 fmt::format("{}: {}", file, read.note)});
         NamedMesh object{read.name, {}, read.parent};
+        object.oneBuilding = read.oneBuilding;
         for (const MeshPiece& piece : read.pieces) addPiece(piece, object);
         if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
     }
@@ -118,9 +128,7 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
         for (const glm::vec3 vertex : object.mesh.vertices)
             distances.push_back(std::hypot(double(vertex.x) - origin.x, double(vertex.y) - origin.y));
     std::erase_if(distances, [](double distance) { return !std::isfinite(distance); });
-    if (distances.empty())
-        return failure("The file holds no triangles", file.string(),
-                       "Export the buildings as triangle or polygon meshes");
+    if (distances.empty()) return failure("The file holds no triangles", file.string(), trianglesAdvice);
     const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());
     if (*middle <= farAwayM) return {};
@@ -144,22 +152,46 @@ void dropFarTriangles(SceneReader& reader) {
     }
 }
 
-Warning describeUnit(const StatedAxes& stated, const std::string& file) {
-    if (!stated.metresPerUnit)
-        return {WarningKind::assumed, "the DXF states no unit; that of the reading settings is used", file};
-    return {WarningKind::assumed, fmt::format("the coordinates are in {}, as the file states", stated.unit),
-            file};
-}
-
 std::string formatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     if (extension == ".obj") return "Wavefront OBJ";
     if (extension == ".ply") return "PLY";
-    if (extension == ".ifc") return "IFC";
+    if (extension == ".ifc") return ifcFormat;
     if (extension == ".dxf") return "DXF";
-    return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
+    return extension == ".gltf" || extension == ".glb" ? gltfFormat : "mesh";
+}
+
+// Settings with a decided axis. glTF has y up; other meshes that state none are judged by their shape.
+ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene,
+                        const std::filesystem::path& file, bool stated, Warnings& warnings) {
+    ReadSettings decided = settings;
+    if (settings.upAxis != UpAxis::automatic || stated) return decided;
+    decided.upAxis = UpAxis::y;
+    if (formatOf(file) == gltfFormat) return decided;
+    const UpAxisGuess guess = guessUpAxis(scene);
+    decided.upAxis = guess.axis;
+    warnings.push_back({WarningKind::assumed,
+                        fmt::format("the file does not state which axis is up; {} was taken, since {} "
+                                    "(--up states it)",
+                                    guess.axis == UpAxis::z ? "z" : "y", guess.why),
+                        file.filename().string()});
+    return decided;
+}
+
+void warnOfUnusedPlace(const std::filesystem::path& file, SceneReader& reader, const std::stop_token& stop) {
+    if (const std::string words = describe(readIfcSite(file, stop)); !words.empty())
+        reader.warnings.push_back({WarningKind::leftOut,
+                                   "the IFC states where it stands, which is not used: " + words,
+                                   reader.file});
+}
+
+Warning describeUnit(const StatedAxes& stated, const std::string& file) {
+    if (!stated.metresPerUnit)
+        return {WarningKind::assumed, "the DXF states no unit; that of the reading settings is used", file};
+    return {WarningKind::assumed, fmt::format("the coordinates are in {}, as the file states", stated.unit),
+            file};
 }
 
 }  // namespace
@@ -172,9 +204,12 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     const glm::dvec2 origin =
         settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
     const auto stated = findStatedAxes(file);
-    const Placement placement(settings, stated, origin);
-    SceneReader reader{placement, file.filename().string(), {}, {}};
+    Warnings assumed;
+    const Placement placement(withUpAxis(settings, scene, file, stated.has_value(), assumed), stated, origin);
+    SceneReader reader{
+        placement, file.filename().string(), formatOf(file) == ifcFormat, {}, std::move(assumed)};
     if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
+    if (reader.ifc) warnOfUnusedPlace(file, reader, stop);
     for (const MeshObject& object : scene) {
         if (stop.stop_requested()) return cancelled();
         reader.add(object);
@@ -190,8 +225,8 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
             {WarningKind::assumed, "the project's origin is used as the mesh's origin", reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
-        return failure("The file holds no building", file.string(),
-                       "Its meshes are flat ground or have no area");
+        return failure("The file holds no building: its meshes are flat ground or have no area",
+                       file.string(), trianglesAdvice);
     return result;
 }
 

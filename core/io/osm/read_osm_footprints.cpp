@@ -80,7 +80,7 @@ Result<FootprintScan> scanOsmFootprints(const Path& file, OsmFormat format, cons
         centres.add(feature);
         scan.add(feature);
     }
-    scan.frame = centres.frame();
+    scan.frame = centres.frame(settings.farAwayM);
     return scan;
 }
 

@@ -206,7 +206,9 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["program"] = std::string("Noonmark ") + std::string(version());
     json["engine"] = study.settings.engine;
     json["engine_used"] = study.engineKey;
-    json["period"] = periodJson(study.settings.period, study.sun);
+    json["engine_settings"] = describeEngine(study);
+    const Observer observer = makeObserver(study.city, study.settings);
+    json["period"] = periodJson(study.settings.period, study.sun, observer);
     json["steps"] = study.sun.steps.size();
     json["steps_below_horizon"] = study.sun.belowHorizon;
     addElementFigures(json, study);
@@ -216,7 +218,7 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["elements"] = whereJson(study);
     json["region"] = regionJson(study.settings.region, study.city.frame);
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : ElementJson();
-    json["observer"] = observerJson(makeObserver(study.city, study.settings));
+    json["observer"] = observerJson(observer);
     json["sun_frame"] = sunFrameJson(study.city, study.settings, study.sun);
     addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);

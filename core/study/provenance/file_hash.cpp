@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -19,11 +20,37 @@ std::string sha256Of(std::istream& file) {
     return file.bad() ? std::string() : sum.hex();
 }
 
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->is_regular_file(error)) files.push_back(entry->path());
+    std::ranges::sort(files);
+    return files;
+}
+
+// A folder that is a data set is one input: its hash is that of the names and hashes of its files.
+Result<InputFile> describeFolder(const std::filesystem::path& folder) {
+    InputFile all{folder, 0, {}};
+    Sha256 sum;
+    for (const std::filesystem::path& path : filesIn(folder)) {
+        const auto file = describeInputFile(path);
+        if (!file) return file;
+        const std::string line = path.filename().string() + " " + file->sha256 + "\n";
+        sum.add(line.data(), line.size());
+        all.bytes += file->bytes;
+    }
+    all.sha256 = sum.hex();
+    return all;
+}
+
 }  // namespace
 
 Result<InputFile> describeInputFile(const std::filesystem::path& path) {
     if (auto plain = checkPlainFile(path); !plain) return tl::make_unexpected(plain.error());
     std::error_code error;
+    if (std::filesystem::is_directory(path, error)) return describeFolder(path);
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
     const std::string sum = !error && file ? sha256Of(file) : std::string();

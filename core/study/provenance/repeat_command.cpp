@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/io/heights/height_text.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/city_files_command.h"
 #include "core/study/text/region_text.h"
@@ -16,25 +17,17 @@ namespace noonmark {
 
 namespace {
 
-std::string nameOf(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::metres:
-            return "m";
-        case LengthUnit::feet:
-            return "ft";
-        case LengthUnit::usSurveyFeet:
-            return "us-ft";
-        case LengthUnit::centimetres:
-            return "cm";
-    }
-    return "m";
-}
+std::string nameOf(LengthUnit unit) { return std::string(entryOf(unit).key); }
 
 std::string nameOf(TerrainFromBases choice) {
     return choice == TerrainFromBases::always  ? "always"
            : choice == TerrainFromBases::never ? "never"
                                                : "auto";
 }
+
+std::string nameOf(Stand choice) { return choice == Stand::terrain ? "terrain" : "absolute"; }
+
+std::string nameOf(TerrainShows choice) { return choice == TerrainShows::ground ? "ground" : "surface"; }
 
 void addReading(CommandWords& line, const ReadSettings& reading) {
     const ReadSettings usual;
@@ -50,11 +43,14 @@ void addReading(CommandWords& line, const ReadSettings& reading) {
     line.unless(reading.lod.empty(), "--lod", reading.lod);
     line.unless(reading.terrainFromBases == usual.terrainFromBases, "--terrain-from-bases",
                 nameOf(reading.terrainFromBases));
+    line.unless(reading.stand == usual.stand, "--stand", nameOf(reading.stand));
+    line.unless(reading.terrainShows == usual.terrainShows, "--terrain-shows", nameOf(reading.terrainShows));
+    line.flag(reading.heightsFromSurface, "--heights-from-surface");
     line.unless(reading.farAwayM == usual.farAwayM, "--far-away", fmt::to_string(reading.farAwayM));
 }
 
 void addMesh(CommandWords& line, const ReadSettings& reading) {
-    line.unless(reading.upAxis == UpAxis::y, "--up", "z");
+    line.unless(reading.upAxis == UpAxis::automatic, "--up", reading.upAxis == UpAxis::z ? "z" : "y");
     line.unless(reading.meshUnit == LengthUnit::metres, "--mesh-unit", nameOf(reading.meshUnit));
     line.unless(reading.meshNorthDeg == 0, "--mesh-north", fmt::to_string(reading.meshNorthDeg));
     if (reading.meshAnchor)

@@ -1,6 +1,7 @@
 #include "core/study/text/height_facts_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/json_number.h"
@@ -17,10 +18,43 @@ HeightField heightFieldFrom(const Json& json) {
             wholeNumberFrom<std::size_t>(json.at("features"))};
 }
 
+constexpr std::array<std::string_view, 4> kindNames{"heights", "storeys", "elevations", "either"};
+
+// Without a kind in what older versions wrote.
+FieldKind kindFrom(const Json& json) {
+    const auto found = std::ranges::find(kindNames, json.value("kind", std::string("either")));
+    return found == kindNames.end() ? FieldKind::either : FieldKind(found - kindNames.begin());
+}
+
 UnknownField unknownFieldFrom(const Json& json) {
-    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
-            json.at("low").get<double>(),       json.at("high").get<double>(),
-            json.at("whole").get<bool>(),       wholeNumberFrom<std::size_t>(json.at("features"))};
+    return {json.at("file").get<std::string>(),
+            json.at("field").get<std::string>(),
+            json.at("low").get<double>(),
+            json.at("high").get<double>(),
+            json.at("whole").get<bool>(),
+            wholeNumberFrom<std::size_t>(json.at("features")),
+            kindFrom(json),
+            json.value("unit", "")};
+}
+
+}  // namespace
+
+namespace {
+
+BaseFit baseFitFrom(const Json& json) {
+    return {.file = json.at("file").get<std::string>(),
+            .buildings = wholeNumberFrom<std::size_t>(json.at("buildings")),
+            .gapM = json.at("gap_m").get<double>(),
+            .spreadM = json.at("spread_m").get<double>(),
+            .rule = parseStandRule(json.at("rule").get<std::string>()).value(),
+            .aloft = wholeNumberFrom<std::size_t>(json.at("aloft")),
+            .apart = wholeNumberFrom<std::size_t>(json.at("apart"))};
+}
+
+Json baseFitJson(const BaseFit& fit) {
+    return {{"file", fit.file},        {"buildings", fit.buildings}, {"gap_m", fit.gapM},
+            {"spread_m", fit.spreadM}, {"rule", nameOf(fit.rule)},   {"aloft", fit.aloft},
+            {"apart", fit.apart},      {"text", describe(fit)}};
 }
 
 }  // namespace
@@ -41,7 +75,11 @@ Json heightFactsJson(const HeightFacts& facts) {
                                     {"low", field.low},
                                     {"high", field.high},
                                     {"whole", field.whole},
-                                    {"features", field.features}});
+                                    {"features", field.features},
+                                    {"kind", kindNames[std::size_t(field.kind)]},
+                                    {"unit", field.unit}});
+    json["bases"] = Json::array();
+    for (const BaseFit& fit : facts.bases) json["bases"].push_back(baseFitJson(fit));
     return json;
 }
 
@@ -50,6 +88,8 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
     HeightFacts facts;
     for (const Json& field : json.at("fields")) facts.fields.push_back(heightFieldFrom(field));
     for (const Json& field : json.at("could_be")) facts.unknown.push_back(unknownFieldFrom(field));
+    if (json.contains("bases"))  // older files have none
+        for (const Json& fit : json.at("bases")) facts.bases.push_back(baseFitFrom(fit));
     const auto finite = [](const UnknownField& field) {
         return std::isfinite(field.low) && std::isfinite(field.high);
     };

@@ -120,6 +120,20 @@ Json contributionsJson(const ReviewStudy& study) {
 
 }  // namespace
 
+std::string describeReviewErrors(const ReviewStudy& study) {
+    std::string text =
+        "Each run of minutes is uncertain by a step; each area by half of the cells that its edge passes "
+        "through, at least by one; each area x hours by these and by half of what the area changes from step "
+        "to step, where the days of a sum err independently of each other. ";
+    text += study.spotDistanceM
+                ? fmt::format(
+                      "Worst spots are the worst of the cells' centres and of points around these, down "
+                      "to {:.3g} m from each other. ",
+                      *study.spotDistanceM)
+                : "Worst spots are the worst of the cells' centres, and their error includes the cell. ";
+    return text + "A value within its error of a limit is borderline, never pass.";
+}
+
 Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
     Json places = Json::array();
     for (const PlaceReview& review : study.places) places.push_back(placeJson(review));
@@ -137,9 +151,8 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
                  {"engine", study.engine},
                  {"step_min", study.stepMinutes},
                  {"cell_m", study.settings.cellM},
-                 {"error",
-                  "Each run is uncertain by a step, each area by a cell; a value within its error of the "
-                  "limit is borderline"},
+                 {"worst_spot_distance_m", study.spotDistanceM ? Json(*study.spotDistanceM) : Json()},
+                 {"error", describeReviewErrors(study)},
                  {"warnings", warningsJson(study.warnings)}});
     addProvenance(json, labels.provenance);
     addRepeat(json, makeRepeatCommand(study, labels));

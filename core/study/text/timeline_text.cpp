@@ -45,6 +45,7 @@ public:
     [[nodiscard]] Json day(const DayTimeline& day, const std::optional<LonLat>& longestAt) const {
         Json json{{"day", formatText(day.day)},
                   {"sunlit_min", rounded(day.sunlitMinutes)},
+                  {"times_too_late_by_up_to_min", rounded(day.stepMinutes)},
                   {"theoretical_m2h", rounded(day.theoreticalM2h())},
                   {"full_cover_min", rounded(day.fullCoverMin)},
                   {"all_sun_taken_min", rounded(day.allSunTakenMin)},

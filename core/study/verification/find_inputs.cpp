@@ -24,7 +24,8 @@ FilesByName listFiles(const fs::path& folder, const std::stop_token& stop) {
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         if (++seen > mostEntries || stop.stop_requested()) break;
         std::error_code ignored;
-        if (entry->is_regular_file(ignored)) files.emplace(entry->path().filename().string(), entry->path());
+        if (entry->is_regular_file(ignored) || entry->is_directory(ignored))
+            files.emplace(entry->path().filename().string(), entry->path());
     }
     return files;
 }

@@ -45,6 +45,7 @@ SavedOrigin originOf(const Json& json) {
     return {saved.value("at", ""),
             saved.value("city_sha256", ""),
             saved.value("baseline_sha256", ""),
+            saved.value("question_sha256", ""),
             json.at("program"),
             json.contains("engine_settings") ? json.at("engine_settings") : json.at("engine_used"),
             json.at("period").at("text"),

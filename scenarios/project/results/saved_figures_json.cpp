@@ -24,13 +24,6 @@ ChangeFigures changeFrom(const Json& json) {
             json.at("mean_min"),  json.at("most_gained_min"), json.at("most_lost_min")};
 }
 
-ImpactFigures impactFrom(const Json& json) {
-    return {json.at("threshold_min"),         json.at("receiver_area_m2"),
-            changeFrom(json.at("gross")),     changeFrom(json.at("continuous")),
-            json.at("shadow_area_change_m2"), json.at("became_building_m2"),
-            json.at("became_ground_m2")};
-}
-
 std::chrono::year_month monthFrom(const std::string& text) {
     const auto first = parseDate(text + "-01");
     if (!first) throw std::invalid_argument(text + " is not a month");
@@ -43,6 +36,13 @@ std::string nameOrId(const Json& building) {
 }
 
 }  // namespace
+
+ImpactFigures parseImpactFigures(const Json& json) {
+    return {json.at("threshold_min"),         json.at("receiver_area_m2"),
+            changeFrom(json.at("gross")),     changeFrom(json.at("continuous")),
+            json.at("shadow_area_change_m2"), json.at("became_building_m2"),
+            json.at("became_ground_m2")};
+}
 
 ShadowStatistics parseStatistics(const Json& study) {
     return {wholeNumberFrom<std::size_t>(study.at("receivers")),
@@ -58,23 +58,25 @@ ComparisonFigures parseComparison(const Json& impact) {
     ComparisonFigures figures{
         impact.at("from"),           impact.at("to"), {}, {}, impact.at("period").at("text"),
         impact.at("engine_settings")};
-    for (const Json& one : impact.at("impact")) figures.all.push_back(impactFrom(one));
+    for (const Json& one : impact.at("impact")) figures.all.push_back(parseImpactFigures(one));
     if (figures.all.empty()) throw std::invalid_argument("no figures");
     for (const Json& building : impact.at("by_building"))
-        figures.byBuilding.push_back({nameOrId(building), impactFrom(building.at("impact").at(0))});
+        figures.byBuilding.push_back({nameOrId(building), parseImpactFigures(building.at("impact").at(0))});
     return figures;
 }
 
 Score parseScore(const Json& json) {
     Score score;
     score.scoreM2 = json.at("score_m2");
+    score.weightedShadeM2h = json.value("weighted_shade_m2h", unknown);
     score.receiverAreaM2 = json.at("receiver_area_m2");
     for (const Json& month : json.at("months"))
         score.months.push_back({monthFrom(month.at("month")), month.at("shadow_area_m2"),
-                                month.at("score_m2"), month.at("sunlit_min")});
+                                month.at("score_m2"), month.at("sunlit_min"),
+                                month.value("weighted_shade_m2h", unknown)});
     for (const Json& interval : json.at("intervals"))
         score.intervals.push_back({interval.at("name"), interval.at("weight"), interval.at("shadow_area_m2"),
-                                   interval.at("score_m2")});
+                                   interval.at("score_m2"), interval.value("weighted_shade_m2h", unknown)});
     score.engine = json.at("engine_settings");
     return score;
 }

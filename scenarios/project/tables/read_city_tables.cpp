@@ -82,6 +82,8 @@ std::vector<std::shared_ptr<const Building>> readBuildings(Database& database) {
     while (row.step()) {
         if (row.integer(10) != last) finish();
         last = row.integer(10);
+        // Buildings are saved under these numbers.
+        if (last != std::int64_t(buildings.size())) throwDamaged("buildings are missing");
         building.sourceId = cleanText(row.text(2));
         building.name = cleanText(row.text(4));
         building.status = cleanText(row.text(5));

@@ -45,7 +45,7 @@ TEST(FileKind, WhatIsNoCityIsAnErrorWithAdvice) {
     EXPECT_EQ(detectFileKind(folder.path("missing.json")).error().what, "There is no such file");
     EXPECT_EQ(detectFileKind(folder.file("empty.json", "")).error().what, "The file is empty");
     for (const std::string_view content :
-         {"{}"sv, "{"sv, "hello"sv, "{\"type\":"sv, "[1,2]"sv, "\0\0\0\0"sv, "\x89PNG"sv}) {
+         {"{}"sv, "{"sv, "hello"sv, "{\"type\":"sv, "[1,2]"sv, "\0\0\0\0"sv}) {
         const auto kind = detectFileKind(folder.file("some.dat", content));
         ASSERT_FALSE(kind) << content;
         EXPECT_NE(kind.error().advice.find("CityJSON"), std::string::npos);

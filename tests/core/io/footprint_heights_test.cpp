@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <functional>
+#include <tuple>
 
+#include "core/study/provenance/provenance.h"
 #include "tests/core/io/footprint_files.h"
 
 // Which field is the height, and in which unit.
@@ -108,6 +112,184 @@ TEST_F(ReadFootprints, TagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     EXPECT_EQ(piece.buildings[0]->parts.size(), 1U);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 20);
     EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("not tagged as a building")));
+}
+
+std::string squares(int count, const std::function<std::string(int)>& properties) {
+    std::string features;
+    for (int i = 0; i < count; ++i)
+        features += (i > 0 ? "," : "") + feature(sizedRectangle(float(20 * i), 0, 10, 10), properties(i));
+    return features;
+}
+
+TEST_F(ReadFootprints, StoreysTellThatHeightsAreFeet) {
+    const FilePiece piece = readGeoJson(
+        squares(6, [](int i) { return fmt::format(R"("height":{},"num_floors":{})", 11 * (i + 1), i + 1); }));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(5)), 66 * 0.3048, 1e-3);
+    EXPECT_THAT(whats(piece.warnings),
+                testing::Contains(HasSubstr("feet are assumed, since its values are 11")));
+    settings.heightUnit = LengthUnit::metres;
+    EXPECT_NEAR(heightOf(*readGeoJson(squares(6,
+                                              [](int i) {
+                                                  return fmt::format(R"("height":{},"num_floors":{})",
+                                                                     11 * (i + 1), i + 1);
+                                              }))
+                              .buildings.at(5)),
+                66, 1e-3)
+        << "the user's unit holds";
+}
+
+TEST_F(ReadFootprints, AnotherHeightTellsTheUnit) {
+    const FilePiece piece = readGeoJson(squares(6, [](int i) {
+        return i < 5 ? fmt::format(R"("height":{},"maximum_roof_height":{})", 3 * (i + 1), 10 * (i + 1))
+                     : std::string(R"("height":null,"maximum_roof_height":50)");
+    }));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(5)), 15.24, 1e-3);
+}
+
+TEST_F(ReadFootprints, HeightsThatRepeatTheStoreysAreStoreys) {
+    const FilePiece piece = readGeoJson(
+        squares(6, [](int i) { return fmt::format(R"("height":{0},"num_floors":{0})", 2 * i + 2); }));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(5)), 12 * 3.2, 1e-3);
+    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("repeat the storeys")));
+}
+
+TEST_F(ReadFootprints, FeaturesOfAnotherKindAreLeftOutAndSaid) {
+    const FilePiece piece = readGeoJson(squares(6, [](int i) {
+        return fmt::format(R"("height":9,"type":"{}")", i < 4 ? "Building" : "District System");
+    }));
+    EXPECT_EQ(piece.buildings.size(), 4U);
+    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("District System")));
+    EXPECT_EQ(
+        readGeoJson(
+            squares(
+                6, [](int i) { return fmt::format(R"("height":9,"type":"{}")", i < 4 ? "shed" : "garage"); }))
+            .buildings.size(),
+        6U)
+        << "kinds of buildings";
+}
+
+std::string solidText(LonLat around) {
+    const auto at = [&](double x, double y) { return Frame(around).lonLatFromLocal(glm::dvec2(x, y)); };
+    const auto face = [](const std::vector<std::pair<LonLat, double>>& points) {
+        std::string text;
+        for (const auto& [place, z] : points)
+            text += fmt::format("[{:.9f},{:.9f},{}],", place.lonDeg, place.latDeg, z);
+        text += fmt::format("[{:.9f},{:.9f},{}]", points[0].first.lonDeg, points[0].first.latDeg,
+                            points[0].second);
+        return "[[" + text + "]]";
+    };
+    const LonLat a = at(0, 0), b = at(10, 0), c = at(10, 10), d = at(0, 10);
+    return face({{a, 100}, {d, 100}, {c, 100}, {b, 100}}) + "," +
+           face({{a, 117}, {b, 117}, {c, 117}, {d, 117}}) + "," +
+           face({{a, 100}, {b, 100}, {b, 117}, {a, 117}});
+}
+
+TEST_F(ReadFootprints, ASolidIsAsHighAsItsFaces) {
+    const FilePiece piece =
+        readGeoJson(R"({"type":"Feature","properties":{},"geometry":{"type":"MultiPolygon","coordinates":[)" +
+                    solidText(manhattan) + "]}}");
+    EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 17, 1e-3);
+    EXPECT_EQ(piece.buildings.at(0)->parts.at(0).heightSource, HeightSource::measured);
+}
+
+std::string flatOutline(int i, double z, const std::string& properties) {
+    const Frame frame(manhattan);
+    std::string ring;
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}, {0.0, 0.0}}) {
+        const LonLat place = frame.lonLatFromLocal(glm::dvec2(x + 20 * i, y));
+        ring += fmt::format("{}[{:.9f},{:.9f},{}]", ring.empty() ? "" : ",", place.lonDeg, place.latDeg, z);
+    }
+    return R"({"type":"Feature","properties":{)" + properties +
+           R"(},"geometry":{"type":"Polygon","coordinates":[[)" + ring + "]]}}";
+}
+
+TEST_F(ReadFootprints, OutlinesAtTheRoofGiveHeightsAboveTheStatedGround) {
+    std::string features;
+    for (int i = 0; i < 6; ++i)
+        features += (i > 0 ? "," : "") + flatOutline(i, 108 + i, R"("Z_MIN_SOL":100,"HAUTEUR":null)");
+    const FilePiece piece = readGeoJson(features);
+    EXPECT_NEAR(heightOf(*piece.buildings.at(5)), 13, 1e-3);
+    EXPECT_EQ(piece.heights.fields.at(0).field, "outline Z - Z_MIN_SOL");
+}
+
+TEST_F(ReadFootprints, OutlinesAtAnUnknownHeightAreOfferedAndCanBeChosen) {
+    std::string features;
+    for (int i = 0; i < 6; ++i) features += (i > 0 ? "," : "") + flatOutline(i, 17.5 + i, "");
+    const FilePiece offered = readGeoJson(features);
+    ASSERT_EQ(offered.heights.unknown.size(), 1U);
+    EXPECT_EQ(selectingOptions(offered.heights.unknown[0]), "--height-field \"outline Z\"");
+    EXPECT_NEAR(heightOf(*offered.buildings.at(0)), 9.6, 1e-3);
+    settings.heightField = "outline Z";
+    EXPECT_NEAR(heightOf(*readGeoJson(features).buildings.at(5)), 22.5, 1e-3);
+}
+
+TEST_F(ReadFootprints, KmlStatesWhatItsAltitudesCountFrom) {
+    const auto polygon = [](const char* mode, const char* extrude, double x, double z) {
+        return fmt::format(
+            "<Placemark><Polygon>{0}{1}<outerBoundaryIs><LinearRing><coordinates>{2},40.75,{3} "
+            "{4},40.75,{3} {4},40.7501,{3} {2},40.75,{3}</coordinates></LinearRing></outerBoundaryIs>"
+            "</Polygon></Placemark>",
+            extrude, mode, -73.98 + x, z, -73.9799 + x);
+    };
+    const std::string relative = "<altitudeMode>relativeToGround</altitudeMode>";
+    const FilePiece piece = read(folder.file(
+        "a.kml", "<kml xmlns='http://www.opengis.net/kml/2.2'><Document><Folder><name>x</name>" +
+                     polygon(relative.c_str(), "<extrude>1</extrude>", 0, 17) +
+                     polygon(relative.c_str(), "", 0.001, 25) +
+                     polygon("<altitudeMode>absolute</altitudeMode>", "<extrude>1</extrude>", 0.002, 1784) +
+                     polygon("", "", 0.003, 12) + "</Folder></Document></kml>"));
+    ASSERT_EQ(piece.buildings.size(), 4U);
+    EXPECT_NEAR(heightOf(*piece.buildings[0]), 17, 1e-3);
+    EXPECT_NEAR(heightOf(*piece.buildings[1]), 25, 1e-3);
+    EXPECT_NEAR(heightOf(*piece.buildings[2]), 9.6, 1e-3) << "an elevation without that of the ground";
+    EXPECT_NEAR(heightOf(*piece.buildings[3]), 9.6, 1e-3) << "clamped to the ground";
+    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("floats")));
+}
+
+// As many tables of the nineties are: Latin-1, and nothing says so.
+TEST_F(ReadFootprints, NamesInLatin1AreKnownWithoutACpg) {
+    writeRectangle(folder.path("a.shp"), "ESRI Shapefile", "EPSG:4326", {{"Hxhe_m", 12.5}});
+    const auto table = folder.path("a.dbf");
+    std::ifstream stream(table, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    bytes.replace(bytes.find("Hxhe_m"), 2, "H\xF6");
+    bytes[29] = 0;  // no code page
+    std::ignore = folder.file("a.dbf", bytes);
+    std::filesystem::remove(folder.path("a.cpg"));
+    EXPECT_NEAR(heightOf(*read(folder.path("a.shp")).buildings.at(0)), 12.5, 1e-3);
+}
+
+TEST_F(ReadFootprints, AFolderOfShapefilesIsADataset) {
+    std::filesystem::create_directory(folder.path("town"));
+    writeRectangle(folder.path("town") / "houses.shp", "ESRI Shapefile", "EPSG:4326", {{"height", 12}});
+    NoProgress quiet;
+    const auto city = readCity({folder.path("town")}, {}, quiet, {});
+    ASSERT_TRUE(city) << city.error().text();
+    EXPECT_EQ(city->city.buildings.size(), 1U);
+    const auto inputs = describeInputFiles(folder.path("town"));
+    ASSERT_TRUE(inputs) << inputs.error().text();
+    ASSERT_EQ(inputs->size(), 1U);
+    EXPECT_EQ(inputs->front().sha256.size(), 64U);
+}
+
+// A GeoPackage may keep the telling name as the alias of a field.
+TEST_F(ReadFootprints, AnAliasSaysWhatAFieldHolds) {
+    const auto file = folder.path("a.gpkg");
+    writeRectangle(file, "GPKG", "EPSG:4326", {{"c1", 40}});
+    {
+        const GdalCalls calls;
+        const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+        for (const char* statement : {"CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name "
+                                      "TEXT NOT NULL, name TEXT, title "
+                                      "TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, PRIMARY "
+                                      "KEY (table_name, column_name))",
+                                      "INSERT INTO gpkg_data_columns VALUES ('houses', 'c1', 'Building "
+                                      "height (ft)', NULL, NULL, NULL, NULL)"})
+            dataset->ExecuteSQL(statement, nullptr, nullptr);
+    }
+    EXPECT_NEAR(heightOf(*read(file).buildings.at(0)), 12.192, 1e-3);
+    settings.heightField = "c1";
+    EXPECT_NEAR(heightOf(*read(file).buildings.at(0)), 12.192, 1e-3) << "by its own name too";
 }
 
 }  // namespace

@@ -230,7 +230,8 @@ TEST_F(OsmSemantics, ALayerBelow0DoesNotBuryATower) {
                               {{"building", "retail"}, {"layer", "-1"}, {"location", "surface"}});
     const auto door =
         osm.way(sizedRectangle(200, 0, 10, 10), {{"building", "yes"}, {"layer", "-1"}, {"entrance", "main"}});
-    for (const Tags& buried : std::vector<Tags>{{{"layer", "-1"}},
+    const auto bare = osm.way(sizedRectangle(400, 0, 10, 10), {{"building", "yes"}, {"layer", "-1"}});
+    for (const Tags& buried : std::vector<Tags>{{{"layer", "-2"}},
                                                 {{"layer", "-1"}, {"building:levels", "0"}},
                                                 {{"level", "-2"}},
                                                 {{"tunnel", "yes"}},
@@ -242,14 +243,27 @@ TEST_F(OsmSemantics, ALayerBelow0DoesNotBuryATower) {
     piece = read();
     std::vector<std::string> ids;
     for (const auto& building : piece.buildings) ids.push_back(building->sourceId);
-    EXPECT_THAT(ids, UnorderedElementsAre(marinaCity, shop, door));
+    EXPECT_THAT(ids, UnorderedElementsAre(marinaCity, shop, door, bare));
     EXPECT_THAT(placesOf("underground"), testing::SizeIs(5));
-    EXPECT_THAT(placesOf("layer lies below the ground"), ElementsAre(marinaCity, shop, door));
+    EXPECT_THAT(placesOf("layer lies below the ground"), ElementsAre(marinaCity, shop, door, bare));
     const auto tower =
         std::ranges::find(piece.buildings, marinaCity, [](const auto& b) { return b->sourceId; });
     ASSERT_NE(tower, piece.buildings.end());
     EXPECT_EQ((*tower)->parts[0].topM, 167);
     EXPECT_EQ((*tower)->parts[0].bottomM, 55);
+}
+
+// A storey that begins at the first, with a roof of 2.2 m below 5 m: its walls have no height.
+TEST_F(OsmSemantics, AnUndersideCountedInStoreysIsAtMostAtTheEaves) {
+    const auto passage = osm.way(sizedRectangle(0, 0, 10, 10), {{"building:part", "yes"},
+                                                                {"building:levels", "1"},
+                                                                {"building:min_level", "1"},
+                                                                {"height", "5"},
+                                                                {"roof:height", "2.2"}});
+    const Building building = only();
+    EXPECT_NEAR(cutInterval(building, passage).bottomM, 2.8, 1e-4);
+    EXPECT_TRUE(cutInterval(building, passage).isOverhanging);
+    EXPECT_EQ(cutInterval(building, passage).topM, 5);
 }
 
 TEST_F(OsmSemantics, UndergroundIsLeftOutAndSaid) {

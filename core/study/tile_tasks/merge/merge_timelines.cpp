@@ -9,6 +9,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/io/files/pending_file.h"
+#include "core/io/files/plain_file.h"
 
 namespace noonmark {
 
@@ -85,6 +86,7 @@ public:
     }
 
     Result<void> addTile(const fs::path& file, std::size_t district) try {
+        if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
         std::ifstream stream(file, std::ios::binary);
         if (!stream) return failure("A finished tile cannot be read", file.string(), "Run its task again");
         for (std::string line; std::getline(stream, line);) addPlace(line, district);

@@ -1,0 +1,210 @@
+#include <geos_c.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "core/city/footprints/geos_shapes.h"
+#include "core/city/footprints/triangulate.h"
+#include "core/city/meshes/mesh_eaves.h"
+#include "core/city/meshes/mesh_outline.h"
+#include "core/city/meshes/mesh_parts.h"
+#include "core/city/meshes/mesh_sheets.h"
+#include "core/city/meshes/mesh_topology.h"
+
+namespace noonmark {
+
+namespace {
+
+using Plan = Geos::Geometry;
+
+constexpr double leastEavesM = 0.1;    // narrower ones stay with the body
+constexpr double leastEavesM2 = 0.1;   // as of open air below a mesh
+constexpr double bodyBeyondM = 0.002;  // walls are snapped to a millimetre
+constexpr double eavesWithinM = 0.01;
+
+/// A triangle in space, with its plane.
+struct RoofFace {
+    glm::dvec3 a, b, c;
+
+    [[nodiscard]] glm::dvec3 doubled() const { return glm::cross(b - a, c - a); }
+    [[nodiscard]] bool isUpright() const {
+        constexpr double plumb = 0.1;  // within 6 degrees
+        return std::abs(doubled().z) < plumb * glm::length(doubled());
+    }
+    [[nodiscard]] double lowestM() const { return std::min({a.z, b.z, c.z}); }
+    [[nodiscard]] double highestM() const { return std::max({a.z, b.z, c.z}); }
+    [[nodiscard]] double heightAt(glm::dvec2 place) const {
+        const glm::dvec3 normal = doubled();
+        return a.z - glm::dot(glm::dvec2(normal), place - glm::dvec2(a)) / normal.z;
+    }
+    [[nodiscard]] Footprint fromAbove() const {
+        Footprint plan{{glm::vec2(a), glm::vec2(b), glm::vec2(c)}, {}};
+        if (doubled().z < 0) std::swap(plan.outer[1], plan.outer[2]);
+        return plan;
+    }
+};
+
+RoofFace faceOf(const TriangleMesh& mesh, glm::uvec3 t) {
+    return {glm::dvec3(mesh.vertices[t.x]), glm::dvec3(mesh.vertices[t.y]), glm::dvec3(mesh.vertices[t.z])};
+}
+
+void addFace(const RoofFace& face, TriangleMesh& mesh) {
+    append(mesh, {{glm::vec3(face.a), glm::vec3(face.b), glm::vec3(face.c)}, {{0, 1, 2}}});
+}
+
+/// A piece of a face, seen from above, back in the face's plane.
+void addPiece(const RoofFace& face, const Footprint& piece, TriangleMesh& mesh) {
+    const Triangulation flat = triangulate(piece);
+    TriangleMesh lifted{{}, flat.triangles};
+    for (const glm::vec2 point : flat.points)
+        lifted.vertices.emplace_back(point, float(face.heightAt(glm::dvec2(point))));
+    if (face.doubled().z < 0) turnInsideOut(lifted);
+    append(mesh, lifted);
+}
+
+/// The area within the walls, wider or narrower by some millimetres.
+class WalledArea {
+public:
+    WalledArea(const Geos& geos, const std::vector<Footprint>& walled)
+        : geos_(geos),
+          walled_(uniteGeometry(geos, collection(geos, walled))),
+          within_(buffered(-eavesWithinM)),
+          beyond_(buffered(bodyBeyondM)),
+          reach_(buffered(leastEavesM)) {}
+
+    [[nodiscard]] bool isSound() const { return walled_ && within_ && beyond_ && reach_; }
+    /// Square metres that lie farther outside than the least eaves.
+    [[nodiscard]] double overhang(const RoofFace& face) const {
+        const Plan plan = planOf(face);
+        return covers(reach_, plan) ? 0 : computeArea(geos_, subtractGeometry(geos_, plan, reach_));
+    }
+    [[nodiscard]] bool holds(const RoofFace& face) const { return covers(beyond_, planOf(face)); }
+    [[nodiscard]] bool holds(glm::dvec2 place) const {
+        const Plan point = geos_.owned(GEOSGeom_createPointFromXY_r(geos_, place.x, place.y));
+        return point && GEOSIntersects_r(geos_, beyond_.get(), point.get()) == 1;
+    }
+    [[nodiscard]] std::vector<Footprint> inside(const RoofFace& face) const {
+        const Plan plan = planOf(face);
+        return polygons(geos_.owned(plan ? GEOSIntersection_r(geos_, plan.get(), beyond_.get()) : nullptr));
+    }
+    [[nodiscard]] std::vector<Footprint> outside(const RoofFace& face) const {
+        return polygons(subtractGeometry(geos_, planOf(face), within_));
+    }
+    /// Whether a piece outside is too narrow for eaves.
+    [[nodiscard]] bool isNarrow(const Footprint& piece) const {
+        return covers(reach_, collection(geos_, std::vector<Footprint>{piece}));
+    }
+
+private:
+    [[nodiscard]] Plan buffered(double byM) const {
+        constexpr int segments = 2;
+        constexpr double mitre = 5;
+        return geos_.owned(walled_ ? GEOSBufferWithStyle_r(geos_, walled_.get(), byM, segments,
+                                                           GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, mitre)
+                                   : nullptr);
+    }
+    [[nodiscard]] Plan planOf(const RoofFace& face) const {
+        return collection(geos_, std::vector<Footprint>{face.fromAbove()});
+    }
+    [[nodiscard]] bool covers(const Plan& area, const Plan& plan) const {
+        return plan && GEOSCovers_r(geos_, area.get(), plan.get()) == 1;
+    }
+    [[nodiscard]] std::vector<Footprint> polygons(const Plan& plan) const {
+        constexpr double roundingM2 = 1e-7;
+        return toPolygons(geos_, plan, nullptr, roundingM2);
+    }
+
+    const Geos& geos_;
+    Plan walled_, within_, beyond_, reach_;
+};
+
+/// Sorts the faces of a mesh into body and eaves.
+class EavesCutter {
+public:
+    EavesCutter(const WalledArea& walls, float lowM) : walls_(walls), lowM_(lowM) {}
+
+    void add(const RoofFace& face) {
+        if (face.isUpright())
+            addUpright(face);
+        else if (walls_.holds(face))
+            addFace(face, cut_.body);
+        else
+            addCrossing(face);
+    }
+
+    CutEaves take() {
+        for (TriangleMesh* mesh : {&cut_.body, &cut_.eaves}) {
+            *mesh = weld(*mesh);
+            removeDegenerateTriangles(*mesh);
+        }
+        return std::move(cut_);
+    }
+
+private:
+    static double lowestOf(const RoofFace& face, const Footprint& piece) {
+        double lowest = 1e30;
+        for (const glm::vec2 corner : piece.outer)
+            lowest = std::min(lowest, face.heightAt(glm::dvec2(corner)));
+        return lowest;
+    }
+    [[nodiscard]] bool isInTheAir(double heightM) const { return heightM > double(lowM_ + openAirM); }
+
+    void addUpright(const RoofFace& face) {
+        const glm::dvec2 middle = glm::dvec2(face.a + face.b + face.c) / 3.0;
+        const bool hangs = isInTheAir(face.lowestM()) && !walls_.holds(middle);
+        addFace(face, hangs ? cut_.eaves : cut_.body);
+    }
+
+    void addCrossing(const RoofFace& face) {
+        for (const Footprint& piece : walls_.inside(face)) addPiece(face, piece, cut_.body);
+        if (face.highestM() <= double(lowM_ + levelSheetM)) return;  // the floor
+        for (const Footprint& piece : walls_.outside(face)) {
+            const bool hangs = isInTheAir(lowestOf(face, piece)) && !walls_.isNarrow(piece);
+            addPiece(face, piece, hangs ? cut_.eaves : cut_.body);
+        }
+    }
+
+    const WalledArea& walls_;
+    float lowM_;
+    CutEaves cut_;
+};
+
+// Walls on a slope begin at different heights; those of dormers begin too high to bound the ground.
+std::vector<Footprint> findWalled(const TriangleMesh& mesh) {
+    for (int storeys = 1; storeys <= 3; ++storeys)
+        if (auto walled = findEnclosedByWalls(mesh, float(storeys) * openAirM); !walled.empty())
+            return walled;
+    return {};
+}
+
+std::vector<RoofFace> facesOf(const TriangleMesh& mesh) {
+    std::vector<RoofFace> faces;
+    for (const glm::uvec3 triangle : mesh.triangles) faces.push_back(faceOf(mesh, triangle));
+    return faces;
+}
+
+}  // namespace
+
+std::optional<CutEaves> cutEaves(const TriangleMesh& mesh) {
+    const std::vector<Footprint> walled = findWalled(mesh);
+    if (walled.empty()) return std::nullopt;
+    const Geos geos;
+    const WalledArea walls(geos, walled);
+    if (!walls.isSound()) return std::nullopt;
+    const float lowM = computeBox(mesh).low.z;
+    const std::vector<RoofFace> faces = facesOf(mesh);
+    double overhang = 0;
+    for (const RoofFace& face : faces)
+        if (!face.isUpright() && face.highestM() > double(lowM + openAirM)) overhang += walls.overhang(face);
+    if (overhang < leastEavesM2) return std::nullopt;
+    EavesCutter cutter(walls, lowM);
+    for (const RoofFace& face : faces) cutter.add(face);
+    CutEaves cut = cutter.take();
+    if (cut.eaves.triangles.empty() || cut.body.triangles.empty()) return std::nullopt;
+    return cut;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "core/io/files/readable_text.h"
+#include "core/io/footprints/building_layers.h"
+#include "core/io/footprints/layer_sample.h"
+#include "core/io/footprints/name_words.h"
+
+namespace noonmark {
+
+namespace {
+
+bool mayHavePolygons(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
+           type == wkbGeometryCollection;
+}
+
+// The layer that writeCityGeoPackage() writes; other layers of such a file are not buildings.
+bool isOurOwn(OGRLayer& layer) {
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    return std::string_view(layer.GetName()) == "buildings" && fields.GetFieldIndex("building_id") >= 0 &&
+           fields.GetFieldIndex("height_source") >= 0;
+}
+
+// How much speaks for a layer, from nothing to its name.
+enum class Likeness { other, unclear, byFields, byName };
+
+struct JudgedLayer {
+    OGRLayer* layer;
+    Likeness likeness;
+    std::string_view why;  // it is no layer of buildings
+};
+
+// Fields that only tables of buildings have. A name, an id or a plain "level" says nothing.
+bool hasBuildingFields(OGRLayer& layer) {
+    const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+    for (int i = 0; i < definition.GetFieldCount(); ++i) {
+        const auto meaning = findMeaning(readableText(definition.GetFieldDefn(i)->GetNameRef()));
+        if (!meaning) continue;
+        using enum FieldRole;
+        for (const FieldRole role :
+             {height, levels, topElevation, roofHeight, roofShape, building, buildingPart})
+            if (meaning->role == role) return true;
+    }
+    return false;
+}
+
+// Buildings leave streets and yards free; cells of a tessellation or parcels of a block do not.
+bool fillsTheGround(OGRLayer& layer) {
+    constexpr double mostBuilt = 0.85;
+    constexpr std::size_t fewest = 20;
+    const LayerSample sample = sampleLayer(layer);
+    return sample.features.size() >= fewest && sample.coverage > mostBuilt;
+}
+
+JudgedLayer judge(OGRLayer& layer) {
+    const NameWords words(readableText(layer.GetName()));
+    if (words.has(NameWord::otherLayer)) return {&layer, Likeness::other, "its name says something else"};
+    if (words.has(NameWord::building)) return {&layer, Likeness::byName, ""};
+    if (hasBuildingFields(layer)) return {&layer, Likeness::byFields, ""};
+    if (layer.GetFeatureCount() == 0) return {&layer, Likeness::other, ""};
+    if (fillsTheGround(layer)) return {&layer, Likeness::other, "its polygons cover the ground without gaps"};
+    return {&layer, Likeness::unclear, ""};
+}
+
+std::string whyLeft(const JudgedLayer& layer, Likeness best) {
+    if (!layer.why.empty()) return std::string(layer.why);
+    return best == Likeness::byName ? "the name of another says buildings"
+                                    : "another has fields of buildings";
+}
+
+}  // namespace
+
+std::vector<OGRLayer*> chooseBuildingLayers(GDALDataset& dataset, Warnings& warnings) {
+    std::vector<JudgedLayer> judged;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        if (isOurOwn(*layer)) return {layer};
+        if (mayHavePolygons(*layer)) judged.push_back({layer, Likeness::unclear, ""});
+    }
+    if (judged.size() == 1) return {judged.front().layer};
+    for (JudgedLayer& one : judged) one = judge(*one.layer);
+    Likeness best = Likeness::other;
+    for (const JudgedLayer& one : judged) best = std::max(best, one.likeness);
+    std::vector<OGRLayer*> chosen;
+    for (const JudgedLayer& one : judged)
+        if (one.likeness == best)
+            chosen.push_back(one.layer);
+        else if (one.layer->GetFeatureCount() != 0)
+            warnings.push_back(
+                {WarningKind::leftOut,
+                 fmt::format("a layer that was taken for no layer of buildings, since {}; if it "
+                             "is one, read it with --layer",
+                             whyLeft(one, best)),
+                 readableText(one.layer->GetName())});
+    if (chosen.size() > 1)
+        for (OGRLayer* layer : chosen)
+            warnings.push_back({WarningKind::assumed,
+                                "one of several polygon layers; all are read as buildings",
+                                layer->GetName()});
+    return chosen;
+}
+
+}  // namespace noonmark

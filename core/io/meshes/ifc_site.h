@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "core/geo/frame.h"
+
+namespace noonmark {
+
+/// What an IFC file states about its place on earth. It is not used when the file is read: the user places a
+/// model.
+struct IfcSite {
+    std::optional<LonLat> place;         ///< of the site's origin (IfcSite)
+    std::optional<double> elevationM;    ///< of the same, in metres if the file's unit is the metre
+    std::optional<double> trueNorthDeg;  ///< true north from the model's +y, clockwise; only if it is not 0
+    std::string mapConversion;           ///< "EPSG:25832 428000, 5444000"; empty: none
+};
+
+/// Reads the file once, statement by statement; what was found so far if it is stopped.
+IfcSite readIfcSite(const std::filesystem::path& file, const std::stop_token& stop);
+
+/// One line for a warning, with the options that state the same: "true north is 50 deg clockwise of its y
+/// axis
+/// (--mesh-north -50)"; empty if the file states nothing.
+std::string describe(const IfcSite& site);
+
+}  // namespace noonmark

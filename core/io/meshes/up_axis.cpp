@@ -1,0 +1,93 @@
+#include "core/io/meshes/up_axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <optional>
+
+namespace noonmark {
+
+namespace {
+
+bool isFinite(glm::vec3 point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+template <class Use>
+void forEachPoint(const MeshScene& scene, Use use) {
+    for (const MeshObject& object : scene)
+        for (const MeshPiece& piece : object.pieces)
+            for (const glm::vec3 point : piece.points)
+                if (isFinite(point)) use(point);
+}
+
+struct MeshExtent {
+    glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+    std::size_t points = 0;
+    [[nodiscard]] glm::vec3 size() const { return high - low; }
+};
+
+MeshExtent measureExtent(const MeshScene& scene) {
+    MeshExtent extent;
+    forEachPoint(scene, [&](glm::vec3 point) {
+        extent.low = glm::min(extent.low, point), extent.high = glm::max(extent.high, point);
+        ++extent.points;
+    });
+    return extent;
+}
+
+// Sizes along an axis that could be up and along the two others.
+struct UpSizes {
+    UpAxis axis;
+    float up, narrow, wide;
+};
+
+UpSizes sizesFor(UpAxis axis, glm::vec3 size) {
+    const float up = axis == UpAxis::z ? size.z : size.y, other = axis == UpAxis::z ? size.y : size.z;
+    return {axis, up, std::min(size.x, other), std::max(size.x, other)};
+}
+
+const char* letterOf(UpAxis axis) { return axis == UpAxis::z ? "z" : "y"; }
+
+std::optional<UpAxisGuess> guessCity(const UpSizes& sizes) {
+    constexpr float leastWidth = 100;
+    if (sizes.narrow < leastWidth || sizes.up >= sizes.narrow / 2) return std::nullopt;
+    return UpAxisGuess{sizes.axis, fmt::format("the mesh is {:.4g} x {:.4g} and only {:.4g} in {}",
+                                               sizes.wide, sizes.narrow, sizes.up, letterOf(sizes.axis))};
+}
+
+std::optional<UpAxisGuess> guessTower(const UpSizes& sizes) {
+    if (sizes.up <= 1.5F * sizes.wide) return std::nullopt;
+    return UpAxisGuess{sizes.axis, fmt::format("the mesh is {:.4g} x {:.4g} and {:.4g} in {}, as a tower is",
+                                               sizes.wide, sizes.narrow, sizes.up, letterOf(sizes.axis))};
+}
+
+std::optional<UpAxisGuess> guessByFeet(const MeshScene& scene, const MeshExtent& extent) {
+    const glm::vec3 lowest = extent.low + 1e-3F * extent.size();
+    std::size_t y = 0, z = 0;
+    forEachPoint(scene, [&](glm::vec3 point) {
+        y += point.y <= lowest.y ? 1 : 0;
+        z += point.z <= lowest.z ? 1 : 0;
+    });
+    const auto [fewer, more] = std::minmax(y, z);
+    if (5 * more < extent.points || 4 * more < 5 * fewer) return std::nullopt;
+    const UpAxis axis = z > y ? UpAxis::z : UpAxis::y;
+    return UpAxisGuess{axis, fmt::format("most of its points are lowest in {}", letterOf(axis))};
+}
+
+}  // namespace
+
+UpAxisGuess guessUpAxis(const MeshScene& scene) {
+    const MeshExtent extent = measureExtent(scene);
+    const UpAxisGuess usual{UpAxis::y, "nothing in its shape says otherwise"};
+    if (extent.points == 0) return usual;
+    for (const auto guess : {guessCity, guessTower})
+        for (const UpAxis axis : {UpAxis::y, UpAxis::z})
+            if (auto found = guess(sizesFor(axis, extent.size()))) return *std::move(found);
+    return guessByFeet(scene, extent).value_or(usual);
+}
+
+}  // namespace noonmark

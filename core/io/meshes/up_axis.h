@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "core/io/meshes/mesh_scene.h"
+#include "core/io/read_city.h"
+
+namespace noonmark {
+
+/// An axis that a mesh probably has upwards, and why: "it is 517 x 600 and only 90 in z".
+struct UpAxisGuess {
+    UpAxis axis = UpAxis::y;
+    std::string why;
+};
+
+/// From the shape of a mesh whose format does not state it, in its own unit. In this order: a city is flat,
+/// less than half as high as it is wide either way, and 100 units or more wide; a tower is higher than one
+/// and a half times its width; buildings have most of their points at their feet; y, which is usual.
+/// O(points).
+UpAxisGuess guessUpAxis(const MeshScene& scene);
+
+}  // namespace noonmark

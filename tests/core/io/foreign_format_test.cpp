@@ -1,0 +1,91 @@
+#include "core/io/files/foreign_format.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/io/files/file_kind.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark {
+namespace {
+
+using namespace std::string_view_literals;
+using testing::HasSubstr;
+
+struct Foreign {
+    const char* file;
+    std::string_view content;
+    const char* name;
+    const char* remedy;
+};
+
+std::string binaryStl(std::uint32_t triangles) {
+    std::string bytes(80, ' ');
+    bytes.append(reinterpret_cast<const char*>(&triangles), sizeof triangles);
+    return bytes + std::string(50 * triangles, '\1');
+}
+
+TEST(ForeignFormat, IsRefusedByItsNameWithWhatToDo) {
+    const std::string stl = binaryStl(3);
+    const Foreign files[] = {
+        {"a.gml", "<?xml version='1.0'?>\n<core:CityModel xmlns:core=\"http://www.opengis.net/citygml/2.0\">",
+         "CityGML", "citygml-tools"},
+        {"a.xml", "\xEF\xBB\xBF<CityModel>", "CityGML", "CityJSON"},
+        {"a.epw", "LOCATION,Chicago Ohare Intl Ap,IL,USA,TMY3,725300,41.98,-87.92,-6.0,201.0\n", "EPW",
+         "needs no weather"},
+        {"a.las", "LASF\0\0"sv, "LAS or LAZ", "PDAL"},
+        {"a.laz", "LASF\0\0"sv, "LAS or LAZ", "GeoTIFF"},
+        {"a.stl", "solid tower\n facet normal 0 0 1\n", "STL", "OBJ"},
+        {"b.stl", stl, "STL", "OBJ"},
+        {"a.parquet", "PAR1\x15\4"sv, "Parquet", "GeoPackage"},
+        {"a.tab", "!table\n!version 300\n", "MapInfo", "GeoPackage"},
+        {"a.mif", "Version 300\nCharset \"Neutral\"\nColumns 1\n", "MapInfo", "GeoPackage"},
+        {"tileset.json", R"({"asset":{"version":"1.0"},"geometricError":500,"root":{}})", "3D Tiles",
+         "CityJSON"},
+        {"a.b3dm", "b3dm\1\0\0\0"sv, "3D Tiles", "CityJSON"},
+        {"a.dwg", "AC1032\0\0"sv, "DWG", "DXF"},
+        {"a.skp", "\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0 \0M\0o\0d\0e\0l\0"sv, "SketchUp", "glTF"},
+        {"a.3dm", "3D Geometry File Format        5", "3DM", "OBJ"},
+        {"a.fbx", "Kaydara FBX Binary  \0"sv, "FBX", "glTF"},
+        {"a.kmz", "PK\3\4"sv, "KMZ", ".kml"},
+        {"a.zip", "PK\3\4"sv, "ZIP", "Unpack"},
+        {"a.dbf", "\3\x7C"sv, "Shapefile", ".shp"},
+        {"a.png", "\x89PNG"sv, "PNG", "GeoTIFF"},
+        {"a.stp", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));", "STEP", "IFC"},
+    };
+    const tests::TemporaryFolder folder;
+    for (const Foreign& foreign : files) {
+        const auto kind = detectFileKind(folder.file(foreign.file, foreign.content));
+        ASSERT_FALSE(kind) << foreign.file;
+        EXPECT_THAT(kind.error().what, HasSubstr(foreign.name)) << foreign.file;
+        EXPECT_THAT(kind.error().advice, HasSubstr(foreign.remedy)) << foreign.file;
+        EXPECT_EQ(kind.error().kind, ErrorKind::unsupported) << foreign.file;
+    }
+}
+
+TEST(ForeignFormat, WhatIsReadIsNot) {
+    const tests::TemporaryFolder folder;
+    for (const std::string_view content :
+         {"ISO-10303-21;\nFILE_SCHEMA(('IFC4'));"sv, R"({"asset":{"version":"2.0"}})"sv,
+          "<kml><Document/></kml>"sv, "<osm version='0.6'>"sv, "v 0 0 0\n"sv, "II*\0"sv, "hello"sv, ""sv})
+        EXPECT_TRUE(refuseForeignFormat(folder.file("a", content))) << content;
+    EXPECT_TRUE(refuseForeignFormat(folder.file("N48W122.hgt", "\xFF\xD8\xFF\xE0"sv))) << "-40 m and -32 m";
+    EXPECT_TRUE(refuseForeignFormat(folder.path("missing")));
+    EXPECT_TRUE(refuseForeignFormat(folder.path("")));
+}
+
+TEST(ForeignFormat, PublishedCityGmlAndWeatherAreRecognised) {
+    for (const auto& [file, name] :
+         {std::pair("world/berlin_glienicke_lod1.xml", "CityGML"),
+          std::pair("world/53392642_bldg_6697_op2.gml", "CityGML"), std::pair("world/chicago.epw", "EPW")}) {
+        const auto path = tests::sharedData(file);
+        if (!path) GTEST_SKIP() << "shared data is missing";
+        const auto kind = detectFileKind(*path);
+        ASSERT_FALSE(kind) << file;
+        EXPECT_THAT(kind.error().text(), HasSubstr(name));
+    }
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,165 @@
+#include "core/io/footprints/name_words.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/io/files/readable_text.h"
+#include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/unknown_fields.h"
+
+namespace noonmark {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(NameWords, EndAtCapitalsDigitsAndPunctuation) {
+    EXPECT_THAT(wordsOfName("HeightInFeet"), ElementsAre("height", "in", "feet"));
+    EXPECT_THAT(wordsOfName("BLDGHeight_2010"), ElementsAre("bldg", "height"));
+    EXPECT_THAT(wordsOfName("addr:postcode"), ElementsAre("addr", "postcode"));
+    EXPECT_THAT(wordsOfName("story_ht_"), ElementsAre("story", "ht"));
+}
+
+TEST(NameWords, WrittenTogetherAreToldApartWhereAllAreKnown) {
+    EXPECT_THAT(wordsOfName("heightinfeet"), ElementsAre("height", "in", "feet"));
+    EXPECT_THAT(wordsOfName("建物高さ"), ElementsAre("建物", "高さ"));
+    EXPECT_THAT(wordsOfName("weight"), ElementsAre("weight"));
+}
+
+TEST(NameWords, AreFoldedInEveryScript) {
+    EXPECT_EQ(foldName("Höhe (m)"), "hohem");
+    EXPECT_EQ(foldName("WYSOKOŚĆ"), "wysokosc");
+    EXPECT_EQ(foldName("Straße"), "strasse");
+    EXPECT_EQ(foldName("ВЫСОТА"), "высота");
+    EXPECT_EQ(foldName("ΎΨΟΣ"), foldName("ύψος"));
+    EXPECT_EQ(foldName("ＨＥＩＧＨＴ"), "height");
+}
+
+TEST(ReadableText, IsUtf8WhateverTheTableUses) {
+    EXPECT_EQ(readableText("Höhe"), "Höhe");
+    EXPECT_EQ(readableText("H\xF6he"), "Höhe");
+    EXPECT_EQ(readableText("OPERAT\xD6R"), "OPERATÖR");
+    EXPECT_EQ(readableText("5 \x80"), "5 €");
+    EXPECT_EQ(readableText(""), "");
+}
+
+struct Named {
+    const char* name;
+    FieldRole role;
+    std::optional<LengthUnit> unit;
+};
+
+// Names that no list holds, in the languages of the world's open data.
+TEST(FieldWords, SayHeightsStoreysAndUnits) {
+    constexpr auto m = LengthUnit::metres;
+    constexpr auto ft = LengthUnit::feet;
+    const Named names[] = {
+        {"height_in_feet", FieldRole::height, ft},
+        {"HeightInFeet", FieldRole::height, ft},
+        {"Höhe_m", FieldRole::height, m},
+        {"Gebäudehöhe", FieldRole::height, {}},
+        {"建物高さ", FieldRole::height, {}},
+        {"建筑高度", FieldRole::height, {}},
+        {"건물높이", FieldRole::height, {}},
+        {"hght_cm", FieldRole::height, LengthUnit::centimetres},
+        {"maximum_roof_height", FieldRole::height, {}},
+        {"höjd", FieldRole::height, {}},
+        {"højde_m", FieldRole::height, m},
+        {"Výška budovy", FieldRole::height, {}},
+        {"wysokość_m", FieldRole::height, m},
+        {"высота здания", FieldRole::height, {}},
+        {"ύψος κτιρίου", FieldRole::height, {}},
+        {"hauteur_moyenne", FieldRole::height, {}},
+        {"altura_edificio", FieldRole::height, {}},
+        {"altezza media", FieldRole::height, {}},
+        {"bina_yukseklik", FieldRole::height, {}},
+        {"height_above_ground_ft", FieldRole::height, ft},
+        {"absolute_height", FieldRole::topElevation, {}},
+        {"roof_elevation_ft", FieldRole::topElevation, ft},
+        {"terrain_elevation_m", FieldRole::groundElevation, m},
+        {"number_of_stories_above_ground", FieldRole::levels, {}},
+        {"этажность", FieldRole::levels, {}},
+        {"地上階数", FieldRole::levels, {}},
+        {"지상층수", FieldRole::levels, {}},
+        {"Počet podlaží", FieldRole::levels, {}},
+        {"nombre_etages", FieldRole::levels, {}},
+        {"AnzahlVollgeschosse", FieldRole::levels, {}},
+    };
+    for (const Named& named : names) {
+        const auto meaning = findMeaning(named.name);
+        ASSERT_TRUE(meaning) << named.name;
+        EXPECT_EQ(meaning->role, named.role) << named.name;
+        EXPECT_EQ(meaning->unit, named.unit) << named.name;
+    }
+}
+
+TEST(FieldWords, AWordThatIsNotKnownOrSaysOtherwiseDecidesNothing) {
+    for (const char* name :
+         {"story_ht_", "floor_area", "height_class", "ground_floor", "地下階数", "min_roof_height",
+          "height_limit", "PREC_PLANI", "lod", "addr:postcode", "number", "storeys_ft"})
+        EXPECT_FALSE(findMeaning(name)) << name;
+}
+
+TEST(FieldWords, NamesInOtherScriptsAreNotEqual) {
+    EXPECT_FALSE(isSameField("建物高さ", "階数"));
+    EXPECT_TRUE(isSameField("HÖHE", "höhe"));
+}
+
+TEST(FieldWords, TheHeightOfTheRoofIsThatOfTheBuildingOutsideTags) {
+    const auto role = [](const std::vector<std::string>& names) {
+        return knownFields(names, {}, false).front().meaning.role;
+    };
+    EXPECT_EQ(role({"roofheight"}), FieldRole::height);
+    EXPECT_EQ(role({"roof_height_ft"}), FieldRole::height);
+    EXPECT_EQ(knownFields({"roof_height_ft"}, {}, false).front().meaning.unit, LengthUnit::feet);
+    EXPECT_EQ(role({"roof:height"}), FieldRole::roofHeight);
+    EXPECT_TRUE(hasRole(knownFields({"roof_height", "roof_shape"}, {}, false), FieldRole::roofHeight));
+    EXPECT_TRUE(hasRole(knownFields({"roof_height", "height"}, {}, false), FieldRole::roofHeight));
+}
+
+std::vector<UnknownField> listed(UnknownFields& fields) { return fields.thatCouldBeHeights("a.shp"); }
+
+TEST(UnknownFields, ANameThatSaysStoreysIsNoHeight) {
+    UnknownFields fields;
+    for (const double value : {1.0, 1.5, 2.0, 62.0}) fields.add("story_ht_", "", value);
+    ASSERT_EQ(listed(fields).size(), 1U);
+    EXPECT_EQ(selectingOptions(listed(fields)[0]), "--levels-field story_ht_");
+}
+
+TEST(UnknownFields, TheHeightOfOneStoreyIsNotListed) {
+    UnknownFields fields;
+    for (const double value : {2.8, 3.1, 3.35}) fields.add("storey_height", "", value);
+    EXPECT_TRUE(listed(fields).empty());
+}
+
+TEST(UnknownFields, CodesAndQualitiesAreNotListed) {
+    UnknownFields fields;
+    for (const char* name : {"addr:postcode", "lod", "PREC_PLANI", "yearBuilt", "floor_area", "nb_logements"})
+        for (const double value : {1.0, 2.0, 2.5}) fields.add(name, "", value);
+    EXPECT_TRUE(listed(fields).empty());
+}
+
+TEST(UnknownFields, AHeightIsOneWhateverItsValues) {
+    UnknownFields fields;
+    for (const double value : {10.0, 33.0, 50.0}) fields.add("ridge_hght_ft", "", value);
+    const UnknownField field = listed(fields).at(0);
+    EXPECT_EQ(selectingOptions(field), "--height-field ridge_hght_ft --height-unit ft");
+}
+
+TEST(UnknownFields, StoreysOfAnotherFieldTellWhatOneHolds) {
+    UnknownFields fields;
+    for (const double value : {10.0, 33.0, 50.0}) fields.add("H1", "", value), fields.add("H2", "", value);
+    fields.compare("H1", {.perStorey = 10.5});
+    fields.compare("H2", {.followsFootprint = true});
+    ASSERT_EQ(listed(fields).size(), 1U);
+    EXPECT_EQ(selectingOptions(listed(fields)[0]), "--height-field H1 --height-unit ft");
+}
+
+TEST(UnknownFields, AnElevationSaysWhatItCountsFrom) {
+    UnknownFields fields;
+    for (const double value : {10.4, 33.1}) fields.add("b3_h_max", "", value);
+    EXPECT_EQ(listed(fields).at(0).kind, FieldKind::elevations);
+    EXPECT_THAT(describe(listed(fields)[0]), testing::HasSubstr("above the datum"));
+}
+
+}  // namespace
+}  // namespace noonmark
