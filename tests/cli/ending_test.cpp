@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 #include "app/cli/interrupt.h"
@@ -61,15 +62,31 @@ bool holdsHidden(const fs::path& folder) {
     std::_Exit(exitFailed);
 }
 
+/// A folder for a test and the process that it starts, which runs the test again from its beginning.
+class SharedFolder {
+public:
+    SharedFolder() {
+        GTEST_FLAG_SET(death_test_style, "threadsafe");
+        if (std::getenv(handedOver) == nullptr) ::setenv(handedOver, own_.emplace().path("").c_str(), 1);
+        path_ = std::getenv(handedOver);
+    }
+    SharedFolder(const SharedFolder&) = delete;
+    SharedFolder& operator=(const SharedFolder&) = delete;
+    ~SharedFolder() { ::unsetenv(handedOver); }
+    [[nodiscard]] fs::path path(const char* name) const { return path_ / name; }
+
+private:
+    static constexpr const char* handedOver = "NOONMARK_TEST_ENDED";
+    std::optional<noonmark::tests::TemporaryFolder> own_;
+    fs::path path_;
+};
+
 void expectNothingLeft(std::vector<std::string> (*words)(const fs::path&)) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    constexpr const char* handedOver = "NOONMARK_TEST_ENDED";
-    const noonmark::tests::TemporaryFolder folder;
-    ::setenv(handedOver, folder.path("out").c_str(), 0);  // the child uses the folder of its parent
-    const fs::path out = std::getenv(handedOver);
+    const SharedFolder folder;
+    const fs::path out = folder.path("out");
     EXPECT_EXIT(endedWhileWriting(words(out), out), ExitedWithCode(exitCancelled), "");
+    EXPECT_TRUE(fs::exists(out));
     EXPECT_FALSE(holdsHidden(out));
-    ::unsetenv(handedOver);
 }
 
 TEST(EndingDeathTest, ASignalWhileFilesAreWrittenLeavesNoHiddenOnes) { expectNothingLeft(smallStudy); }
@@ -84,8 +101,7 @@ TEST(EndingDeathTest, ASignalWhileFacadesAreWrittenLeavesNoHiddenOnes) { expectN
 }
 
 TEST(EndingDeathTest, ALimitOfFileSizesIsAnError) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    const noonmark::tests::TemporaryFolder folder;
+    const SharedFolder folder;
     EXPECT_EXIT(writtenWithin(8192, smallStudy(folder.path("out"))), ExitedWithCode(exitFailed),
                 "noonmark-cli: ");
     EXPECT_FALSE(holdsHidden(folder.path("out")));
@@ -108,8 +124,7 @@ TEST(EndingDeathTest, ALimitOfFileSizesIsAnError) {
 }
 
 TEST(EndingDeathTest, NoDesktopIsNeededWhateverTheEnvironmentNames) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    const noonmark::tests::TemporaryFolder folder;
+    const SharedFolder folder;
     EXPECT_EXIT(drawnOnADesktop(smallStudy(folder.path("out"))), ExitedWithCode(exitOk), "");
 }
 
