@@ -30,7 +30,7 @@ std::vector<std::string> plus(std::vector<std::string> words, const std::vector<
 }
 
 std::vector<std::string> smallStudy(const fs::path& out) {
-    return {"study",   "sample:grid", "--start",  "2026-03-21", "--at",   "12:00",
+    return {"study",   "sample:grid", "--start",  "2026-03-21", "--from", "12:00",
             "--hours", "1",           "--step",   "20",         "--zone", "America/New_York",
             "--cell",  "4",           "--region", "city",       "--out",  out.string()};
 }
