@@ -255,6 +255,17 @@ TEST_F(ScenarioTableWindow, FiguresAreThereAgainWhenTheProjectIsOpenedAnotherDay
     EXPECT_EQ(text(2, TableColumn::impact), QString()) << "another question";
 }
 
+TEST_F(ScenarioTableWindow, FiguresOfAllScenariosAreUnsavedWork) {
+    save();
+    for (const char* button : {"measureAll", "scoreAll"}) {
+        ASSERT_FALSE(session().hasUnsavedWork());
+        press(button);
+        EXPECT_TRUE(session().hasUnsavedWork()) << button << ": closing asks whether to save them";
+        save();
+    }
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
 TEST_F(ScenarioTableWindow, MeasuringAllGivesTheImpactWhateverTheEngineCounted) {
     StudySettings question = workbench().document().settings();
     question.engine = "horizon";

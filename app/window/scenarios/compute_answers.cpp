@@ -81,6 +81,7 @@ void LatestAnswers::scoreAll() {
                 add({lacking[i],
                      nullptr,
                      {.question = hashQuestion(settings), .weights = weights, .scoreM2 = scores->made[i]}});
+            if (!scores->made.empty()) from_.workbench.session().noteFigures();
             update();
             if (scores->error && !isCancelled(*scores->error)) Q_EMIT failed(*scores->error);
         });
