@@ -91,7 +91,8 @@ TEST_F(SurfaceModel, TheUserMayUseItUnchanged) {
     settings.terrainShows = TerrainShows::ground;
     const CityRead read = this->read({outlines(), dsm()});
     EXPECT_EQ(read.city.terrain->source.underBuildings, 0U);
-    EXPECT_NEAR(elevation(read.city, groundAt(read.city, {32, -32})), surface(32, -32), 0.1);
+    const glm::dvec2 roof = read.city.frame.localFromLonLat(Frame(manhattan).lonLatFromLocal({32, -32}));
+    EXPECT_NEAR(elevation(read.city, groundAt(read.city, roof)), surface(32, -32), 0.1);
 }
 
 TEST_F(SurfaceModel, BesideATerrainItIsNotTheGround) {
