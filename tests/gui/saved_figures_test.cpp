@@ -78,7 +78,7 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     const std::vector<ViewFigures> before{
         {"aa", "", {.question = "q", .measured = measured.measured}},
         {"bb", "cc", {.question = "q", .impact = impact}},
-        {"dd", "", {.question = "q", .weights = project.weights.front(), .scoreM2 = 0.125}}};
+        {"dd", "", {.question = "q", .weights = project.weights.front(), .score = {0.125, 2.5}}}};
     const auto after = parseViewFigures(formatText(before));
     ASSERT_EQ(after.size(), 3U);
     EXPECT_EQ(after[0].citySha256, "aa");
@@ -88,7 +88,7 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     EXPECT_EQ(after[1].figures.impact->gross.mostLostMin, 7);
     EXPECT_TRUE(std::isnan(after[1].figures.impact->continuous.meanMin));
     EXPECT_EQ(after[2].figures.weights, project.weights.front());
-    EXPECT_EQ(after[2].figures.scoreM2, 0.125);
+    EXPECT_EQ(after[2].figures.score.scoreM2, 0.125);
     EXPECT_FALSE(after[2].figures.measured);
 }
 
