@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/window/project/view_state.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/gui/small_project.h"
@@ -65,6 +66,28 @@ TEST(ReadSavedFigures, EverySettingThatFiguresDependOnCounts) {
     })) << "a region that was drawn again";
     EXPECT_TRUE(fitsWith([](StudySettings& s) { s.region.name = "Renamed"; }));
     EXPECT_TRUE(fitsWith([](StudySettings& s) { s.memoryLimit = 1 << 30; }));
+}
+
+// Reading a project repairs outlines; the question stays the same.
+TEST(SavedFigures, TheirQuestionIsTheSameAfterTheProjectWasClosed) {
+    const Frame frame(LonLat{-73.98, 40.75}, 0);
+    std::vector<Region> regions{makeRegionFromLonLatBox(frame, -73.99, 40.74, -73.95, 40.78).value(),
+                                {"drawn",
+                                 {{{{0, 0}, {10, 0}, {20, 0}, {20.1F, 33.3F}, {20.1F, 33.3F}, {-7, 12}},
+                                   {{{1, 1}, {1, 3}, {3, 3}}}}}},
+                                {"crossed", {{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}}},
+                                {"turned", {{{{0, 10}, {10, 10}, {10, 0}, {0, 0}}, {}}}}};
+    for (const Region& region : regions) {
+        StudySettings settings;
+        settings.region = region;
+        settings.pressureHPa = 850;
+        const auto texts = textsOf(ViewState{.study = settings});
+        const auto again = parseViewState(texts).study;
+        ASSERT_TRUE(again) << region.name;
+        EXPECT_EQ(hashQuestion(*again), hashQuestion(settings)) << region.name;
+        EXPECT_EQ(hashQuestion(*parseViewState(textsOf(ViewState{.study = again})).study),
+                  hashQuestion(settings));
+    }
 }
 
 TEST(SavedFigures, ComeBackFromTheProjectsView) {
