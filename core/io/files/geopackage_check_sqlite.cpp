@@ -96,10 +96,9 @@ constexpr const char* viewTrouble =
 constexpr std::array checks{
     Check{standardTables, viewTrouble, "Export the layer into a new GeoPackage"},
     Check{listedTables, viewTrouble, "Export the layer into a new GeoPackage"},
+    Check{tooManyLayers, "The GeoPackage has more than 1,000 layers", "Export the layers of buildings alone"},
     Check{computedColumns, "A table of the GeoPackage computes a column, whose SQL is not run",
-          "Export the layer into a new GeoPackage"},
-    Check{tooManyLayers, "The GeoPackage has more than 1,000 layers",
-          "Export the layers of buildings alone"}};
+          "Export the layer into a new GeoPackage"}};
 static_assert(mostLayers == 1000);
 
 int isStopRequested(void*) { return StopScope::isStopped() ? 1 : 0; }
