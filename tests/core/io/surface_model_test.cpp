@@ -87,6 +87,17 @@ TEST_F(SurfaceModel, TheGroundAroundTheOutlinesReplacesItsRoofs) {
     expectSameGround(onSurface, onGround, 0.5);
 }
 
+// Crowns 8 m wide and 10 m high, 20 m apart, between and over the houses.
+double surfaceWithTrees(double x, double y) {
+    const double east = std::remainder(x, 20), north = std::remainder(y, 20);
+    return std::hypot(east, north) < 4 ? std::max(surface(x, y), ground(x, y) + 10) : surface(x, y);
+}
+
+TEST_F(SurfaceModel, TreesAreNoGround) {
+    const auto model = writeTerrain(folder.path("trees.tif"), manhattan, surfaceWithTrees);
+    expectSameGround(read({outlines(), model}), read({outlines(), dtm()}), 0.8);
+}
+
 TEST_F(SurfaceModel, TheUserMayUseItUnchanged) {
     settings.terrainShows = TerrainShows::ground;
     const CityRead read = this->read({outlines(), dsm()});
