@@ -20,9 +20,9 @@ namespace {
 
 using Plan = Geos::Geometry;
 
-constexpr double leastEavesM = 0.1;    // narrower ones stay with the body
-constexpr double leastEavesM2 = 0.1;   // as of open air below a mesh
-constexpr double bodyBeyondM = 0.002;  // walls are snapped to a millimetre
+constexpr double leastEavesM = 0.1;   // narrower ones stay with the body
+constexpr double mostEavesM = 3;      // below wider roofs walls are missing
+constexpr double leastEavesM2 = 0.1;  // as of open air below a mesh
 constexpr double eavesWithinM = 0.01;
 
 /// A triangle in space, with its plane.
@@ -33,6 +33,14 @@ struct RoofFace {
     [[nodiscard]] bool isUpright() const {
         constexpr double plumb = 0.1;  // within 6 degrees
         return std::abs(doubled().z) < plumb * glm::length(doubled());
+    }
+    [[nodiscard]] glm::dvec2 middle() const { return glm::dvec2(a + b + c) / 3.0; }
+    /// Of an upright face: how long it is seen from above.
+    [[nodiscard]] double lengthM() const {
+        const auto apart = [](glm::dvec3 one, glm::dvec3 other) {
+            return glm::distance(glm::dvec2(one), glm::dvec2(other));
+        };
+        return std::max({apart(a, b), apart(b, c), apart(c, a)});
     }
     [[nodiscard]] double lowestM() const { return std::min({a.z, b.z, c.z}); }
     [[nodiscard]] double highestM() const { return std::max({a.z, b.z, c.z}); }
@@ -65,37 +73,39 @@ void addPiece(const RoofFace& face, const Footprint& piece, TriangleMesh& mesh) 
     append(mesh, lifted);
 }
 
-/// The area within the walls, wider or narrower by some millimetres.
+/// The area that walls enclose, narrower and wider too.
 class WalledArea {
 public:
     WalledArea(const Geos& geos, const std::vector<Footprint>& walled)
         : geos_(geos),
           walled_(uniteGeometry(geos, collection(geos, walled))),
           within_(buffered(-eavesWithinM)),
-          beyond_(buffered(bodyBeyondM)),
-          reach_(buffered(leastEavesM)) {}
+          beside_(buffered(leastEavesM)),
+          reach_(buffered(mostEavesM)) {}
 
-    [[nodiscard]] bool isSound() const { return walled_ && within_ && beyond_ && reach_; }
+    [[nodiscard]] bool isSound() const { return walled_ && within_ && beside_ && reach_; }
     /// Square metres that lie farther outside than the least eaves.
     [[nodiscard]] double overhang(const RoofFace& face) const {
         const Plan plan = planOf(face);
-        return covers(reach_, plan) ? 0 : computeArea(geos_, subtractGeometry(geos_, plan, reach_));
+        return covers(beside_, plan) ? 0 : computeArea(geos_, subtractGeometry(geos_, plan, beside_));
     }
-    [[nodiscard]] bool holds(const RoofFace& face) const { return covers(beyond_, planOf(face)); }
-    [[nodiscard]] bool holds(glm::dvec2 place) const {
+    [[nodiscard]] bool holds(const RoofFace& face) const { return covers(walled_, planOf(face)); }
+    [[nodiscard]] bool reaches(const RoofFace& face) const { return covers(reach_, planOf(face)); }
+    /// Whether a place is inside, or at a wall.
+    [[nodiscard]] bool isBeside(glm::dvec2 place) const {
         const Plan point = geos_.owned(GEOSGeom_createPointFromXY_r(geos_, place.x, place.y));
-        return point && GEOSIntersects_r(geos_, beyond_.get(), point.get()) == 1;
+        return point && GEOSIntersects_r(geos_, beside_.get(), point.get()) == 1;
     }
     [[nodiscard]] std::vector<Footprint> inside(const RoofFace& face) const {
         const Plan plan = planOf(face);
-        return polygons(geos_.owned(plan ? GEOSIntersection_r(geos_, plan.get(), beyond_.get()) : nullptr));
+        return polygons(geos_.owned(plan ? GEOSIntersection_r(geos_, plan.get(), walled_.get()) : nullptr));
     }
     [[nodiscard]] std::vector<Footprint> outside(const RoofFace& face) const {
         return polygons(subtractGeometry(geos_, planOf(face), within_));
     }
     /// Whether a piece outside is too narrow for eaves.
     [[nodiscard]] bool isNarrow(const Footprint& piece) const {
-        return covers(reach_, collection(geos_, std::vector<Footprint>{piece}));
+        return covers(beside_, collection(geos_, std::vector<Footprint>{piece}));
     }
 
 private:
@@ -118,7 +128,7 @@ private:
     }
 
     const Geos& geos_;
-    Plan walled_, within_, beyond_, reach_;
+    Plan walled_, within_, beside_, reach_;
 };
 
 /// Sorts the faces of a mesh into body and eaves.
@@ -153,8 +163,7 @@ private:
     [[nodiscard]] bool isInTheAir(double heightM) const { return heightM > double(lowM_ + openAirM); }
 
     void addUpright(const RoofFace& face) {
-        const glm::dvec2 middle = glm::dvec2(face.a + face.b + face.c) / 3.0;
-        const bool hangs = isInTheAir(face.lowestM()) && !walls_.holds(middle);
+        const bool hangs = isInTheAir(face.lowestM()) && !walls_.isBeside(face.middle());
         addFace(face, hangs ? cut_.eaves : cut_.body);
     }
 
@@ -186,6 +195,22 @@ std::vector<RoofFace> facesOf(const TriangleMesh& mesh) {
     return faces;
 }
 
+// Whether all that is outside is a roof no wider than eaves. Walls on the ground outside are those of a house
+// whose party walls are missing, so that they enclose only a part of it.
+bool overhangs(const std::vector<RoofFace>& faces, const WalledArea& walls, double aboveM) {
+    constexpr double mostOutsideM = 0.5;
+    double overhangM2 = 0, outsideM = 0;
+    for (const RoofFace& face : faces) {
+        if (face.isUpright()) {
+            if (face.lowestM() <= aboveM && !walls.isBeside(face.middle())) outsideM += face.lengthM();
+        } else if (face.highestM() > aboveM) {
+            if (!walls.reaches(face)) return false;
+            overhangM2 += walls.overhang(face);
+        }
+    }
+    return overhangM2 >= leastEavesM2 && outsideM <= mostOutsideM;
+}
+
 }  // namespace
 
 std::optional<CutEaves> cutEaves(const TriangleMesh& mesh) {
@@ -193,13 +218,9 @@ std::optional<CutEaves> cutEaves(const TriangleMesh& mesh) {
     if (walled.empty()) return std::nullopt;
     const Geos geos;
     const WalledArea walls(geos, walled);
-    if (!walls.isSound()) return std::nullopt;
     const float lowM = computeBox(mesh).low.z;
     const std::vector<RoofFace> faces = facesOf(mesh);
-    double overhang = 0;
-    for (const RoofFace& face : faces)
-        if (!face.isUpright() && face.highestM() > double(lowM + openAirM)) overhang += walls.overhang(face);
-    if (overhang < leastEavesM2) return std::nullopt;
+    if (!walls.isSound() || !overhangs(faces, walls, double(lowM + openAirM))) return std::nullopt;
     EavesCutter cutter(walls, lowM);
     for (const RoofFace& face : faces) cutter.add(face);
     CutEaves cut = cutter.take();
