@@ -108,7 +108,7 @@ TEST(ElementStudy, RaysAndHorizonsAgree) {
     double most = 0;
     for (std::size_t i = 0; i < swept.receivers.size(); ++i)
         most = std::max(most, std::abs(swept.minutes.sunlitOf(i) - traced.minutes.sunlitOf(i)));
-    EXPECT_NEAR(swept.error->grossLargestPct, 100 * most / swept.minutes.possibleMin, 1e-6);
+    EXPECT_NEAR(swept.error->gross.largestPct, 100 * most / swept.minutes.possibleMin, 1e-6);
     EXPECT_LT(most, 5);  // of some four edges a day, up to an eighth of a degree each
 }
 
@@ -163,12 +163,12 @@ void expectNearRays(const char* data, float halfM, const char* zone) {
     ASSERT_TRUE(study->error);
     EXPECT_GT(study->error->points, 500U);
     testing::Test::RecordProperty("points", int(study->error->points));
-    testing::Test::RecordProperty("mean_ppm", int(1e4 * study->error->grossMeanPct));
-    testing::Test::RecordProperty("largest_ppm", int(1e4 * study->error->grossLargestPct));
-    testing::Test::RecordProperty("run_mean_ppm", int(1e4 * study->error->continuousMeanPct));
-    testing::Test::RecordProperty("run_largest_ppm", int(1e4 * study->error->continuousLargestPct));
-    EXPECT_LT(study->error->grossMeanPct, 0.1);
-    EXPECT_LT(study->error->grossLargestPct, 1);
+    testing::Test::RecordProperty("mean_ppm", int(1e4 * study->error->gross.meanPct));
+    testing::Test::RecordProperty("largest_ppm", int(1e4 * study->error->gross.largestPct));
+    testing::Test::RecordProperty("run_mean_ppm", int(1e4 * study->error->continuous.meanPct));
+    testing::Test::RecordProperty("run_largest_ppm", int(1e4 * study->error->continuous.largestPct));
+    EXPECT_LT(study->error->gross.meanPct, 0.1);
+    EXPECT_LT(study->error->gross.largestPct, 1);
 }
 
 TEST(ElementStudy, FacadesOfMidtownAreNearRays) {
