@@ -148,6 +148,19 @@ TEST(ElementStudy, WindowsOfAFile) {
     EXPECT_GT(json["mean_sunlit_min"], 690);
 }
 
+TEST(ElementStudy, StatesTheErrorOfEachQuantity) {
+    const ElementStudy study = measure(twoHouses(), {}).value();
+    ASSERT_TRUE(study.error);
+    const auto json = nlohmann::json::parse(elementStudyJson(study, {}));
+    for (const char* quantity : {"gross", "continuous", "longest_sun"})
+        for (const char* figure : {"mean_pct", "p99_pct", "max_pct"})
+            EXPECT_TRUE(json["error"][quantity][figure].is_number()) << quantity << " " << figure;
+    const double twoStepsPct = 200 / longestDayMinutes(study.sun);
+    EXPECT_LE(study.error->continuous.largestPct, twoStepsPct + 1e-3);
+    EXPECT_LE(study.error->longestSun->largestPct, twoStepsPct + 1e-3);
+    EXPECT_THAT(describe(*study.error), HasSubstr("longest sun"));
+}
+
 // Facades of real buildings, every minute of a day, against rays: the errors that docs/user/limits.md states.
 void expectNearRays(const char* data, float halfM, const char* zone) {
     const auto file = sharedData(data);
