@@ -108,11 +108,13 @@ std::string describeEngine(const ElementStudy& study) {
 }
 
 std::string describe(const ElementError& error) {
-    return fmt::format(
-        "sunlit time {:.3f} % mean, {:.3f} % largest; longest shadow {:.3f} % mean, {:.3f} % largest, of {} "
-        "points",
-        error.grossMeanPct, error.grossLargestPct, error.continuousMeanPct, error.continuousLargestPct,
-        error.points);
+    const auto text = [](const char* name, const QuantityError& of) {
+        return fmt::format("{} {:.3f} % mean, {:.3f} % at the 99th percentile, {:.3f} % largest", name,
+                           of.meanPct, of.p99Pct, of.largestPct);
+    };
+    std::string words = text("sunlit time", error.gross) + "; " + text("longest shadow", error.continuous);
+    if (error.longestSun) words += "; " + text("longest sun", *error.longestSun);
+    return words + fmt::format(", of {} points", error.points);
 }
 
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,
