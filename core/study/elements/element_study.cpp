@@ -72,12 +72,12 @@ Result<void> measureElementError(ElementStudy& study, Progress& progress, const 
 
 // By rays where "auto" swept horizons and a sample shows them to be off.
 Result<void> goOnToRays(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
-    if (study.settings.engine != "auto" || !study.error || study.error->grossMeanPct <= pointErrorTargetPct)
+    if (study.settings.engine != "auto" || !study.error || study.error->gross.meanPct <= pointErrorTargetPct)
         return {};
     study.whyRays = fmt::format(
         "a sample of the points by horizons is off by {:.3f} % of the sunlit time in the mean, more than the "
         "{:g} % aimed at",
-        study.error->grossMeanPct, pointErrorTargetPct);
+        study.error->gross.meanPct, pointErrorTargetPct);
     study.engineKey = std::string(referenceEngine);
     study.error.reset();
     return measurePoints(study, progress, stop);
