@@ -1,9 +1,11 @@
 #include "core/base/gdal_files.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_vsi.h>
 #include <cpl_vsi_virtual.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -53,6 +55,22 @@ bool isPipeOrDevice(const char* name) {
            !std::filesystem::is_directory(status);
 }
 
+thread_local const FolderOfGdal* folderOfThread = nullptr;
+
+// Where GDAL keeps its tables of coordinate systems and known schemas; empty if it finds none.
+const std::filesystem::path& folderOfTables() {
+    static const std::filesystem::path folder = [] {
+        const char* const found = CPLFindFile("gdal", "gml_registry.xml");
+        return found != nullptr ? std::filesystem::absolute(found).lexically_normal().parent_path()
+                                : std::filesystem::path();
+    }();
+    return folder;
+}
+
+bool liesIn(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    return !folder.empty() && std::ranges::mismatch(folder, file).in1 == folder.end();
+}
+
 // The file system of the operating system, of which only plain files are opened.
 class PlainFiles final : public VSIFilesystemHandler {
 public:
@@ -60,8 +78,8 @@ public:
 
     VSIVirtualHandle* Open(const char* name, const char* access, bool setError,
                            CSLConstList options) override {
-        if (isPipeOrDevice(name)) {
-            CPLError(CE_Failure, CPLE_OpenFailed, "%s: only plain files are read", name);
+        if (isPipeOrDevice(name) || !FolderOfGdal::admits(name)) {
+            CPLError(CE_Failure, CPLE_OpenFailed, "%s: only plain files beside the data are read", name);
             return nullptr;
         }
         VSIVirtualHandle* file = disk_->Open(name, access, setError, options);
@@ -84,6 +102,20 @@ private:
 };
 
 }  // namespace
+
+FolderOfGdal::FolderOfGdal(const std::filesystem::path& folder)
+    : folder_(std::filesystem::absolute(folder).lexically_normal()), outer_(folderOfThread) {
+    (void)folderOfTables();  // found before it is needed: GDAL looks for it among files
+    folderOfThread = this;
+}
+
+FolderOfGdal::~FolderOfGdal() { folderOfThread = outer_; }
+
+bool FolderOfGdal::admits(const std::filesystem::path& file) {
+    if (folderOfThread == nullptr) return true;
+    const auto name = std::filesystem::absolute(file).lexically_normal();
+    return liesIn(folderOfThread->folder_, name) || liesIn(folderOfTables(), name);
+}
 
 void confineGdalFiles() {
     VSIFileManager::InstallHandler("", new PlainFiles(VSIFileManager::GetHandler("")));  // GDAL deletes it

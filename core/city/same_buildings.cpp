@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/city/footprints/box_index.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
 
@@ -51,7 +50,8 @@ bool shareHeights(const Building& a, const Building& b) {
 bool shareOutlines(const Building& a, const Building& b, bool sameId) {
     constexpr double sameShare = 0.95;
     const auto one = outlineOf(a), other = outlineOf(b);
-    const auto [smaller, larger] = std::minmax(areaOf(one), areaOf(other));
+    const double smaller = std::min(areaOf(one), areaOf(other)),
+                 larger = std::max(areaOf(one), areaOf(other));
     if (!sameId && smaller < sameShare * larger) return false;
     const double shared = computeSharedArea(one, other);
     return sameId ? shared > smaller / 2 : shared >= sameShare * larger;

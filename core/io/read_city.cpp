@@ -266,7 +266,10 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
     if (stop.stop_requested()) return cancelled();
     if (ground.terrain) all.city.terrain = ground.terrain;
     std::ranges::move(ground.warnings, std::back_inserter(all.warnings));
-    for (InputFile& file : *files) file.carriers = findCarriers(file.piece);
+    for (InputFile& file : *files) {
+        file.carriers = findCarriers(file.piece);
+        markOverhangsOnBases(file.piece, file.carriers);
+    }
     makeTerrainFromBases(all, *files, settings.terrainFromBases);
     for (const InputFile& file : *files) {
         if (stop.stop_requested()) return cancelled();

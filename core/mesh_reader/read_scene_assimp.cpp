@@ -93,8 +93,9 @@ Result<void> readScene(const std::filesystem::path& file,
     importer.SetIOHandler(guardedFiles(file).release());  // the importer owns it
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr)
-        return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
-                       "Export it again");
+        return failure(
+            fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
+            isIfc(file.string()) ? "Export it as IFC 2x3, without spaces and zones" : "Export it again");
     if (scene->mRootNode == nullptr)
         return failure("The file holds no triangles", file.string(), trianglesAdvice);
     if (isIfc(file.string())) return takeIfc(*scene, take);

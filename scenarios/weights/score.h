@@ -47,6 +47,13 @@ struct Score {
     Warnings warnings;
 };
 
+/// The sums of a score over its region.
+struct ScoreTotals {
+    double scoreM2 = 0;
+    double weightedShadeM2h = 0;  ///< NaN: not counted
+};
+inline ScoreTotals totalsOf(const Score& score) { return {score.scoreM2, score.weightedShadeM2h}; }
+
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other
 /// engine runs once per combination of month and interval. The engine "auto" chooses once, and `engine`

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/window/project/view_state.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/gui/small_project.h"
@@ -67,6 +68,28 @@ TEST(ReadSavedFigures, EverySettingThatFiguresDependOnCounts) {
     EXPECT_TRUE(fitsWith([](StudySettings& s) { s.memoryLimit = 1 << 30; }));
 }
 
+// Reading a project repairs outlines; the question stays the same.
+TEST(SavedFigures, TheirQuestionIsTheSameAfterTheProjectWasClosed) {
+    const Frame frame(LonLat{-73.98, 40.75}, 0);
+    std::vector<Region> regions{makeRegionFromLonLatBox(frame, -73.99, 40.74, -73.95, 40.78).value(),
+                                {"drawn",
+                                 {{{{0, 0}, {10, 0}, {20, 0}, {20.1F, 33.3F}, {20.1F, 33.3F}, {-7, 12}},
+                                   {{{1, 1}, {1, 3}, {3, 3}}}}}},
+                                {"crossed", {{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}}},
+                                {"turned", {{{{0, 10}, {10, 10}, {10, 0}, {0, 0}}, {}}}}};
+    for (const Region& region : regions) {
+        StudySettings settings;
+        settings.region = region;
+        settings.pressureHPa = 850;
+        const auto texts = textsOf(ViewState{.study = settings});
+        const auto again = parseViewState(texts).study;
+        ASSERT_TRUE(again) << region.name;
+        EXPECT_EQ(hashQuestion(*again), hashQuestion(settings)) << region.name;
+        EXPECT_EQ(hashQuestion(*parseViewState(textsOf(ViewState{.study = again})).study),
+                  hashQuestion(settings));
+    }
+}
+
 TEST(SavedFigures, ComeBackFromTheProjectsView) {
     const Project project = smallProject();
     const StudySettings settings = quickQuestion(project);
@@ -78,7 +101,7 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     const std::vector<ViewFigures> before{
         {"aa", "", {.question = "q", .measured = measured.measured}},
         {"bb", "cc", {.question = "q", .impact = impact}},
-        {"dd", "", {.question = "q", .weights = project.weights.front(), .scoreM2 = 0.125}}};
+        {"dd", "", {.question = "q", .weights = project.weights.front(), .score = {0.125, 2.5}}}};
     const auto after = parseViewFigures(formatText(before));
     ASSERT_EQ(after.size(), 3U);
     EXPECT_EQ(after[0].citySha256, "aa");
@@ -88,7 +111,7 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     EXPECT_EQ(after[1].figures.impact->gross.mostLostMin, 7);
     EXPECT_TRUE(std::isnan(after[1].figures.impact->continuous.meanMin));
     EXPECT_EQ(after[2].figures.weights, project.weights.front());
-    EXPECT_EQ(after[2].figures.scoreM2, 0.125);
+    EXPECT_EQ(after[2].figures.score.scoreM2, 0.125);
     EXPECT_FALSE(after[2].figures.measured);
 }
 

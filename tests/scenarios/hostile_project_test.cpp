@@ -460,6 +460,9 @@ TEST_F(HostileProject, ConstraintsOfOthersMakeASaveLoseNothing) {
 TEST_F(HostileProject, ColumnsThatAGisAddedStayWhenATableIsTakenBack) {
     sql("ALTER TABLE lots ADD COLUMN \"my remark\" TEXT(50); UPDATE lots SET \"my remark\" = 'sunny';"
         "CREATE UNIQUE INDEX one ON lots (name);");
+    sql("ALTER TABLE edits ADD COLUMN note TEXT; UPDATE edits SET note = 'by hand'; CREATE UNIQUE INDEX two "
+        "ON "
+        "edits (kind);");
     sql(rebuilt("regions",
                 "fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT UNIQUE ON CONFLICT IGNORE, "
                 "area_m2 REAL"));
@@ -471,6 +474,7 @@ TEST_F(HostileProject, ColumnsThatAGisAddedStayWhenATableIsTakenBack) {
     ASSERT_TRUE(opened->save(project));
     EXPECT_EQ(sql("SELECT \"my remark\" FROM lots")[0][0], "sunny");
     EXPECT_EQ(sql("SELECT rank FROM regions")[0][0], "7");
+    EXPECT_EQ(sql("SELECT note FROM edits")[0][0], "by hand");
     EXPECT_THAT(sql("SELECT 1 FROM sqlite_master WHERE name = 'one'"), testing::IsEmpty());
     EXPECT_THAT(sql("SELECT sql FROM sqlite_master WHERE name = 'regions'")[0][0],
                 testing::Not(HasSubstr("CONFLICT")));

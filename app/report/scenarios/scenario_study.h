@@ -12,6 +12,7 @@
 #include "core/study/study.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/massing/tower_design.h"
+#include "scenarios/weights/score.h"
 
 namespace noonmark {
 
@@ -23,8 +24,7 @@ struct ScenarioImpact {
 
 struct ScenarioScore {
     std::string weights;  ///< name of the table
-    double scoreM2 = 0;
-    double weightedShadeM2h = 0;  ///< NaN: not counted
+    ScoreTotals totals;
 };
 
 /// The review by a rule: the number of places or windows with each verdict.

@@ -40,8 +40,8 @@ Json impactJson(const std::optional<ScenarioImpact>& impact) {
 Json scoreJson(const std::optional<ScenarioScore>& score) {
     if (!score) return {};
     return {{"weights", score->weights},
-            {"weighted_shade_m2h", score->weightedShadeM2h},
-            {"score_m2", score->scoreM2}};
+            {"weighted_shade_m2h", score->totals.weightedShadeM2h},
+            {"score_m2", score->totals.scoreM2}};
 }
 
 Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
@@ -82,7 +82,7 @@ void addImpact(CsvText& csv, const std::optional<ScenarioImpact>& impact) {
 
 void addScore(CsvText& csv, const std::optional<ScenarioScore>& score) {
     if (!score) return void(csv.nothing(3));
-    csv.text(score->weights).number(score->weightedShadeM2h, 1).number(score->scoreM2, 1);
+    csv.text(score->weights).number(score->totals.weightedShadeM2h, 1).number(score->totals.scoreM2, 1);
 }
 
 void addVerdicts(CsvText& csv, const std::optional<ScenarioVerdicts>& verdicts) {

@@ -64,23 +64,24 @@ void LatestAnswers::scoreAll() {
     std::vector<CityPointer> lacking;
     for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
         if (const CityPointer city = cityOf(name); city && !scoreOf(city)) lacking.push_back(city);
-    using Made = ComputedAnswers<double>;
+    using Made = ComputedAnswers<ScoreTotals>;
     scoring_.start<Made>(
         tr("All scores"),
         [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
             const auto compute = [&](const CityPointer& city, Progress& share,
                                      const std::stop_token& stopped) {
                 return runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine))
-                    .map([](const Score& score) { return score.scoreM2; });
+                    .map(totalsOf);
             };
-            return computeEach<double>(lacking, compute, progress, stop);
+            return computeEach<ScoreTotals>(lacking, compute, progress, stop);
         },
         [this, lacking, settings, weights](const Result<Made>& scores) {
             if (!scores) return isCancelled(scores.error()) ? void() : Q_EMIT failed(scores.error());
             for (std::size_t i = 0; i < scores->made.size(); ++i)
                 add({lacking[i],
                      nullptr,
-                     {.question = hashQuestion(settings), .weights = weights, .scoreM2 = scores->made[i]}});
+                     {.question = hashQuestion(settings), .weights = weights, .score = scores->made[i]}});
+            if (!scores->made.empty()) from_.workbench.session().noteFigures();
             update();
             if (scores->error && !isCancelled(*scores->error)) Q_EMIT failed(*scores->error);
         });

@@ -129,7 +129,7 @@ std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) con
         return one.city == city && one.figures.weights && one.figures.weights->intervals == weights.intervals;
     });
     if (!found) return std::nullopt;
-    return ScenarioScore{weights.name, found->scoreM2};
+    return ScenarioScore{weights.name, found->score};
 }
 
 std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& city) const {
@@ -157,7 +157,7 @@ void LatestAnswers::takeScore() {
              nullptr,
              {.question = hashQuestion(score->settings),
               .weights = score->weights,
-              .scoreM2 = score->score.scoreM2}});
+              .score = totalsOf(score->score)}});
     update();
 }
 

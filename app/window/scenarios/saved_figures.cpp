@@ -1,5 +1,6 @@
 #include "app/window/scenarios/saved_figures.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/receivers/roof_receivers.h"
@@ -50,7 +51,8 @@ Json viewJson(const ViewFigures& saved) {
     if (figures.weights)
         json["score"] = {{"table", figures.weights->name},
                          {"weights", Json::parse(weightsJson(*figures.weights))},
-                         {"score_m2", figures.scoreM2}};
+                         {"weighted_shade_m2h", figures.score.weightedShadeM2h},  // NaN becomes null
+                         {"score_m2", figures.score.scoreM2}};
     return json;
 }
 
@@ -68,7 +70,10 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
     if (json.contains("impact")) figures.impact = parseImpactFigures(json.at("impact"));
     if (json.contains("score")) {
         figures.weights = weightsFrom(json.at("score"));
-        figures.scoreM2 = json.at("score").at("score_m2");
+        const Json& score = json.at("score");
+        const Json shade = score.value("weighted_shade_m2h", Json());
+        figures.score = {score.at("score_m2"),
+                         shade.is_null() ? std::numeric_limits<double>::quiet_NaN() : shade.get<double>()};
     }
     return saved;
 } catch (const std::exception&) {  // JSON of another shape
@@ -84,7 +89,7 @@ std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Pr
     SavedFigures figures{.question = saved->origin.questionSha256, .weights = saved->origin.weights};
     figures.grid = result.grid;
     if (const auto* study = std::get_if<SavedStudy>(&saved->answer)) figures.measured = study->statistics;
-    if (const auto* score = std::get_if<SavedScore>(&saved->answer)) figures.scoreM2 = score->score.scoreM2;
+    if (const auto* score = std::get_if<SavedScore>(&saved->answer)) figures.score = totalsOf(score->score);
     if (const auto* impact = std::get_if<SavedImpact>(&saved->answer))
         figures.impact = impact->figures.all.front();
     if (!figures.measured) figures.settings = questionOf(Json::parse(result.settings)).dump();

@@ -7,6 +7,7 @@
 #include "core/measures/statistics.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/project/project.h"
+#include "scenarios/weights/score.h"
 
 namespace noonmark {
 
@@ -16,7 +17,7 @@ struct SavedFigures {
     std::optional<ShadowStatistics> measured;  ///< of a study
     std::optional<ImpactFigures> impact;       ///< of a comparison, for its first threshold
     std::optional<TimeWeights> weights;        ///< of a score
-    double scoreM2 = 0;
+    ScoreTotals score;
     std::string settings;  ///< JSON: period, engine, cells and region's name, where there is no question
     Grid grid;             ///< likewise
 };

@@ -2,6 +2,7 @@
 
 #include <QFont>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "app/window/project/project_session.h"
@@ -103,7 +104,9 @@ int ScenarioTable::columnCount(const QModelIndex& parent) const { return parent.
 QVariant ScenarioTable::answerAt(const Row& row, int column) const {
     const ScenarioAnswers answers = answersOf(row);
     if (column == impact && answers.impact) return answers.impact->figures.shadowAreaChangeM2;
-    if (column == score && answers.score) return answers.score->scoreM2;
+    if (column == score && answers.score) return answers.score->totals.scoreM2;
+    if (column == weightedShade && answers.score && !std::isnan(answers.score->totals.weightedShadeM2h))
+        return answers.score->totals.weightedShadeM2h;
     if (column == verdicts && answers.verdicts) return rankOf(answers.verdicts->counts);
     return {};
 }
@@ -147,7 +150,7 @@ QString ScenarioTable::tipAt(const Row& row, int column) const {
 // What the figure belongs to or, where there is none for the scenario as it is now, how to get it.
 QString ScenarioTable::tipOfAnswer(const Row& row, int column) const {
     const ScenarioAnswers answers = answersOf(row);
-    if (column == score)
+    if (column == score || column == weightedShade)
         return answers.score
                    ? tr("With the weights %1").arg(named(answers.score->weights))
                    : tr("Not computed with these settings and the weights %1 since buildings last changed: "

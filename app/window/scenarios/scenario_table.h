@@ -29,6 +29,7 @@ public:
         gross,
         continuous,
         impact,
+        weightedShade,
         score,
         verdicts,
         uses,

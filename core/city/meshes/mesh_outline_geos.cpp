@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/plan_lines.h"
 #include "core/city/footprints/plan_overlay.h"
@@ -22,29 +23,35 @@ namespace {
 
 using Geometry = Geos::Geometry;
 
-// Removes triangles that come again: they add nothing to a union, but GEOS would take minutes for a million.
-void removeRepeated(std::vector<Footprint>& triangles) {
-    constexpr std::size_t few = 10'000;
-    if (triangles.size() <= few) return;
-    std::set<std::array<float, 6>> known;
-    std::erase_if(triangles, [&](const Footprint& triangle) {
-        const Ring& ring = triangle.outer;
-        return !known.insert({ring[0].x, ring[0].y, ring[1].x, ring[1].y, ring[2].x, ring[2].y}).second;
-    });
-}
+// Of large meshes: triangles that come again add nothing to a union, but GEOS would take minutes for a
+// million.
+class RepeatedTriangles {
+public:
+    explicit RepeatedTriangles(std::size_t triangles) : isLarge_(triangles > 10'000) {}
+    bool holds(const Ring& ring) {
+        return isLarge_ &&
+               !known_.insert({ring[0].x, ring[0].y, ring[1].x, ring[1].y, ring[2].x, ring[2].y}).second;
+    }
+
+private:
+    bool isLarge_;
+    std::set<std::array<float, 6>> known_;
+};
 
 // The projections of the relevant triangles, as polygons in plan.
 std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpward) {
     constexpr double leastTriangleM2 = 1e-6;
     std::vector<Footprint> triangles;
+    RepeatedTriangles repeated(mesh.triangles.size());
     for (const glm::uvec3 t : mesh.triangles) {
+        if (StopScope::isStopped()) return {};
         Ring ring{glm::vec2(mesh.vertices[t.x]), glm::vec2(mesh.vertices[t.y]),
                   glm::vec2(mesh.vertices[t.z])};
         const double area = signedArea(ring);
         if (area < (onlyUpward ? leastTriangleM2 : -1e30) || std::abs(area) < leastTriangleM2) continue;
+        if (repeated.holds(ring)) continue;
         triangles.push_back({std::move(ring), {}});
     }
-    removeRepeated(triangles);
     return triangles;
 }
 

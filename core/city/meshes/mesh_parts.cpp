@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "core/base/stop_scope.h"
 #include "core/city/meshes/mesh_eaves.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_sheets.h"
@@ -148,6 +149,7 @@ public:
 
     MeshParts make(const TriangleMesh& raw) {
         TriangleMesh mesh = cleaned(raw);
+        if (StopScope::isStopped()) return std::move(made_);
         if (mesh.triangles.empty()) {
             warn(WarningKind::dropped, "has no area, so it casts no shadow");
             return std::move(made_);
@@ -183,6 +185,7 @@ private:
             warn(WarningKind::repaired, "its surface is not closed; it is used unchanged");
         if (turnOutward(mesh) > 0) warn(WarningKind::repaired, "its faces pointed inward and were turned");
         MeshOutline outline = computeOutline(mesh, closed_);
+        if (StopScope::isStopped()) return;
         if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
         if (outline.wallsOnly && area(outline.pieces.front()) > 1)
             warn(WarningKind::assumed, "walls without a roof; the ground that they enclose counts as inside");

@@ -106,6 +106,9 @@ constexpr std::array forbidden{
               "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
               "AND name COLLATE NOCASE IN (SELECT table_name FROM gpkg_contents)",
               runsSql},
+    Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // mostLayers
+              "The GeoPackage has more than 1,000 layers", "gpkg_contents",
+              "Export the layers of buildings alone"},
     Forbidden{"SELECT t.name || '.' || c.name FROM sqlite_master t, pragma_table_xinfo(t.name) c "
               "WHERE t.type = 'table' AND t.rootpage > 0 AND c.hidden IN (2, 3)",
               "A column of the GeoPackage is computed by SQL of the file, which is not run"},
@@ -113,11 +116,7 @@ constexpr std::array forbidden{
     Forbidden{"SELECT table_name FROM gpkg_tile_matrix WHERE NOT ifnull(tile_width BETWEEN 1 AND 4096 "
               "AND tile_height BETWEEN 1 AND 4096, 0)",
               "The tiles of a layer are larger than 4,096 x 4,096, or have no size", "gpkg_tile_matrix"},
-    Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // mostLayers
-              "The GeoPackage has more than 1,000 layers", "gpkg_contents",
-              "Export the layers of buildings alone"},
 };
-
 static_assert(mostLayers == 1000);
 
 Error unreadable(const OpenFile& open, const std::filesystem::path& file) {

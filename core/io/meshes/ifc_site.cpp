@@ -19,7 +19,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr std::size_t mostDirections = 100'000;
-constexpr std::size_t longestStatement = 4096;  // of those that matter; longer ones are skipped
+constexpr std::size_t longestStatement = 4096;  // of those that matter; the rest of a longer one is skipped
 
 std::string withoutBlanks(std::string_view text) {
     std::string plain;
@@ -65,6 +65,21 @@ std::optional<double> degreesOf(const std::string& list) {
     if (parts.size() < 3) return std::nullopt;
     const double seconds = parts[2] + (parts.size() > 3 ? parts[3] / 1e6 : 0);
     return parts[0] + parts[1] / 60 + seconds / 3600;
+}
+
+// The next statement up to its semicolon, which texts may contain too. Of a longer one, its beginning. False
+// at the end of the file.
+bool takeStatement(std::streambuf& bytes, std::string& statement) {
+    statement.clear();
+    bool quoted = false;
+    using Traits = std::streambuf::traits_type;
+    for (auto c = bytes.sbumpc(); !Traits::eq_int_type(c, Traits::eof()); c = bytes.sbumpc()) {
+        const char letter = Traits::to_char_type(c);
+        if (letter == '\'') quoted = !quoted;
+        if (letter == ';' && !quoted) return true;
+        if (statement.size() < longestStatement) statement += letter;
+    }
+    return false;
 }
 
 // Collects the statements that matter, which may come in any order.
@@ -113,16 +128,11 @@ private:
 }  // namespace
 
 IfcSite readIfcSite(const std::filesystem::path& file, const std::stop_token& stop) {
-    std::ifstream stream(file, std::ios::binary);
+    std::filebuf bytes;
     SiteReader reader;
-    std::string statement(longestStatement, '\0');
-    while (stream && !stop.stop_requested()) {
-        stream.getline(statement.data(), std::streamsize(statement.size()), ';');
-        const auto length = std::size_t(std::max<std::streamsize>(0, stream.gcount()));
-        const bool cut = stream.fail() && !stream.eof() && length > 0;
-        if (!cut) reader.take(std::string_view(statement).substr(0, length > 0 ? length - 1 : 0));
-        if (cut) stream.clear();
-    }
+    if (bytes.open(file, std::ios::in | std::ios::binary) == nullptr) return reader.site();
+    for (std::string statement; takeStatement(bytes, statement) && !stop.stop_requested();)
+        reader.take(statement);
     return reader.site();
 }
 

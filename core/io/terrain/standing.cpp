@@ -152,19 +152,38 @@ std::vector<std::size_t> findCarriers(const FilePiece& piece) {
     return Carriers(piece).find();
 }
 
+namespace {
+
+// Whether the piece is of meshes that count from their own zero, by what stands on the ground.
+bool isFromOwnZero(const FilePiece& piece, const std::vector<std::size_t>& carriers) {
+    std::vector<double> bases;
+    for (std::size_t i = 0; i < piece.groundM.size(); ++i)
+        if (piece.groundM[i] && (carriers.empty() || carriers[i] == i))
+            bases.push_back(double(*piece.groundM[i]));
+    return piece.ownZero && countsFromZero(computeQuartiles(std::move(bases)).middle);
+}
+
+}  // namespace
+
 std::vector<BasedBuilding> findBasedBuildings(const FilePiece& piece,
                                               const std::vector<std::size_t>& carriers, const Frame& frame) {
     std::vector<BasedBuilding> based;
-    std::vector<double> bases;
-    for (std::size_t i = 0; i < piece.groundM.size(); ++i) {
-        if (!piece.groundM[i] || piece.buildings[i]->parts.empty()) continue;
-        if (!carriers.empty() && carriers[i] != i) continue;
-        bases.push_back(double(*piece.groundM[i]));
-        const float zero = piece.ownZero ? float(frame.originElevationM()) : 0;
-        based.push_back({piece.buildings[i].get(), *piece.groundM[i] - zero});
-    }
-    if (piece.ownZero && countsFromZero(computeQuartiles(std::move(bases)).middle)) based.clear();
+    if (isFromOwnZero(piece, carriers)) return based;
+    const float zero = piece.ownZero ? float(frame.originElevationM()) : 0;
+    for (std::size_t i = 0; i < piece.groundM.size(); ++i)
+        if (piece.groundM[i] && !piece.buildings[i]->parts.empty() && (carriers.empty() || carriers[i] == i))
+            based.push_back({piece.buildings[i].get(), *piece.groundM[i] - zero});
     return based;
+}
+
+void markOverhangsOnBases(FilePiece& piece, const std::vector<std::size_t>& carriers) {
+    if (!piece.ownZero || isFromOwnZero(piece, carriers)) return;
+    tbb::parallel_for(std::size_t{0}, piece.buildings.size(), [&](std::size_t i) {
+        const float base = *piece.groundM[carriers.empty() ? i : carriers[i]];
+        Building building = *piece.buildings[i];
+        markOverhangsAgain(building, [&](glm::dvec2) { return base; });
+        piece.buildings[i] = std::make_shared<const Building>(std::move(building));
+    });
 }
 
 void markOverhangsAgain(Building& building, const std::function<float(glm::dvec2)>& groundM) {
@@ -220,7 +239,7 @@ void Standing::decide(Stand wanted) {
     }
     const Quartiles gap = computeQuartiles(gaps), base = computeQuartiles(bases);
     fit_ = BaseFit{.buildings = gaps.size(), .gapM = gap.middle, .spreadM = gap.spread()};
-    const bool fromZero = piece_.ownZero && countsFromZero(base.middle);
+    const bool fromZero = isFromOwnZero(piece_, carriers_);
     if (wanted == Stand::automatic)
         fit_->rule = chooseRule(gap, base, computeQuartiles(std::move(grounds)), fromZero);
     if (wanted == Stand::terrain) fit_->rule = StandRule::setDown;
@@ -252,7 +271,7 @@ void Standing::setDown() {
     for (std::size_t i = 0; i < footings_.size(); ++i)
         if (hasBase(i) && !isCarried(i)) bases.push_back(double(*piece_.groundM[i]));
     const Quartiles base = computeQuartiles(bases);
-    const bool fromZero = piece_.ownZero && countsFromZero(base.middle);
+    const bool fromZero = isFromOwnZero(piece_, carriers_);
     const auto isAtOne = [&](double one) { return std::abs(one - base.middle) <= oneHeightM; };
     const bool oneHeight = double(std::ranges::count_if(bases, isAtOne)) >= 0.9 * double(bases.size());
     for (std::size_t i = 0; i < footings_.size(); ++i) {

@@ -18,6 +18,10 @@ std::vector<std::size_t> findCarriers(const FilePiece& piece);
 std::vector<BasedBuilding> findBasedBuildings(const FilePiece& piece,
                                               const std::vector<std::size_t>& carriers, const Frame& frame);
 
+/// Meshes with elevations (not countsFromZero) are read as if they floated above their zero: decides anew
+/// which of their parts are overhangs, above the base of each building or of its carrier.
+void markOverhangsOnBases(FilePiece& piece, const std::vector<std::size_t>& carriers);
+
 /// Whether a mesh whose bases lie at this height counts from its own zero: from 20 m below it (basements) to
 /// 2 m above it. Otherwise its heights are elevations.
 bool countsFromZero(double baseM);

@@ -10,6 +10,7 @@
 
 #include "core/city/terrain/fill_gaps.h"
 #include "core/io/terrain/fill_around.h"
+#include "core/io/terrain/ground_filter.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -174,6 +175,7 @@ Terrain takeGroundAround(const Terrain& surface, const SharedBuildings& building
     std::vector<char> covered = findCovered(posts, buildings, stop);
     const int rings = 1 + int(std::ceil(1 / posts.cellM));
     for (int i = 0; i < rings && !stop.stop_requested(); ++i) covered = grow(covered, posts);
+    covered = grow(findRaisedPosts(surface, covered, stop), posts);
     if (stop.stop_requested()) return ground;
     const auto open = std::size_t(std::ranges::count(covered, 0));
     if (open == 0) return ground;

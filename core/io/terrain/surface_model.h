@@ -27,8 +27,8 @@ struct OutlineSteps {
 OutlineSteps measureOutlineSteps(const Terrain& terrain, const SharedBuildings& buildings,
                                  const std::stop_token& stop = {});
 
-/// The ground of a surface model: posts within the outlines of buildings, and within a cell and 1 m of them,
-/// get elevations interpolated from the posts around. What else stands on the ground, as trees, stays. When
+/// The ground of a surface model: posts within the outlines of buildings, or within a cell and 1 m of them,
+/// and those of trees and the like (ground_filter.h) get elevations interpolated from the posts around. When
 /// stopped, the surface.
 Terrain takeGroundAround(const Terrain& surface, const SharedBuildings& buildings,
                          const std::stop_token& stop = {});

@@ -166,19 +166,24 @@ void takeWorse(const Criterion& criterion, const PlaceShadow& shadow, bool forme
     worst = WorstSpot{*found, runsOf(runs, spot), findSpreadMin(shadow, steps, spot)};
 }
 
-/// Minutes and runs of the worst spot. Where only centres were looked at, a spot in the cell may be worse by
-/// what lies between it and those beside it.
+/// Minutes and runs of the worst spot. A spot near it may be worse: where only centres were looked at, by
+/// what lies between its cell and those beside it; else by as much as the nearest points were worse than all
+/// others.
 Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool former) {
     std::optional<WorstSpot> worst;
     takeWorse(criterion, day.shadow(), former, worst);
-    for (const PlaceShadow& spots : day.spots()) takeWorse(criterion, spots, former, worst);
     if (!worst) return {};
+    double besideMin = worst->besideMin;
+    for (const PlaceShadow& spots : day.spots()) {
+        const double before = worst->steps;
+        takeWorse(criterion, spots, former, worst);
+        besideMin = std::abs(before - double(worst->steps)) * day.stepMin();
+    }
     Measured measured = measureSpot(criterion, worst->runs, {day.stepMin(), day.runErrorMin()});
-    if (!day.spots().empty()) return measured;
     if (criterion.quantity == Quantity::sun)
-        measured.low = std::max(0.0, measured.low - worst->besideMin);
+        measured.low = std::max(0.0, measured.low - besideMin);
     else
-        measured.high += worst->besideMin;
+        measured.high += besideMin;
     return measured;
 }
 

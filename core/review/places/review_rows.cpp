@@ -71,7 +71,9 @@ ReviewRow computeReviewRow(const DayShadow& day, const DayClock& clock) {
     row.incrementalM2h = timeline.incremental.areaHoursM2;
     row.gainedM2h = timeline.gained.areaHoursM2;
     row.fullCoverMin = timeline.allSunTakenMin;
-    row.totalDurationMin = timeline.scenario.minutes;
+    // Shadow that stays longest between the centres of cells is on the place as long.
+    row.durationMin = std::max(row.durationMin, row.maxPointMin);
+    row.totalDurationMin = std::max(timeline.scenario.minutes, row.totalMaxPointMin);
     row.totalMaxAreaM2 = timeline.scenario.largestM2;
     row.windowMin = timeline.sunlitMinutes;
     return row;

@@ -72,12 +72,12 @@ Result<void> measureElementError(ElementStudy& study, Progress& progress, const 
 
 // By rays where "auto" swept horizons and a sample shows them to be off.
 Result<void> goOnToRays(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
-    if (study.settings.engine != "auto" || !study.error || study.error->grossMeanPct <= pointErrorTargetPct)
+    if (study.settings.engine != "auto" || !study.error || study.error->gross.meanPct <= pointErrorTargetPct)
         return {};
     study.whyRays = fmt::format(
         "a sample of the points by horizons is off by {:.3f} % of the sunlit time in the mean, more than the "
         "{:g} % aimed at",
-        study.error->grossMeanPct, pointErrorTargetPct);
+        study.error->gross.meanPct, pointErrorTargetPct);
     study.engineKey = std::string(referenceEngine);
     study.error.reset();
     return measurePoints(study, progress, stop);
@@ -108,11 +108,13 @@ std::string describeEngine(const ElementStudy& study) {
 }
 
 std::string describe(const ElementError& error) {
-    return fmt::format(
-        "sunlit time {:.3f} % mean, {:.3f} % largest; longest shadow {:.3f} % mean, {:.3f} % largest, of {} "
-        "points",
-        error.grossMeanPct, error.grossLargestPct, error.continuousMeanPct, error.continuousLargestPct,
-        error.points);
+    const auto text = [](const char* name, const QuantityError& of) {
+        return fmt::format("{} {:.3f} % mean, {:.3f} % at the 99th percentile, {:.3f} % largest", name,
+                           of.meanPct, of.p99Pct, of.largestPct);
+    };
+    std::string words = text("sunlit time", error.gross) + "; " + text("longest shadow", error.continuous);
+    if (error.longestSun) words += "; " + text("longest sun", *error.longestSun);
+    return words + fmt::format(", of {} points", error.points);
 }
 
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,

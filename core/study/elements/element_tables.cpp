@@ -87,15 +87,16 @@ private:
     std::vector<unsigned> months_;
 };
 
-// Degrees of places need more digits than metres and minutes.
+// Degrees of places need more digits than metres. Minutes are sums of steps that count a hair more or less
+// than whole minutes: 179 of them are 179.00, and not 178.999.
 void addValue(CsvText& csv, const ElementValue& value, const std::string& column) {
-    const bool isPlace = column == "lon_deg" || column == "lat_deg";
+    const int decimals = column == "lon_deg" || column == "lat_deg" ? 8 : column.ends_with("_min") ? 2 : 3;
     if (const auto* text = std::get_if<std::string>(&value))
         csv.text(*text);
     else if (const auto* whole = std::get_if<std::int64_t>(&value))
         csv.whole(*whole);
     else if (const auto* number = std::get_if<double>(&value))
-        csv.number(*number, isPlace ? 8 : 3);
+        csv.number(*number, decimals);
     else
         csv.nothing();
 }

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/base/stop_scope.h"
 #include "core/io/files/companion_files.h"
 #include "core/io/files/plain_file.h"
 #include "core/study/provenance/provenance.h"
@@ -15,7 +16,8 @@ namespace {
 std::string sha256Of(std::istream& file) {
     Sha256 sum;
     std::vector<char> piece(1 << 20);
-    while (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0)
+    while (!StopScope::isStopped() &&
+           (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0))
         sum.add(piece.data(), std::size_t(file.gcount()));
     return file.bad() ? std::string() : sum.hex();
 }
@@ -54,6 +56,7 @@ Result<InputFile> describeInputFile(const std::filesystem::path& path) {
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
     const std::string sum = !error && file ? sha256Of(file) : std::string();
+    if (StopScope::isStopped()) return cancelled();
     if (sum.empty())
         return failure("The file cannot be read", path.string(),
                        "Check its name and that you have permission to read it");

@@ -128,7 +128,7 @@ std::string describeReviewErrors(const ReviewStudy& study) {
     text += study.spotDistanceM
                 ? fmt::format(
                       "Worst spots are the worst of the cells' centres and of points around these, down "
-                      "to {:.3g} m from each other. ",
+                      "to {:.3g} m from each other; what the nearest found worse is in their error. ",
                       *study.spotDistanceM)
                 : "Worst spots are the worst of the cells' centres, and their error includes the cell. ";
     return text + "A value within its error of a limit is borderline, never pass.";

@@ -161,7 +161,7 @@ std::string formatText(const Terrain& terrain) {
         text += fmt::format("; {} posts without elevation were filled from the nearest post", source.filled);
     if (source.underBuildings > 0)
         text += fmt::format(
-            "; it shows a surface with buildings: {} posts at their outlines got the ground around them",
+            "; it shows a surface with buildings: {} posts on them and on trees got the ground around them",
             source.underBuildings);
     return text;
 }

@@ -81,16 +81,28 @@ Score parseScore(const Json& json) {
     return score;
 }
 
+namespace {
+
+// Results of early versions state no 99th percentile.
+std::string describeSavedCell(const char* name, const Json& error) {
+    const std::string tail = error.contains("p99_pct") ? fmt::format("99 % of cells within {:.3f} %, ",
+                                                                     error.at("p99_pct").get<double>())
+                                                       : std::string();
+    return fmt::format("{}, mean {:.4f} %, {}worst cell {:.3f} %", name, error.at("mean_pct").get<double>(),
+                       tail, error.at("max_pct").get<double>());
+}
+
+}  // namespace
+
 std::string parseErrorText(const Json& study) {
     const Json& error = study.at("error");
     if (!error.at("why_not").is_null()) return error.at("why_not");
-    return fmt::format(
-        "area {:+.4f} % of the ground; gross, mean {:.4f} %, worst cell {:.3f} %; {} of {} receivers against "
-        "the ray reference",
-        error.at("area_pct").get<double>(), error.at("gross").at("mean_pct").get<double>(),
-        error.at("gross").at("max_pct").get<double>(),
-        wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
-        wholeNumberFrom<std::uint64_t>(error.at("of_receivers")));
+    const Json runs = error.value("continuous", Json());
+    return fmt::format("area {:+.4f} % of the ground; {}{}; {} of {} receivers against the ray reference",
+                       error.at("area_pct").get<double>(), describeSavedCell("gross", error.at("gross")),
+                       runs.is_object() ? "; " + describeSavedCell("continuous", runs) : std::string(),
+                       wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
+                       wholeNumberFrom<std::uint64_t>(error.at("of_receivers")));
 }
 
 }  // namespace noonmark

@@ -351,10 +351,15 @@ std::string sqlOf(Database& database, const std::string& table) {
     return found.step() ? found.text(0) : std::string();
 }
 
-std::string sqlWith(const OurTable& ours, const std::vector<AddedColumn>& added) {
-    std::string sql = ours.sql.substr(0, ours.sql.rfind(')'));
-    for (const AddedColumn& column : added) sql += fmt::format(", {} {}", quoted(column.name), column.type);
-    return sql + ")";
+// SQLite itself finds the place of added columns, which come before the constraints of a table.
+std::string sqlWith(const std::string& table, const OurTable& ours, const std::vector<AddedColumn>& added) {
+    if (added.empty()) return ours.sql;
+    Database memory(":memory:", Database::Access::create);
+    memory.execute(ours.sql);
+    for (const AddedColumn& column : added)
+        memory.execute(
+            fmt::format("ALTER TABLE {} ADD COLUMN {} {}", table, quoted(column.name), column.type));
+    return sqlOf(memory, table);
 }
 
 std::string columnList(const OurTable& ours, const std::vector<AddedColumn>& added) {
@@ -368,10 +373,10 @@ std::string columnList(const OurTable& ours, const std::vector<AddedColumn>& add
 void takeTableBack(Database& database, const std::string& table, const OurTable& ours) {
     const std::string sql = sqlOf(database, table);
     const auto added = addedColumns(database, table, ours);
-    if (sql.empty() || squeezed(sql) == squeezed(sqlWith(ours, added))) return;
+    if (sql.empty() || squeezed(sql) == squeezed(sqlWith(table, ours, added))) return;
     const std::string columns = columnList(ours, added);
     database.execute(fmt::format("CREATE TEMP TABLE taken AS SELECT {} FROM main.{}", columns, table));
-    database.execute(fmt::format("DROP TABLE main.{}; {}", table, sqlWith(ours, added)));
+    database.execute(fmt::format("DROP TABLE main.{}; {}", table, sqlWith(table, ours, added)));
     database.execute(fmt::format("INSERT INTO main.{0} ({1}) SELECT {1} FROM temp.taken", table, columns));
     database.execute("DROP TABLE temp.taken");
 }

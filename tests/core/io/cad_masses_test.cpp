@@ -273,6 +273,40 @@ TEST(IfcMasses, AreReadInTheirOwnUnitWithTheirUpAxis) {
     EXPECT_EQ(piece.format, "IFC");
 }
 
+// A tree on the site, a bench in the storey, and a wing of the building that stands apart.
+std::string ifcWithSurroundings() {
+    const std::string more = R"IFC(#31=IFCCARTESIANPOINT((40000.,0.,0.));
+#32=IFCAXIS2PLACEMENT3D(#31,$,$);
+#33=IFCLOCALPLACEMENT(#12,#32);
+#35=IFCPRODUCTDEFINITIONSHAPE($,$,(#26));
+#36=IFCBUILDINGELEMENTPROXY('0000000000000000000010',#5,'tree',$,$,#33,#35,$,$);
+#37=IFCRELCONTAINEDINSPATIALSTRUCTURE('0000000000000000000011',#5,$,$,(#36),#13);
+#38=IFCFURNISHINGELEMENT('0000000000000000000012',#5,'bench',$,$,#39,#40,$);
+#39=IFCLOCALPLACEMENT(#16,#32);
+#40=IFCPRODUCTDEFINITIONSHAPE($,$,(#26));
+#42=IFCCARTESIANPOINT((0.,30000.,0.));
+#43=IFCAXIS2PLACEMENT3D(#42,$,$);
+#44=IFCLOCALPLACEMENT(#16,#43);
+#45=IFCPRODUCTDEFINITIONSHAPE($,$,(#26));
+#46=IFCBUILDINGELEMENTPROXY('0000000000000000000013',#5,'wing',$,$,#44,#45,$,$);
+#41=IFCRELCONTAINEDINSPATIALSTRUCTURE('0000000000000000000014',#5,$,$,(#38,#46),#17);
+)IFC";
+    std::string text = ifc;
+    return text.insert(text.rfind("ENDSEC;"), more);
+}
+
+TEST(IfcMasses, TreesAndFurnitureAreLeftOutByClassAndABuildingIsOne) {
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("site.ifc", ifcWithSurroundings())).value();
+    ASSERT_EQ(piece.buildings.size(), 1U);
+    EXPECT_EQ(piece.buildings[0]->name, "building");
+    const Extent extent = extentOf(piece);
+    EXPECT_NEAR(extent.box.high.x - extent.box.low.x, 20, 1e-3) << "neither tree nor bench, 40 m away";
+    EXPECT_NEAR(extent.box.high.y - extent.box.low.y, 40, 1e-3) << "with its wing";
+    EXPECT_THAT(allWarnings(piece), HasSubstr("IfcBuildingElementProxy (1)"));
+    EXPECT_THAT(allWarnings(piece), HasSubstr("IfcFurnishingElement (1)"));
+}
+
 TEST(IfcMasses, CutOffFilesEndWithAWord) {
     const TemporaryFolder folder;
     for (std::size_t cut = 200; cut < ifc.size(); cut += 331) {

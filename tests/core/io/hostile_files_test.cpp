@@ -240,7 +240,7 @@ TEST_F(HostileFile, AGeoPackageRunsNoSqlOfItsMaker) {
             geoPackage("computed.gpkg", contents + "CREATE TABLE city (fid INTEGER PRIMARY KEY, geom BLOB, "
                                                    "height TEXT AS (hex(zeroblob(400000000))));"
                                                    "INSERT INTO city (fid) VALUES (1);"))
-            .find("computes a column"),
+            .find("is computed by SQL"),
         std::string::npos);
     expectRefused(geoPackage(
         "layers.gpkg",

@@ -90,9 +90,11 @@ std::string block(const std::string& type, const std::string& blob) {
 const std::string header =
     block("OSMHeader", bytesField(1, bytesField(4, "OsmSchema-V0.6") + bytesField(4, "DenseNodes")));
 
-// A block without elements whose strings take so many bytes.
+// A block without elements, with a field of so many bytes that the format does not know.
 std::string emptyBlock(std::size_t bytes) {
-    return block("OSMData", bytesField(1, bytesField(1, bytesField(1, std::string(bytes, 'a')))));
+    constexpr unsigned strings = 1, unknown = 99;
+    return block("OSMData",
+                 bytesField(1, bytesField(strings, "") + bytesField(unknown, std::string(bytes, 'a'))));
 }
 
 TEST_F(OsmLimits, ABlockThatUnpacksManyHundredFoldIsRefused) {

@@ -79,7 +79,8 @@ TEST_F(PublishedFacts, HoldForEveryMapOfBuildings) {
     for (const PublishedFact& fact : publishedFacts) {
         SCOPED_TRACE(fact.file);
         if (!tests::sharedData(fact.file)) GTEST_SKIP() << "shared data is missing";
-        if (!readFile(fact.file)) continue;
+        // On level ground, where a building is as high as its data says.
+        if (!readFile(fact.file, {.terrainFromBases = TerrainFromBases::never})) continue;
         if (fact.buildings > 0) {
             EXPECT_EQ(read.city.buildings.size(), fact.buildings);
         }

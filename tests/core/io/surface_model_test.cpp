@@ -87,11 +87,23 @@ TEST_F(SurfaceModel, TheGroundAroundTheOutlinesReplacesItsRoofs) {
     expectSameGround(onSurface, onGround, 0.5);
 }
 
+// Crowns 8 m wide and 10 m high, 20 m apart, between and over the houses.
+double surfaceWithTrees(double x, double y) {
+    const double east = std::remainder(x, 20), north = std::remainder(y, 20);
+    return std::hypot(east, north) < 4 ? std::max(surface(x, y), ground(x, y) + 10) : surface(x, y);
+}
+
+TEST_F(SurfaceModel, TreesAreNoGround) {
+    const auto model = writeTerrain(folder.path("trees.tif"), manhattan, surfaceWithTrees);
+    expectSameGround(read({outlines(), model}), read({outlines(), dtm()}), 0.8);
+}
+
 TEST_F(SurfaceModel, TheUserMayUseItUnchanged) {
     settings.terrainShows = TerrainShows::ground;
     const CityRead read = this->read({outlines(), dsm()});
     EXPECT_EQ(read.city.terrain->source.underBuildings, 0U);
-    EXPECT_NEAR(elevation(read.city, groundAt(read.city, {32, -32})), surface(32, -32), 0.1);
+    const glm::dvec2 roof = read.city.frame.localFromLonLat(Frame(manhattan).lonLatFromLocal({32, -32}));
+    EXPECT_NEAR(elevation(read.city, groundAt(read.city, roof)), surface(32, -32), 0.1);
 }
 
 TEST_F(SurfaceModel, BesideATerrainItIsNotTheGround) {

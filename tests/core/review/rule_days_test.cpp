@@ -142,8 +142,16 @@ TEST(RuleDays, TrueSolarNoonIsTheTransit) {
     EXPECT_EQ(hokkaido.sun.days[0].count, 360);
 }
 
-TEST(RuleDays, ZurichSamplesFullHours) {
+TEST(RuleDays, ZurichCountsMinutes) {
     const RuleSun sun = sunOf("zurich", siteAt(8.54, 47.37, "Europe/Zurich"));
+    ASSERT_EQ(sun.sun.days.size(), 2);
+    for (const SunDay& day : sun.sun.days) EXPECT_EQ(day.count + day.belowHorizon, 9 * 60);
+}
+
+TEST(RuleDays, MaySampleFullHoursOnly) {
+    Rule rule = shippedRule("zurich");
+    rule.sampling = {60, 60, {}};
+    const RuleSun sun = computeRuleSun(rule, siteAt(8.54, 47.37, "Europe/Zurich")).value();
     ASSERT_EQ(sun.sun.days.size(), 2);
     for (const SunDay& day : sun.sun.days) {
         EXPECT_EQ(day.count + day.belowHorizon, 9);

@@ -79,37 +79,36 @@ TEST(WorstSpots, LieInThePlaceAndOutsideBuildings) {
     }
 }
 
-// A street between houses, askew to the grid. On cells of 1 m its worst spot seems to have minutes of sun
-// more than on cells of 0.25 m: the spot lies beside a wall, where no centre of a large cell is. Whatever the
-// cell, the review finds it within the error that it states.
+// A low building stands in a street that is askew to the grid. Its east wall lies along azimuth 162: the sun
+// leaves the wall's foot soon after noon, and ground 1 m away half an hour later. So the worst spot is at the
+// wall, where no centre of a cell is.
 TEST(WorstSpots, OfMontrealsStreetsDoNotDependOnTheCell) {
-    const LonLat montreal{-73.57, 45.5};
     const auto askew = [](float x, float y) {
-        return glm::vec2(x * 0.95F - y * 0.31F, x * 0.31F + y * 0.95F);
+        return glm::vec2(x * 0.951F - y * 0.309F, x * 0.309F + y * 0.951F);  // by 18 deg
     };
-    const auto house = [&](float west, float south, float east, float north, float heightM) {
-        return tests::buildingOf(
-            {{askew(west, south), askew(east, south), askew(east, north), askew(west, north)}, {}}, 0,
-            heightM);
+    const auto block = [&](float west, float south, float east, float north) {
+        return Footprint{{askew(west, south), askew(east, south), askew(east, north), askew(west, north)},
+                         {}};
     };
     City city;
-    city.frame = Frame(montreal);
-    city.buildings = {house(-40, -30, -3, -8, 22), house(4, -30, 45, -8, 15), house(-40, 8, 0, 30, 12),
-                      house(6, 8, 45, 30, 18), house(-3, -20, 4, -8, 9)};
-    const Place street = streetOf({askew(-40, -8), askew(45, -8), askew(45, 8), askew(-40, 8)});
+    city.frame = Frame({-73.57, 45.5});
+    city.buildings = {tests::buildingOf(block(-5, -7, -1, 20), 0, 3)};
+    const Place street{"Street", PlaceKind::street, {block(-20, -8, 25, 8)}, "test"};
     const Rule rule = shippedRule("montreal-streets");
     const auto worst = [&](double cellM, bool refines) {
         return *reviewedAt(cellM, rule, city, street, "America/Toronto", refines).results.at(0).value;
     };
     const Measured finest = worst(0.25, true);
+    EXPECT_GT(finest.value, 2);
+    EXPECT_LT(finest.value, 15);
     for (const double cellM : {2.0, 1.0, 0.5}) {
-        const Measured coarse = worst(cellM, true), centres = worst(cellM, false);
-        EXPECT_LE(coarse.low, finest.value) << cellM;
-        EXPECT_GE(coarse.high, finest.value) << cellM;
-        EXPECT_GE(centres.value, finest.value) << "the centres are some of the spots, " << cellM;
+        const Measured spot = worst(cellM, true), centres = worst(cellM, false);
+        EXPECT_NEAR(spot.value, finest.value, 5) << cellM;
+        EXPECT_LE(spot.low, finest.value) << cellM;
+        EXPECT_GE(spot.high, finest.value) << cellM;
         EXPECT_LE(centres.low, finest.high) << "the error includes the cell, " << cellM;
     }
-    EXPECT_GT(worst(2, false).value, finest.value + 5) << "centres alone miss the worst spot";
+    EXPECT_GT(worst(2, false).value, finest.value + 10) << "centres alone miss the worst spot";
 }
 
 // Cells in a row with 30, 10 and 2 steps of shadow: without points around it the worst may have 20 more.

@@ -124,7 +124,7 @@ TEST(AutoStudy, PointsGoOnToRaysAndSaySo) {
     EXPECT_EQ(nlohmann::json::parse(elementStudyJson(study, {}))["engine_settings"], describeEngine(study));
     EXPECT_EQ(describeEngine(rays), "rays");
     EXPECT_EQ(horizons.engineKey, "horizon");
-    EXPECT_GT(horizons.error->grossMeanPct, pointErrorTargetPct);
+    EXPECT_GT(horizons.error->gross.meanPct, pointErrorTargetPct);
 }
 
 WindowStudy reviewedBy(const City& city, std::optional<ShadedStepFinder::By> by) {
