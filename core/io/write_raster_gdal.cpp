@@ -127,7 +127,9 @@ Result<void> GeoTiffWriter::write(const Grid& part, const std::vector<const std:
 Result<void> GeoTiffWriter::finish(bool overviews, const std::stop_token& stop) {
     const GdalCalls calls;
     pending_->dataset->FlushCache(false);
-    const bool whole = !overviews || addOverviews(*pending_->dataset, pending_->grid, stop);
+    // GDAL ends the process where it makes overviews of a file that could not be written.
+    const bool whole =
+        !calls.failed() && (!overviews || addOverviews(*pending_->dataset, pending_->grid, stop));
     pending_->dataset.reset();  // flushes: a full disk is reported here
     if (stop.stop_requested()) return cancelled();
     if (!whole || calls.failed()) return notWritten(pending_->file, calls.why());
