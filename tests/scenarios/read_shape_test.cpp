@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenarios/edits/apply_edits.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/small_town.h"
@@ -46,20 +48,22 @@ Result<ImportMesh> readTower(int low, Stand stand, Warnings& warnings) {
                      progress, {});
 }
 
+bool isLowering(const Warning& warning) { return warning.what.find("its own zero") != std::string::npos; }
+
 TEST(ReadShape, AMeshWithElevationsIsSetOnTheGroundAndSaid) {
     Warnings warnings;
     const Building tower = *readTower(187, Stand::automatic, warnings)->shape;
     EXPECT_NEAR(topM(tower), 40, 1e-3);
     EXPECT_FALSE(tower.parts[0].isOverhanging);
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_THAT(warnings[0].where, testing::HasSubstr("187.0 m"));
+    EXPECT_EQ(std::ranges::count_if(warnings, isLowering), 1);
+    EXPECT_THAT(warnings.back().where, testing::HasSubstr("187.0 m"));
     EXPECT_NEAR(topM(*readTower(187, Stand::absolute, warnings)->shape), 227, 1e-3);
 }
 
 TEST(ReadShape, ABasementStaysBelowTheGround) {
     Warnings warnings;
     EXPECT_NEAR(topM(*readTower(-9, Stand::automatic, warnings)->shape), 31, 1e-3);
-    EXPECT_TRUE(warnings.empty());
+    EXPECT_EQ(std::ranges::count_if(warnings, isLowering), 0);
     EXPECT_NEAR(topM(*readTower(-9, Stand::terrain, warnings)->shape), 40, 1e-3);
 }
 

@@ -94,6 +94,10 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
         return std::isfinite(field.low) && std::isfinite(field.high);
     };
     if (!std::ranges::all_of(facts.unknown, finite)) return std::nullopt;
+    const auto isFinite = [](const BaseFit& fit) {
+        return std::isfinite(fit.gapM) && std::isfinite(fit.spreadM);
+    };
+    if (!std::ranges::all_of(facts.bases, isFinite)) return std::nullopt;
     return facts;
 } catch (const std::exception&) {  // not JSON, or of another structure
     return std::nullopt;

@@ -84,7 +84,7 @@ TEST_F(SurfaceModel, TheGroundAroundTheOutlinesReplacesItsRoofs) {
     EXPECT_GT(onSurface.city.terrain->source.underBuildings, 800U);
     EXPECT_FALSE(warns(onGround, "steps"));
     EXPECT_EQ(onGround.city.terrain->source.underBuildings, 0U);
-    expectSameGround(onSurface, onGround, 0.5);
+    expectSameGround(onSurface, onGround, 0.7);  // interpolated under a house on a slope
 }
 
 // Crowns 8 m wide and 10 m high, 20 m apart, between and over the houses.

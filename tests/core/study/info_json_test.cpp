@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/study.h"
+#include "core/study/text/height_facts_json.h"
 #include "core/study/text/height_words.h"
 
 namespace noonmark {
@@ -99,6 +100,18 @@ TEST(AssumedHeights, AreCountedInJsonWithTheFieldsOfTheOthers) {
         makeAssumedHeightsMessage(countHeights(read.city), read.heights),
         "1 of 4 heights are assumed (9.6 m). Fields that could hold heights or storeys: H_BAT (2.5 to 41 "
         "in 4 features)");
+}
+
+TEST(BaseFits, ComeBackFromTheirJsonAndMakeAHeadline) {
+    HeightFacts facts;
+    facts.bases = {{"a.obj", 12, -20.5, 0.25, StandRule::shifted, 1, 2}, {"b.shp", 3, 0.5, 0.25}};
+    EXPECT_EQ(parseHeightFacts(heightFactsJson(facts).dump()), facts);
+    EXPECT_EQ(
+        makeStandHeadline(facts),
+        "a.obj: bases 20.5 m below the terrain (median of 12, spread 0.2 m); all were shifted onto it; 2 "
+        "far from that gap were set down by themselves; 1 stay above the ground");
+    facts.bases.erase(facts.bases.begin());
+    EXPECT_EQ(makeStandHeadline(facts), std::nullopt);
 }
 
 TEST(InfoJson, AnEmptyCity) {
