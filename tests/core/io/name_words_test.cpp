@@ -133,6 +133,7 @@ TEST(UnknownFields, TheHeightOfOneStoreyIsNotListed) {
 
 TEST(UnknownFields, CodesAndQualitiesAreNotListed) {
     UnknownFields fields;
+    for (const char* code : {"01", "10", "94"}) fields.add("MURS", code, {});
     for (const char* name : {"addr:postcode", "lod", "PREC_PLANI", "yearBuilt", "floor_area", "nb_logements"})
         for (const double value : {1.0, 2.0, 2.5}) fields.add(name, "", value);
     EXPECT_TRUE(listed(fields).empty());
