@@ -74,7 +74,7 @@ constexpr std::array vocabularies{
         "gemiddelde gjennomsnitt srednia prumer keskmine среднее 平均 평균"},
     Vocabulary{
         NameWord::greatest,
-        "max maximum highest tallest top maximale maximal maxima maximo massima massimo maks najwyzsza "
+        "max maximum highest tallest ridge top maximale maximal maxima maximo massima massimo maks najwyzsza "
         "максимальная 最大 最高 최고 최대"},
     Vocabulary{NameWord::least, "min minimum lowest minimale minimal minima minimo minim 最小 最低 최저"},
     Vocabulary{NameWord::feet, "ft feet foot pies"},

@@ -117,7 +117,7 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
         described.kind = byStorey->kind;
     else if (storey && values.halves && values.high <= mostStoreys)
         described.kind = FieldKind::storeys;
-    else if (!values.halves || values.high > mostStoreys)
+    else if (!values.whole || values.high > mostStoreys)
         described.kind = FieldKind::heights;
     const bool bare = described.kind == FieldKind::heights && described.unit.empty();
     if (bare && byStorey != nullptr && byStorey->kind == FieldKind::heights) described.unit = byStorey->unit;

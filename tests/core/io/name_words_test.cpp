@@ -125,6 +125,15 @@ TEST(UnknownFields, ANameThatSaysStoreysIsNoHeight) {
     EXPECT_EQ(selectingOptions(listed(fields)[0]), "--levels-field story_ht_");
 }
 
+TEST(UnknownFields, WithoutAWordFractionsAreHeightsAndWholeNumbersEither) {
+    UnknownFields fields;
+    for (const double value : {12.5, 13.0, 41.5})
+        fields.add("H1", "", value), fields.add("H2", "", 2 * value);
+    ASSERT_EQ(listed(fields).size(), 2U);
+    EXPECT_EQ(selectingOptions(listed(fields)[0]), "--height-field H1");
+    EXPECT_EQ(selectingOptions(listed(fields)[1]), "--levels-field H2 or --height-field H2");
+}
+
 TEST(UnknownFields, TheHeightOfOneStoreyIsNotListed) {
     UnknownFields fields;
     for (const double value : {2.8, 3.1, 3.35}) fields.add("storey_height", "", value);
