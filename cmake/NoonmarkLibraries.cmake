@@ -14,6 +14,8 @@ find_package(embree 3 REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(assimp REQUIRED)
 find_package(date REQUIRED)
+# GDAL's own library of coordinate systems, confined to its own files.
+pkg_check_modules(PROJ REQUIRED IMPORTED_TARGET proj)
 pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib)
 pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)

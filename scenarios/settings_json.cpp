@@ -25,6 +25,7 @@ Json settingsJson(const StudySettings& settings) {
               {"step_min", period.stepMinutes},
               {"zone", period.zone},
               {"refraction", period.refraction}}},
+            {"observer", {{"pressure_hpa", settings.pressureHPa}, {"temperature_c", settings.temperatureC}}},
             {"region", settings.region.name},
             {"cell_m", settings.receivers.cellM},
             {"receivers_on", nameOf(settings.receivers.places)}};

@@ -10,8 +10,8 @@
 
 namespace noonmark {
 
-/// The settings of a computation: period, region, cells, engine with its settings, and program version. Keys
-/// as in study.json.
+/// The settings of a computation: period, air, region, cells, engine with its settings, and program version.
+/// Keys as in study.json.
 nlohmann::ordered_json settingsJson(const StudySettings& settings);
 
 /// The inputs of makeRepeatCommand() for an impact or a score, which read a project and have their own

@@ -1,25 +1,26 @@
 #include "app/cli/command_line.h"
 
-#include <algorithm>
 #include <exception>
 #include <ostream>
 #include <string>
 #include <string_view>
 
+#include "app/cli/clean_output.h"
 #include "app/cli/command.h"
 #include "app/cli/commands/point_command.h"
 #include "app/cli/help_format.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
+#include "core/base/clean_text.h"
+#include "core/base/process.h"
 #include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {
 
 namespace {
 
-void say(const Console& console, std::string text) {
-    std::ranges::replace(text, '\n', ' ');
-    console.err << "noonmark-cli: " << text << '\n';
+void say(const Console& console, const std::string& text) {
+    console.err << "noonmark-cli: " << cleanText(text) << '\n';
 }
 
 // For the parser, groups of options are commands without a name.
@@ -78,7 +79,11 @@ int fail(const Console& console, const Error& error, ExitCode code) {
     return isCancelled(error) ? exitCancelled : code;
 }
 
-int runCommandLine(int argc, const char* const* argv, const Console& console) {
+int runCommandLine(int argc, const char* const* argv, const Console& given) {
+    CleanOutput clean(given.out);
+    std::ostream out(&clean);
+    letLargeWritesFail();
+    const Console console{out, given.err, given.watched};
     try {
         if (const auto chosen = useInstructionSetOfEnvironment(); !chosen)
             return fail(console, chosen.error(), exitUsage);

@@ -13,6 +13,7 @@
 #include "app/cli/table.h"
 #include "app/report/files/element_files.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/text/height_words.h"
 
 namespace noonmark::cli {
 
@@ -61,8 +62,9 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
                    std::ostream& out) {
     const ElementFigures figures = computeFigures(study);
     Table table;
+    if (const auto headline = makeStandHeadline(study.heights)) table.add("bases", *headline);
     table.add("period", formatText(study.settings.period));
-    table.add("engine", study.engineKey == referenceEngine ? "rays" : "horizons of points");
+    table.add("engine", describeEngine(study));
     table.add("steps", fmt::format("{} with the sun up, {} left out below the horizon",
                                    withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon)));
     table.add("receivers", fmt::format("{} points on {}", withCommas(study.receivers.size()),

@@ -6,9 +6,26 @@
 
 namespace noonmark::cli {
 
-/// During its lifetime Ctrl-C (SIGINT) and SIGTERM request a stop instead of ending the program; a second
-/// signal ends it at once with code 130. Create it before other threads, which inherit that these signals are
-/// blocked.
+/// Takes the signals by which a user or a scheduler ends a program: Ctrl-C (SIGINT), SIGTERM, and SIGHUP of a
+/// terminal that is closed. The work that listens (Interrupt) is asked to stop; if none does, or the one that
+/// does was asked before, the process ends at once with code 130, without files that are not finished.
+/// Create it before other threads, which inherit that these signals are blocked.
+class SignalWatch {
+public:
+    SignalWatch();
+    ~SignalWatch();
+    SignalWatch(const SignalWatch&) = delete;
+    SignalWatch& operator=(const SignalWatch&) = delete;
+
+private:
+    void watch(const std::stop_token& done);
+
+    sigset_t signals_{};
+    sigset_t before_{};
+    std::jthread watcher_;
+};
+
+/// During its lifetime the first of these signals requests a stop instead of ending the program.
 class Interrupt {
 public:
     Interrupt();
@@ -19,12 +36,8 @@ public:
     [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
 
 private:
-    void watch(const std::stop_token& done);
-
-    sigset_t signals_{};
-    sigset_t before_{};
     std::stop_source stop_;
-    std::jthread watcher_;
+    SignalWatch watch_;
 };
 
 }  // namespace noonmark::cli

@@ -6,9 +6,9 @@ class QApplication;
 
 namespace noonmark::cli {
 
-/// A Qt application without a display, which drawing text, maps and charts into files requires. Suppresses
-/// Qt's messages about the environment (a missing runtime folder, for example); errors still appear. Does
-/// nothing if an application exists.
+/// A Qt application without a display, whatever platform the environment names: drawing text, maps and charts
+/// into files requires one. Suppresses Qt's messages about the environment (a missing runtime folder, for
+/// example); errors still appear. Does nothing if an application exists.
 class OffscreenQt {
 public:
     OffscreenQt();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <ostream>
 
+#include "core/base/clean_text.h"
+
 namespace noonmark::cli {
 
 namespace {
@@ -26,7 +28,7 @@ void ProgressLine::report(double fraction, std::string_view stage) {
     const int filled = int(share * barCells);
     console_.err << wipe
                  << fmt::format("[{:=<{}}{:<{}}] {:3.0f} %  {}", "", filled, "", barCells - filled,
-                                share * 100, stage)
+                                share * 100, cleanText(stage))
                  << std::flush;
 }
 

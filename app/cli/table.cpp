@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "core/base/clean_text.h"
 #include "core/base/display_units.h"
 
 namespace noonmark::cli {
@@ -12,7 +13,8 @@ namespace noonmark::cli {
 void Table::print(std::ostream& out) const {
     std::size_t width = 0;
     for (const auto& [label, value] : rows_) width = std::max(width, label.size());
-    for (const auto& [label, value] : rows_) out << fmt::format("{:<{}}  {}\n", label, width, value);
+    for (const auto& [label, value] : rows_)
+        out << fmt::format("{:<{}}  {}\n", cleanText(label), width, cleanText(value));
 }
 
 std::string withCommas(std::size_t number) { return formatNumber(double(number)); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/base/stop_scope.h"
 #include "core/base/stopwatch.h"
 #include "core/city/main_bounds.h"
 #include "core/city/map_context.h"
@@ -65,7 +66,10 @@ Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSet
                             Progress& progress, std::stop_token stop) {
     Result<std::vector<InputFile>> inputs;
     tbb::task_group describing;  // beside the reading; both mostly wait for the disk
-    describing.run([&] { inputs = inputsOf(files); });
+    describing.run([&, stop] {
+        const StopScope scope(stop);
+        inputs = inputsOf(files);
+    });
     const Stopwatch watch;
     auto read = readOrMake(files, settings, progress, std::move(stop));
     describing.wait();

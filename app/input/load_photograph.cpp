@@ -1,5 +1,6 @@
 #include "app/input/load_photograph.h"
 
+#include "core/base/stop_scope.h"
 #include "core/io/pictures/read_ground_raster.h"
 
 namespace noonmark {
@@ -14,6 +15,7 @@ Box2 photographBox(const City& city) {
 
 Result<Photograph> loadPhotograph(const GroundPictureFile& wanted, const City& city, Progress& progress,
                                   const std::stop_token& stop) {
+    const StopScope scope(stop);
     const auto described = describeInputFile(wanted.path);
     if (!described) return tl::make_unexpected(described.error());
     auto raster = readGroundRaster(wanted.path, city.frame, photographBox(city), {}, progress, stop);

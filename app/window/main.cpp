@@ -9,6 +9,7 @@
 #include "app/window/frame/main_window.h"
 #include "app/window/help/start_settings.h"
 #include "app/window/study/heap_memory.h"
+#include "core/base/process.h"
 #include "core/simd/instruction_set.h"
 
 namespace {
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
         std::cerr << "noonmark: " << chosen.error().text() << '\n';
         return 2;
     }
+    noonmark::letLargeWritesFail();
     if (asksAboutProgram(argc, argv)) return parse(argc, argv, arguments).value_or(0);
     noonmark::returnLargeBlocks();
     noonmark::chooseRenderer();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/csv_field.h"
+
 namespace noonmark {
 
 namespace {
@@ -23,7 +25,7 @@ public:
     void quote() { quoted_ = true; }
     void lineEnds() { ++line_; }
     void endField() {
-        row_.fields.push_back(quoted_ ? std::move(field_) : trimmed(field_));
+        row_.fields.push_back(restoreFormula(quoted_ ? std::move(field_) : trimmed(field_)));
         field_.clear();
         quoted_ = false;
     }

@@ -14,7 +14,8 @@ struct CsvRow {
 
 /// The non-empty rows of a CSV text (RFC 4180: quoted fields may contain commas, line ends and doubled
 /// quotes). A heading with semicolons and no comma, as spreadsheets in many countries write it, makes the
-/// semicolon the separator. A byte order mark and blanks around unquoted fields are skipped.
+/// semicolon the separator. A byte order mark and blanks around unquoted fields are skipped, and the
+/// apostrophe that CsvText sets before a formula.
 std::vector<CsvRow> parseCsvRows(std::string_view text);
 
 }  // namespace noonmark

@@ -1,17 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <vector>
+
+#include "core/base/stop_scope.h"
 
 namespace noonmark {
 
 /// RAII guard around calls to GDAL. It makes sure that GDAL is set up for untrusted files (gdal_setup.h), and
-/// it collects GDAL's messages on this thread instead of letting GDAL print them. Backend:
-/// gdal_calls_gdal.cpp.
+/// it collects GDAL's messages on this thread instead of letting GDAL print them. It is a StopScope:
+/// after a stop request every file that GDAL reads on this thread is at its end (gdal_files.h), since no
+/// driver can be stopped in another way. Backend: gdal_calls_gdal.cpp.
 class GdalCalls {
 public:
-    GdalCalls();
+    explicit GdalCalls(std::stop_token stop = {});
     ~GdalCalls();
     GdalCalls(const GdalCalls&) = delete;
     GdalCalls& operator=(const GdalCalls&) = delete;
@@ -26,6 +30,7 @@ public:
     [[nodiscard]] const std::string& why() const { return why_; }
 
 private:
+    StopScope scope_;
     friend void keepComplaint(GdalCalls& calls, bool failure, const char* words);
     std::size_t failures_ = 0;
     std::vector<std::string> complaints_;

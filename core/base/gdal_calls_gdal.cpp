@@ -1,6 +1,7 @@
 #include <cpl_error.h>
 
 #include <mutex>
+#include <utility>
 
 #include "core/base/gdal_calls.h"
 #include "core/base/gdal_setup.h"
@@ -22,7 +23,7 @@ void CPL_STDCALL onComplaint(CPLErr kind, CPLErrorNum, const char* words) {
 }
 }  // namespace
 
-GdalCalls::GdalCalls() {
+GdalCalls::GdalCalls(std::stop_token stop) : scope_(std::move(stop)) {
     static std::once_flag prepared;
     std::call_once(prepared, setUpGdal);
     CPLPushErrorHandlerEx(onComplaint, this);

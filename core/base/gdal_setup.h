@@ -8,7 +8,8 @@ namespace noonmark {
 ///   that a raster names.
 /// - GDAL and PROJ have no network access.
 /// - Of GDAL's virtual file systems only /vsimem/ remains: no archives, no web or cloud storage, no standard
-///   input.
+///   input. On disk it reads plain files only (gdal_files.h).
+/// - PROJ opens the files of its own folders only (proj_files.h).
 ///
 /// Backend: gdal_setup_gdal.cpp.
 void setUpGdal();

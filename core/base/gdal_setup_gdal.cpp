@@ -12,7 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/gdal_files.h"
 #include "core/base/gdal_setup.h"
+#include "core/base/proj_files.h"
 
 namespace noonmark {
 
@@ -42,13 +44,14 @@ void registerVirtualRasters() {
 
 // Options take precedence over environment variables of the same names.
 void setOptions() {
-    constexpr std::array<std::array<const char*, 2>, 6> options{{
+    constexpr std::array<std::array<const char*, 2>, 7> options{{
         {"CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "{no file is read from the network}"},
         {"GDAL_HTTP_MAX_RETRY", "0"},
         {"GML_SKIP_RESOLVE_ELEMS", "ALL"},
         {"GML_DOWNLOAD_WFS_SCHEMA", "NO"},
         {"OGR_SQLITE_LOAD_EXTENSIONS", nullptr},
         {"OGR_SQLITE_PRAGMA", nullptr},
+        {"OGR_GEOJSON_MAX_OBJ_SIZE", "20"},  // MB of one feature: a ring of a million points
     }};
     for (const auto& [name, value] : options) CPLSetConfigOption(name, value);
     OSRSetPROJEnableNetwork(FALSE);
@@ -88,6 +91,8 @@ void closeVirtualFolders() {
 }  // namespace
 
 void setUpGdal() {
+    confineProj();
+    confineGdalFiles();
     registerDrivers();
     registerVirtualRasters();
     setOptions();

@@ -17,7 +17,7 @@ public:
         usedByOther,  ///< another process has locked it
         failed,       ///< it could not be opened; lastSystemProblem() tells why
     };
-    /// Opens the file, or creates it, and locks it. Does not wait.
+    /// Opens the file, or creates it, and locks it. Does not wait, and follows no link.
     explicit LockedFile(const std::filesystem::path& file);
     LockedFile(LockedFile&& other) noexcept;
     LockedFile& operator=(LockedFile&& other) noexcept = delete;

@@ -11,7 +11,7 @@
 namespace noonmark {
 
 LockedFile::LockedFile(const std::filesystem::path& file)
-    : file_(::open(file.c_str(), O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC, 0644)) {
+    : file_(::open(file.c_str(), O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644)) {
     if (file_ < 0) return;
     state_ = ::flock(file_, LOCK_EX | LOCK_NB) == 0 ? State::open : State::usedByOther;
 }

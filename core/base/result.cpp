@@ -1,5 +1,7 @@
 #include "core/base/result.h"
 
+#include "core/base/clean_text.h"
+
 namespace noonmark {
 
 namespace {
@@ -13,7 +15,7 @@ void appendSentence(std::string& text, const std::string& sentence) {
 std::string Error::text() const {
     std::string text = where.empty() ? what : where + ": " + what;
     appendSentence(text, advice);
-    return text;
+    return cleanText(text);
 }
 
 tl::unexpected<Error> failure(std::string what, std::string where, std::string advice) {

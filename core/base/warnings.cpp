@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "core/base/clean_text.h"
+
 namespace noonmark {
 
 std::string_view nameOf(WarningKind kind) {
@@ -40,8 +42,8 @@ std::string lineOf(const WarningGroup& group, std::size_t most) {
     const std::size_t shown = std::min(most, group.where.size());
     const std::vector<std::string> places(group.where.begin(), group.where.begin() + std::ptrdiff_t(shown));
     const char* rest = shown < group.where.size() ? ", ..." : "";
-    return fmt::format("{} {}: {} ({}{})", group.where.size(), nameOf(group.kind), group.what,
-                       fmt::join(places, ", "), rest);
+    return cleanText(fmt::format("{} {}: {} ({}{})", group.where.size(), nameOf(group.kind), group.what,
+                                 fmt::join(places, ", "), rest));
 }
 
 }  // namespace noonmark

@@ -102,6 +102,23 @@ std::optional<EngineChoice> AutoEngine::chooseInstead(const EngineChoice& failed
                         fmt::format("rays, since {} refused: {}", failed.why, error.what)};
 }
 
+std::optional<EngineChoice> AutoEngine::chooseCloser(const EngineChoice& used, const SampledOff& off,
+                                                     std::span<const City* const> cities,
+                                                     const Receivers& receivers, const SunSteps& sun) const {
+    if (used.key != "horizon" || sweep_.binDeg > 0) return std::nullopt;
+    const double target = sweep_.errorTargetPercent, chance = std::min(2 * off.standardErrorPct, target);
+    if (!(off.meanPct > target + chance)) return std::nullopt;
+    const std::string missed = fmt::format(
+        "a sample of the horizon sweep is off by {:.3f} % of the period in the mean, more than "
+        "the {:g} % aimed at",
+        off.meanPct, target);
+    const EstimatedSeconds seconds = estimateSeconds(measureEngineLoad(cities, receivers, sun, sweep_));
+    if (isLevel(cities, receivers) && seconds.projected <= seconds.ray)
+        return EngineChoice{"projected", std::make_unique<ProjectedShadows>(),
+                            "projected shadows, since " + missed};
+    return EngineChoice{referenceEngine, std::make_unique<RayReference>(), "rays, since " + missed};
+}
+
 Result<ShadowField> AutoEngine::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
                                         Progress& progress, std::stop_token stop) const {
     const City* const cities[]{&city};

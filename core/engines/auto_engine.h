@@ -44,7 +44,9 @@ EstimatedSeconds estimateSeconds(const EngineLoad& load);
 /// Chooses the engine and says in the field's `engine` which one and why. On flat ground projected shadows,
 /// which are exact, where they are expected to take no longer than the horizon sweep or no more than 2 s; on
 /// terrain and roofs the ray reference on the same terms; else the horizon sweep, whose cells are off by 0.04
-/// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it.
+/// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it. Where a
+/// sample shows that the sweep misses its error target, an exact engine does (chooseCloser()); whoever
+/// measures the sample asks for it.
 class AutoEngine final : public Engine {
 public:
     explicit AutoEngine(HorizonSweepSettings sweep = {}) : sweep_(sweep) {}
@@ -60,6 +62,13 @@ public:
     /// The ray reference, which takes every case; none where it, or the user, ended the work.
     [[nodiscard]] std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
                                                             const Error& error) const override;
+    /// The quicker of the exact engines that take the case, where the sweep misses its error target by more
+    /// than chance explains: two standard errors of the sample, but no more than the target itself. None
+    /// where the width of bins was set, which leaves no target.
+    [[nodiscard]] std::optional<EngineChoice> chooseCloser(const EngineChoice& used, const SampledOff& off,
+                                                           std::span<const City* const> cities,
+                                                           const Receivers& receivers,
+                                                           const SunSteps& sun) const override;
 
 protected:
     [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,

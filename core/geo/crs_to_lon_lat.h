@@ -15,9 +15,7 @@ namespace noonmark {
 /// the heights of a compound system are left unchanged. Not thread-safe. Backend: crs_to_lon_lat_gdal.cpp.
 class CrsToLonLat {
 public:
-    /// Accepts "EPSG:7415", "urn:ogc:def:crs:EPSG::7415", "https://www.opengis.net/def/crs/EPSG/0/7415", WKT
-    /// and PROJ text. Nothing is fetched from the network. Error: the system is unknown, or is not one of the
-    /// earth's surface.
+    /// Accepts what parseCrs() (crs_definition.h) does, with its errors.
     static Result<CrsToLonLat> of(const std::string& crs);
 
     CrsToLonLat(CrsToLonLat&&) noexcept;
@@ -25,7 +23,8 @@ public:
     ~CrsToLonLat();
 
     /// Points are given as easting or longitude first, then northing or latitude, whatever axis order the
-    /// system's authority defines. NaN for points that are NaN or cannot be transformed. O(points), about 1
+    /// system's authority defines. NaN for points that are NaN or cannot be transformed, and for what is left
+    /// after a stop request to this thread's StopScope. O(points), about 1
     /// us each.
     [[nodiscard]] std::vector<LonLat> lonLat(std::span<const glm::dvec2> points) const;
 

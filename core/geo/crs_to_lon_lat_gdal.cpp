@@ -1,35 +1,19 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 #include "core/base/gdal_calls.h"
+#include "core/base/stop_scope.h"
+#include "core/geo/crs_definition.h"
 #include "core/geo/crs_to_lon_lat.h"
 
 namespace noonmark {
 
 namespace {
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// Shortens every spelling of OGC's names of EPSG systems to EPSG:number; other text is unchanged.
-std::string shortName(const std::string& crs) {
-    static const std::regex ogc(
-        R"(^\s*(?:urn:(?:x-)?ogc:def:crs:EPSG:[^:]*:|https?://(?:www\.)?opengis\.net/def/crs/EPSG/[^/]*/)(\d+)/?\s*$)",
-        std::regex::icase);
-    std::smatch match;
-    return std::regex_match(crs, match, ogc) ? "EPSG:" + match[1].str() : crs;
-}
-
-bool understand(OGRSpatialReference& system, const std::string& crs) {
-    const char* const options[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
-    if (system.SetFromUserInput(shortName(crs).c_str(), options) != OGRERR_NONE) return false;
-    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return system.IsGeographic() != 0 || system.IsProjected() != 0;
-}
-
 }  // namespace
 
 struct CrsToLonLat::Parts {
@@ -52,6 +36,19 @@ struct CrsToLonLat::Parts {
         if (!system.GetAreaOfUse(&w, &s, &e, &n, nullptr) || w <= -1000) return;
         west = w, south = s, east = e, north = n;
     }
+    void addPlaces(std::span<const glm::dvec2> points, std::vector<LonLat>& places) const {
+        std::vector<double> x, y;
+        for (const glm::dvec2 point : points) {
+            x.push_back(point.x);
+            y.push_back(point.y);
+        }
+        std::vector<int> worked(points.size(), 0);
+        toLonLat->Transform(int(points.size()), x.data(), y.data(), nullptr, nullptr, worked.data());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool usable = worked[i] != 0 && std::abs(x[i]) <= 360 && std::abs(y[i]) <= 90;
+            places.push_back(usable ? LonLat{std::remainder(x[i], 360.0), y[i]} : LonLat{nan, nan});
+        }
+    }
     void learnElevationUnit() {
         elevationUnitIsStated = system.IsVertical() != 0 || system.GetAxesCount() == 3;
         if (system.IsVertical() != 0)
@@ -68,10 +65,10 @@ CrsToLonLat::~CrsToLonLat() = default;
 
 Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
     const GdalCalls gdal;
+    auto definition = parseCrs(crs);
+    if (!definition) return tl::make_unexpected(definition.error());
     auto parts = std::make_unique<Parts>();
-    if (!understand(parts->system, crs))
-        return failure("\"" + crs + "\" is not a known coordinate reference system", {},
-                       "State it as EPSG:number");
+    parts->system = *std::move(definition);
     parts->learnArea();
     parts->learnElevationUnit();
     OGRSpatialReference horizontal(parts->system);
@@ -83,28 +80,21 @@ Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
         system->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     parts->toLonLat.reset(OGRCreateCoordinateTransformation(&horizontal, &wgs84));
     if (!parts->toLonLat)
-        return failure("There is no transformation from \"" + crs + "\" to longitude and latitude", {},
-                       "State another system");
+        return failure(
+            "There is no transformation from this coordinate reference system to longitude and "
+            "latitude",
+            parts->system.GetName() != nullptr ? parts->system.GetName() : "", "State another system");
     return CrsToLonLat(std::move(parts));
 }
 
 std::vector<LonLat> CrsToLonLat::lonLat(std::span<const glm::dvec2> points) const {
+    constexpr std::size_t atOnce = 1U << 16U;  // some 0.1 s
     const GdalCalls gdal;
-    std::vector<double> x, y;
-    x.reserve(points.size());
-    y.reserve(points.size());
-    for (const glm::dvec2 point : points) {
-        x.push_back(point.x);
-        y.push_back(point.y);
-    }
-    std::vector<int> worked(points.size(), 0);
-    parts_->toLonLat->Transform(int(points.size()), x.data(), y.data(), nullptr, nullptr, worked.data());
     std::vector<LonLat> places;
     places.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool usable = worked[i] != 0 && std::abs(x[i]) <= 360 && std::abs(y[i]) <= 90;
-        places.push_back(usable ? LonLat{std::remainder(x[i], 360.0), y[i]} : LonLat{nan, nan});
-    }
+    for (std::size_t first = 0; first < points.size() && !StopScope::isStopped(); first += atOnce)
+        parts_->addPlaces(points.subspan(first, std::min(atOnce, points.size() - first)), places);
+    places.resize(points.size(), LonLat{nan, nan});
     return places;
 }
 

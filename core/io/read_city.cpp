@@ -5,15 +5,21 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
+#include "core/base/clean_text.h"
+#include "core/base/gdal_calls.h"
 #include "core/base/progress_share.h"
+#include "core/city/same_buildings.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/io/heights/implausible_buildings.h"
 #include "core/io/meshes/mesh_scene.h"
 #include "core/io/read_part.h"
-#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/ground_choice.h"
+#include "core/io/terrain/standing.h"
 #include "core/io/terrain/terrain_from_bases.h"
 
 namespace noonmark {
@@ -26,6 +32,7 @@ struct InputFile {
     Path path;
     FileKind kind = FileKind::footprints;
     FilePiece piece;
+    std::vector<std::size_t> carriers = {};  // of the piece's buildings (findCarriers)
 };
 
 bool isOutside(std::size_t file, const ReadWindow* window) {
@@ -40,7 +47,7 @@ Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, co
         if (isOutside(i, window)) continue;
         const auto kind = detectFileKind(paths[i]);
         if (!kind) return tl::make_unexpected(kind.error());
-        files.push_back({paths[i], *kind, {}});
+        files.push_back({paths[i], *kind, {}, {}});
     }
     return files;
 }
@@ -105,28 +112,27 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
                    anchorAdvice);
 }
 
-void joinTerrain(CityRead& all, const InputFile& file) {
-    if (!file.piece.terrain) return;
-    if (all.city.terrain)
-        all.warnings.push_back(
-            {WarningKind::leftOut, "a second terrain; the first one is used", file.path.filename().string()});
-    else
-        all.city.terrain = file.piece.terrain;
+std::string nameOf(const InputFile& file) { return file.path.filename().string(); }
+
+std::vector<GroundFile> groundFiles(std::vector<InputFile>& files) {
+    std::vector<GroundFile> all;
+    for (InputFile& file : files) all.push_back({nameOf(file), &file.piece, file.kind == FileKind::terrain});
+    return all;
 }
 
-std::vector<BasedBuilding> basedBuildings(const std::vector<InputFile>& files) {
+std::vector<BasedBuilding> basedBuildings(const std::vector<InputFile>& files, const Frame& frame) {
     std::vector<BasedBuilding> based;
-    for (const InputFile& file : files)
-        for (std::size_t i = 0; i < file.piece.groundM.size(); ++i)
-            if (const auto ground = file.piece.groundM[i]; ground && !file.piece.buildings[i]->parts.empty())
-                based.push_back({file.piece.buildings[i].get(), *ground});
+    for (const InputFile& file : files) {
+        const auto some = findBasedBuildings(file.piece, file.carriers, frame);
+        based.insert(based.end(), some.begin(), some.end());
+    }
     return based;
 }
 
 // Makes a terrain from the ground elevations that buildings state, if no terrain was read.
 void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, TerrainFromBases wanted) {
     if (all.city.terrain || wanted == TerrainFromBases::never) return;
-    const std::vector<BasedBuilding> based = basedBuildings(files);
+    const std::vector<BasedBuilding> based = basedBuildings(files, all.city.frame);
     const BaseRelief relief = measureRelief(based);
     if (wanted == TerrainFromBases::automatic && !relief.matters()) return;
     std::optional<Terrain> terrain = interpolateBases(based);
@@ -156,34 +162,75 @@ void countBeyondTerrain(CityRead& all) {
 }
 
 // Warns that stated ground elevations were not used, since there is no terrain.
-void sayFlattened(CityRead& all, const InputFile& file) {
-    const auto isRaised = [](const std::optional<float>& ground) { return ground && *ground != 0; };
-    const auto count = std::ranges::count_if(file.piece.groundM, isRaised);
-    if (count > 0 && !all.city.terrain)
+void sayFlattened(CityRead& all, const InputFile& file, std::size_t count) {
+    if (count > 0)
         all.warnings.push_back(
             {WarningKind::leftOut,
              fmt::format("the ground elevations of {} buildings: there is no terrain, so the ground is flat",
                          count),
-             file.path.filename().string()});
+             nameOf(file)});
 }
 
-void joinBuildings(CityRead& all, const InputFile& file) {
+bool isClean(const std::string& words) { return cleanText(words) == words; }
+
+// Names and ids come from strangers, and are printed in many places.
+std::shared_ptr<const Building> withCleanWords(std::shared_ptr<const Building> building) {
+    const auto partIsClean = [](const Part& part) { return isClean(part.sourceId); };
+    if (isClean(building->sourceId) && isClean(building->name) && isClean(building->status) &&
+        std::ranges::all_of(building->parts, partIsClean))
+        return building;
+    Building clean = *building;
+    for (std::string* words : {&clean.sourceId, &clean.name, &clean.status}) *words = cleanText(*words);
+    for (Part& part : clean.parts) part.sourceId = cleanText(part.sourceId);
+    return std::make_shared<const Building>(std::move(clean));
+}
+
+// A terrain from bases fits the bases that it was made of, and says nothing of others.
+Stand standFor(const CityRead& all, Stand wanted) {
+    const bool fromBases = all.city.terrain && all.city.terrain->source.method == TerrainMethod::fromBases;
+    return fromBases ? Stand::absolute : wanted;
+}
+
+void sayFit(CityRead& all, const InputFile& file, const Standing& standing, Stand wanted) {
+    if (!standing.fit() || standFor(all, wanted) != wanted) return;
+    BaseFit fit = *standing.fit();
+    fit.file = nameOf(file);
+    std::ranges::move(describeStanding(fit, wanted != Stand::automatic), std::back_inserter(all.warnings));
+    all.heights.bases.push_back(std::move(fit));
+}
+
+void joinBuildings(CityRead& all, const InputFile& file, Stand wanted) {
     const FilePiece& piece = file.piece;
-    sayFlattened(all, file);
+    const Standing standing(piece, file.carriers, all.city.frame, all.city.terrain.get(),
+                            standFor(all, wanted));
+    sayFlattened(all, file, standing.flattened());
+    sayFit(all, file, standing, wanted);
     auto& buildings = all.city.buildings;
     const std::size_t first = buildings.size();
-    buildings.insert(buildings.end(), piece.buildings.begin(), piece.buildings.end());
-    const Terrain* const terrain = all.city.terrain.get();
-    tbb::parallel_for(std::size_t{0}, piece.groundM.size(), [&](std::size_t i) {
-        if (terrain == nullptr && piece.groundM[i].value_or(0) == 0) return;  // it stands where it was read
-        buildings[first + i] =
-            std::make_shared<const Building>(standOnTerrain(*piece.buildings[i], piece.groundM[i], terrain));
-    });
+    buildings.resize(first + piece.buildings.size());
+    tbb::parallel_for(std::size_t{0}, piece.buildings.size(),
+                      [&](std::size_t i) { buildings[first + i] = withCleanWords(standing.place(i)); });
+}
+
+// Keeps one of buildings that are there twice.
+void dropSame(CityRead& all) {
+    auto& buildings = all.city.buildings;
+    std::vector<char> isDropped(buildings.size());
+    for (const SameBuilding& same : findSameBuildings(buildings)) {
+        const char* what = same.byId ? "a second building of the same id at the same place"
+                                     : "a second building of the same outline at the same place";
+        all.warnings.push_back({WarningKind::leftOut, what,
+                                fmt::format("{}, beside {}", buildings[same.dropped]->sourceId,
+                                            buildings[same.kept]->sourceId)});
+        isDropped[same.dropped] = 1;
+    }
+    std::size_t next = 0;
+    std::erase_if(buildings, [&](const auto&) { return isDropped[next++] != 0; });
 }
 
 // If there are several files, adds the file's name to its warnings.
 void joinWarnings(CityRead& all, const InputFile& file, bool several) {
-    const std::string name = file.path.filename().string();
+    const std::string name = nameOf(file);
     for (Warning warning : file.piece.warnings) {
         if (several && !warning.where.starts_with(name)) warning.where = name + ": " + warning.where;
         all.warnings.push_back(std::move(warning));
@@ -207,6 +254,7 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
 
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
                          const ReadWindow* window, Progress& progress, const std::stop_token& stop) {
+    const GdalCalls calls(stop);  // recognising a file may read all of it
     auto files = recogniseFiles(paths, window);
     if (!files) return tl::make_unexpected(files.error());
     const auto frame = readPieces(*files, settings, progress, stop, window);
@@ -214,14 +262,23 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
     CityRead all;
     all.city.frame = *frame;
     if (window != nullptr) all.city.terrain = window->terrain;
-    for (const InputFile& file : *files) joinTerrain(all, file);
+    GroundChoice ground = chooseGround(groundFiles(*files), settings, all.heights, stop);
+    if (stop.stop_requested()) return cancelled();
+    if (ground.terrain) all.city.terrain = ground.terrain;
+    std::ranges::move(ground.warnings, std::back_inserter(all.warnings));
+    for (InputFile& file : *files) {
+        file.carriers = findCarriers(file.piece);
+        markOverhangsOnBases(file.piece, file.carriers);
+    }
     makeTerrainFromBases(all, *files, settings.terrainFromBases);
     for (const InputFile& file : *files) {
-        joinBuildings(all, file);
+        if (stop.stop_requested()) return cancelled();
+        joinBuildings(all, file, settings.stand);
         joinWarnings(all, file, files->size() > 1);
         joinHeights(all.heights, file.piece.heights);
         all.features += file.piece.features;
     }
+    dropSame(all);
     countBeyondTerrain(all);
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);
@@ -232,12 +289,16 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
 
 Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
                           std::stop_token stop) {
-    return readAll(paths, settings, nullptr, progress, stop);
+    auto all = readAll(paths, settings, nullptr, progress, stop);
+    if (stop.stop_requested()) return cancelled();
+    return all;
 }
 
 Result<CityRead> readCityWindow(const std::vector<Path>& paths, const ReadSettings& settings,
                                 const ReadWindow& window, Progress& progress, std::stop_token stop) {
-    return readAll(paths, settings, &window, progress, stop);
+    auto all = readAll(paths, settings, &window, progress, stop);
+    if (stop.stop_requested()) return cancelled();
+    return all;
 }
 
 }  // namespace noonmark

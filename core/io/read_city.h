@@ -29,6 +29,14 @@ enum class UpAxis { z, y, automatic };
 /// then flat).
 enum class TerrainFromBases { automatic, always, never };
 
+/// How buildings stand on a terrain: as their bases lie against it (core/io/terrain/standing.h), each set
+/// down on it, or at the elevations that the files state.
+enum class Stand { automatic, terrain, absolute };
+
+/// What a terrain raster shows: found by whether it jumps at the outlines of buildings
+/// (core/io/terrain/surface_model.h), the bare ground, or a surface with the buildings on it.
+enum class TerrainShows { automatic, ground, surface };
+
 /// Settings for what a file does not state itself. Every field has a default that is right for well-made
 /// files.
 struct ReadSettings {
@@ -43,6 +51,9 @@ struct ReadSettings {
     double farAwayM = 60000;  ///< features farther from the middle of the data are left out, with a warning
 
     TerrainFromBases terrainFromBases = TerrainFromBases::automatic;
+    Stand stand = Stand::automatic;
+    TerrainShows terrainShows = TerrainShows::automatic;
+    bool heightsFromSurface = false;  ///< buildings without a height get that of the surface model
 
     // Meshes (OBJ, PLY, glTF) state neither axes, unit nor position.
     UpAxis upAxis = UpAxis::automatic;  ///< automatic: as the format says, or by the shape of the mesh
@@ -61,7 +72,7 @@ struct CityRead {
     std::string format;        ///< for display: "OpenStreetMap PBF"
     std::size_t features = 0;  ///< number of features read
     std::string attribution;   ///< of the data, if known ("(c) OpenStreetMap contributors")
-    HeightFacts heights;       ///< the fields that heights were read from, and candidates to choose from
+    HeightFacts heights;       ///< where heights and bases were read from, and candidates to choose from
 };
 
 /// Reads one or more files into one city: footprints (GeoJSON, GeoPackage, Shapefile, OSM XML and PBF),

@@ -10,8 +10,10 @@ struct FilePiece {
     std::optional<Frame> frame;  ///< set if the reader chose it
     std::vector<std::shared_ptr<const Building>> buildings;
     /// Local z of the ground that each building stands on, as the file states it; nothing if it does not, so
-    /// that readCity() places the building on the terrain. Empty: all z are final.
+    /// that readCity() places the building on the terrain. One for each building.
     std::vector<std::optional<float>> groundM;
+    /// z counts from a zero of the file's own, of unknown elevation, and not from that of the frame (meshes).
+    bool ownZero = false;
     std::shared_ptr<const Terrain> terrain;
     Warnings warnings;
     std::string format;

@@ -72,6 +72,7 @@ Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& fram
     for (OGRLayer* layer : (*dataset)->GetLayers())
         if (auto added = addLayer(*layer, frame, file.string(), region); !added)
             return tl::make_unexpected(added.error());
+    if (StopScope::isStopped()) return cancelled();
     if (region.polygons.empty())
         return failure("The file holds no polygon with an area", file.string(),
                        "Draw the region as a polygon");

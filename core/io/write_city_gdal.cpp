@@ -8,6 +8,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/geo/earth_drop.h"
 #include "core/geo/longitude.h"
 #include "core/io/files/pending_file.h"
 #include "core/io/write_city.h"
@@ -74,6 +75,9 @@ public:
         index_ = index;
         const std::string id = idFor(building);
         const float ground = findGroundUnder(building, city_);
+        const Box2 box = bounds(building);
+        // Readers lower an elevation by the drop when the building is set on terrain.
+        dropM_ = city_.terrain ? earthDropM(glm::dvec2(box.low + box.high) / 2.0) : 0;
         return std::ranges::all_of(
             building.parts, [&](const Part& part) { return write(building, id, part, double(ground)); });
     }
@@ -91,7 +95,7 @@ private:
         feature.SetField("min_height", part.bottomM - groundM);
         // A flat city at 0 has no known elevation; writing one would bury it under a terrain that is opened
         // with it.
-        const double elevation = city_.frame.originElevationM() + groundM;
+        const double elevation = city_.frame.originElevationM() + groundM + dropM_;
         if (city_.terrain || elevation != 0) feature.SetField("ground_elevation", elevation);
         feature.SetField("height_source", std::string(nameOf(part.heightSource)).c_str());
         feature.SetField("hangs", part.isOverhanging ? 1 : 0);
@@ -119,6 +123,7 @@ private:
     const City& city_;
     const Figures& figures_;
     std::size_t index_ = 0;  // index of the current building
+    double dropM_ = 0;       // of the earth's surface at it
     std::unordered_set<std::string> ids_;
 };
 

@@ -1,9 +1,13 @@
 #include "core/measures/place_receivers.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 
-#include "core/receivers/rasterize.h"
+#include "core/measures/place_areas.h"
+#include "core/measures/place_cells.h"
 
 namespace noonmark {
 
@@ -25,38 +29,107 @@ void keepCommon(Receivers& from, const Receivers& other) {
     });
 }
 
-std::vector<CellSpan> spansIn(const Place& place, const Receivers& receivers) {
-    std::vector<CellSpan> spans;
-    const auto& cells = receivers.cells;
-    for (const Footprint& polygon : place.polygons)
-        forEachRun(polygon, receivers.grid, [&](int row, int first, int end) {
-            const auto from = std::ranges::lower_bound(cells, receivers.grid.index(first, row));
-            const auto to = std::lower_bound(from, cells.end(), receivers.grid.index(end - 1, row) + 1);
-            if (from != to) spans.push_back({std::uint32_t(from - cells.begin()), std::uint32_t(to - from)});
-        });
-    std::ranges::sort(spans, {}, &CellSpan::first);
-    return spans;
-}
-
-// Joins spans that follow or overlap each other: polygons of a place may touch.
-std::vector<CellSpan> joined(const std::vector<CellSpan>& spans) {
-    std::vector<CellSpan> all;
-    for (const CellSpan& span : spans) {
-        if (all.empty() || span.first > all.back().first + all.back().count)
-            all.push_back(span);
-        else
-            all.back().count =
-                std::max(all.back().first + all.back().count, span.first + span.count) - all.back().first;
+/// The squares of the cells that any place touches, as one rectangle a run.
+Region regionOfCells(const std::vector<std::vector<CellPart>>& parts, const Grid& grid) {
+    std::vector<std::uint32_t> cells;
+    for (const auto& ofPlace : parts)
+        for (const CellPart& part : ofPlace) cells.push_back(part.cell);
+    std::ranges::sort(cells);
+    const auto again = std::ranges::unique(cells);
+    cells.erase(again.begin(), again.end());
+    Region region{"places", {}};
+    const auto columns = std::uint32_t(grid.columns);
+    for (std::size_t i = 0, end = 0; i < cells.size(); i = end) {
+        for (end = i + 1;
+             end < cells.size() && cells[end] == cells[end - 1] + 1 && cells[end] % columns != 0;)
+            ++end;
+        const double west = grid.westM + double(cells[i] % columns) * grid.cellM,
+                     south = grid.southM + double(cells[i] / columns) * grid.cellM;
+        const auto x0 = float(west), y0 = float(south), x1 = float(west + double(end - i) * grid.cellM),
+                   y1 = float(south + grid.cellM);
+        region.polygons.push_back({{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}});
     }
-    return all;
+    return region;
 }
 
-std::uint64_t bitsAt(std::span<const std::uint64_t> words, std::size_t bit) {
-    const std::size_t word = bit / 64, shift = bit % 64;
-    std::uint64_t bits = words[word] >> shift;
-    if (shift != 0 && word + 1 < words.size()) bits |= words[word + 1] << (64 - shift);
-    return bits;
-}
+/// The cells of one place, bit by bit.
+class PlaceCells {
+public:
+    PlaceCells(const std::vector<CellPart>& parts, const Receivers& receivers) : receivers_(receivers) {
+        for (const CellPart& part : parts)
+            if (isReceiver(receivers.kind[part.cell])) cells_.push_back(part.cell);
+        shares_.resize(cells_.size());
+        for (const CellPart& part : parts)
+            if (const auto bit = bitFor(part.cell)) shares_[*bit] += part.share;
+    }
+
+    [[nodiscard]] std::vector<CellSpan> spans() const {
+        std::vector<CellSpan> spans;
+        for (const std::uint32_t cell : cells_) {
+            const auto at = std::ranges::lower_bound(receivers_.cells, cell) - receivers_.cells.begin();
+            if (!spans.empty() && spans.back().first + spans.back().count == std::uint32_t(at))
+                ++spans.back().count;
+            else
+                spans.push_back({std::uint32_t(at), 1});
+        }
+        return spans;
+    }
+
+    [[nodiscard]] std::vector<UnevenCell> uneven() const {
+        constexpr double rounding = 1e-6;
+        std::vector<UnevenCell> cells;
+        for (std::uint32_t bit = 0; bit < shares_.size(); ++bit)
+            if (std::abs(shares_[bit] - 1) > rounding) cells.push_back({bit, shares_[bit] - 1});
+        return cells;
+    }
+
+    [[nodiscard]] std::vector<NeighbourCells> neighbours() const {
+        std::vector<NeighbourCells> pairs;
+        const auto columns = std::uint32_t(receivers_.grid.columns);
+        for (std::uint32_t bit = 0; bit < cells_.size(); ++bit) {
+            const std::uint32_t cell = cells_[bit];
+            if (bit + 1 < cells_.size() && cells_[bit + 1] == cell + 1 && (cell + 1) % columns != 0)
+                addPair(pairs, bit, bit + 1);
+        }
+        for (std::uint32_t bit = 0; bit < cells_.size(); ++bit)
+            if (const auto north = bitOf(std::int64_t(cells_[bit]) + columns)) addPair(pairs, bit, *north);
+        return pairs;
+    }
+
+private:
+    static void addPair(std::vector<NeighbourCells>& pairs, std::uint32_t first, std::uint32_t second) {
+        if (!pairs.empty()) {
+            NeighbourCells& last = pairs.back();
+            if (first == last.first + last.count && second == last.second + last.count) {
+                ++last.count;
+                return;
+            }
+        }
+        pairs.push_back({first, second, 1});
+    }
+
+    [[nodiscard]] std::optional<std::uint32_t> bitOf(std::int64_t cell) const {
+        const auto found = std::ranges::lower_bound(cells_, cell);
+        if (found == cells_.end() || std::int64_t(*found) != cell) return std::nullopt;
+        return std::uint32_t(found - cells_.begin());
+    }
+
+    /// The cell's own bit, or that of the cell beside it, then of one at its corner.
+    [[nodiscard]] std::optional<std::uint32_t> bitFor(std::uint32_t cell) const {
+        const int columns = receivers_.grid.columns, column = int(cell % std::uint32_t(columns));
+        static constexpr std::array<std::array<int, 2>, 9> beside{
+            {{0, 0}, {0, -1}, {-1, 0}, {1, 0}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+        for (const auto& [east, north] : beside) {
+            if (column + east < 0 || column + east >= columns) continue;
+            if (const auto bit = bitOf(std::int64_t(cell) + std::int64_t(north) * columns + east)) return bit;
+        }
+        return std::nullopt;
+    }
+
+    const Receivers& receivers_;
+    std::vector<std::uint32_t> cells_;
+    std::vector<double> shares_;
+};
 
 void orBits(std::span<std::uint64_t> words, std::size_t bit, std::uint64_t bits) {
     const std::size_t word = bit / 64, shift = bit % 64;
@@ -86,17 +159,30 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
                                               std::span<const Place> places, const ReceiverSettings& settings,
                                               const std::stop_token& stop) {
     if (places.empty()) return failure("There is no place to measure", "places", "Read or draw places first");
-    const Region region = regionOfAll(places);
+    const auto grid = gridOver(regionOfAll(places), settings);
+    if (!grid) return tl::make_unexpected(grid.error());
+    const auto built = findBuiltGround(cities, places);
+    std::vector<std::vector<CellPart>> parts;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        parts.push_back(listCellParts(findOpenGround(places[i], built[i]), *grid, stop));
+        if (stop.stop_requested()) return cancelled();
+    }
+    const Region touched = regionOfCells(parts, *grid);
     PlaceReceivers placed;
     for (std::size_t i = 0; i < cities.size(); ++i) {
-        auto receivers = placeReceiversOnGround(*cities[i], region, settings, stop);
+        auto receivers = placeReceiversInPart(*cities[i], touched, *grid, stop);
         if (!receivers) return tl::make_unexpected(receivers.error());
         if (i == 0)
             placed.receivers = *std::move(receivers);
         else
             keepCommon(placed.receivers, *receivers);
     }
-    for (const Place& place : places) placed.cellsOf.push_back(joined(spansIn(place, placed.receivers)));
+    for (const auto& ofPlace : parts) {
+        const PlaceCells cells(ofPlace, placed.receivers);
+        placed.cellsOf.push_back(cells.spans());
+        placed.unevenOf.push_back(cells.uneven());
+        placed.neighboursOf.push_back(cells.neighbours());
+    }
     return placed;
 }
 

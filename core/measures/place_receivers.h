@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/engines/api/step_masks.h"
+#include "core/measures/place_shadow.h"
 #include "core/receivers/place.h"
 #include "core/receivers/receivers.h"
 
@@ -20,11 +21,16 @@ struct CellSpan {
     bool operator==(const CellSpan&) const = default;
 };
 
-/// The cells of several places, as receivers of one run. A cell that lies in two places (a playground in a
-/// park) is one receiver and counts in both.
+/// The cells of several places, as receivers of one run: every cell that a place touches and whose centre is
+/// on open ground, also just outside the place. A cell that lies in two places (a playground in a park) is
+/// one receiver and counts in both.
 struct PlaceReceivers {
     Receivers receivers;
     std::vector<std::vector<CellSpan>> cellsOf;  ///< one list a place, ascending; empty: no cell of its own
+    /// Cells that count more or less than their area, so that the areas of a place's cells add up to its open
+    /// ground; one list a place.
+    std::vector<std::vector<UnevenCell>> unevenOf;
+    std::vector<std::vector<NeighbourCells>> neighboursOf;  ///< one list a place
 
     [[nodiscard]] std::size_t cellCount(std::size_t place) const;
     /// Index in Receivers::cells of the cell that has bit `cell` in the place's own masks.
@@ -32,8 +38,9 @@ struct PlaceReceivers {
 };
 
 /// The cells of the places that are receivers on the ground in every city: what a building of any of them
-/// covers is left out. Errors as of placeReceiversOnGround(), of which the grid covers all places. Cost: that
-/// of placing receivers for each city, plus O(cells of the places).
+/// covers is left out. Open ground in a cell whose centre is built on counts for the cell beside it. Errors
+/// as of gridOver(), of which the grid covers all places, and cancelled(). Cost: that of placing receivers
+/// for each city, plus O(cells of the places).
 Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> cities,
                                               std::span<const Place> places, const ReceiverSettings& settings,
                                               const std::stop_token& stop = {});

@@ -29,4 +29,17 @@ Result<void> shadePlaces(const Engine& engine, const City& baseline, const City*
                          const PlaceReceivers& places, const SunSteps& sun, const TakePlaces& take,
                          Progress& progress, std::stop_token stop);
 
+/// Makes two masks of those of several cities: the first becomes the baseline's, the last the scenario's.
+using JoinMasks = std::function<void(std::span<StepMasks> ofCities)>;
+
+/// The same with several cities, whose masks are joined first: shadow that is already cast by
+/// one of two, or by the bare ground.
+Result<void> shadePlaces(const Engine& engine, std::span<const City* const> cities, const JoinMasks& join,
+                         const PlaceReceivers& places, const SunSteps& sun, const TakePlaces& take,
+                         Progress& progress, std::stop_token stop);
+
+/// Adds the shadow of masks of equal size, or takes it away.
+void addShadow(StepMasks& to, const StepMasks& more);
+void removeShadow(StepMasks& from, const StepMasks& less);
+
 }  // namespace noonmark

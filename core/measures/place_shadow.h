@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/engines/api/step_masks.h"
@@ -7,9 +8,23 @@
 
 namespace noonmark {
 
+/// A cell of which more or less than its own area counts: it lies on the edge of the place or of a building,
+/// or also stands for the open ground beside it whose own cell has its centre in a building.
+struct UnevenCell {
+    std::uint32_t bit = 0;  ///< of the place's masks
+    double extra = 0;       ///< cells that count besides its own; -1 to 8
+};
+
+/// Cells [first, first + count) of which each has its eastern or northern neighbour in [second, second +
+/// count), as bits of the place's masks.
+struct NeighbourCells {
+    std::uint32_t first = 0, second = 0, count = 0;
+};
+
 /// Shadow on the cells of one place over one day, in the baseline and in the scenario. The cells are those
 /// that are receivers in both; cells that a building of either covers are left out. Bit c of both masks is
-/// the same cell. Days with no step above the horizon have no steps.
+/// the same cell; its centre decides, and its share of the place weighs it. Days with no step above the
+/// horizon have no steps.
 ///
 /// Each step counts `stepMinutes` and has the sun of its beginning. A gap between the slots of two steps
 /// (SunStep::slot) ends an unbroken run.
@@ -18,10 +33,16 @@ struct PlaceShadow {
     std::span<const SunStep> steps;  ///< of the day; belongs to the period's SunSteps
     double cellAreaM2 = 1;
     double stepMinutes = 1;
-    StepMasks baseline;  ///< masks over the place's own cells only
-    StepMasks scenario;  ///< as large; equal to `baseline` where no scenario is given
+    StepMasks baseline;                    ///< masks over the place's own cells only
+    StepMasks scenario;                    ///< as large; equal to `baseline` where no scenario is given
+    std::span<const UnevenCell> uneven{};  ///< ascending; all others count once
+    std::span<const NeighbourCells> neighbours{};  ///< all pairs; none: the edges of shadows are not known
 
-    [[nodiscard]] double areaM2() const { return double(baseline.receivers) * cellAreaM2; }
+    [[nodiscard]] double areaM2() const {
+        double cells = double(baseline.receivers);
+        for (const UnevenCell& cell : uneven) cells += cell.extra;
+        return cells * cellAreaM2;
+    }
 };
 
 }  // namespace noonmark

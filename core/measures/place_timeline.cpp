@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/measures/mask_runs.h"
+#include "core/measures/place_areas.h"
 #include "core/measures/step_counts.h"
 
 namespace noonmark {
@@ -105,17 +106,16 @@ std::optional<Instant> ShadowOnPlace::exits() const {
 }
 
 DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& settings) {
-    DayTimeline day{.day = shadow.day, .areaM2 = shadow.areaM2()};
+    DayTimeline day{.day = shadow.day, .areaM2 = shadow.areaM2(), .stepMinutes = shadow.stepMinutes};
     day.sunlitMinutes = double(shadow.steps.size()) * shadow.stepMinutes;
     ShadowSum baseline(shadow, day.baseline), scenario(shadow, day.scenario),
         incremental(shadow, day.incremental), gained(shadow, day.gained);
     const std::size_t cells = shadow.baseline.receivers;
     for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
         const StepCounts counts = countStep(shadow.baseline.at(step), shadow.scenario.at(step));
-        const PlaceStep areas{
-            shadow.steps[step].at, double(counts.baseline) * shadow.cellAreaM2,
-            double(counts.scenario) * shadow.cellAreaM2, double(counts.incremental) * shadow.cellAreaM2,
-            double(counts.baseline + counts.incremental - counts.scenario) * shadow.cellAreaM2};
+        const StepAreas weighed = weighStep(shadow, step, counts);
+        const PlaceStep areas{shadow.steps[step].at, weighed.baselineM2, weighed.scenarioM2,
+                              weighed.incrementalM2, weighed.gainedM2};
         baseline.add(step, areas.baselineM2);
         scenario.add(step, areas.scenarioM2);
         incremental.add(step, areas.incrementalM2);

@@ -54,6 +54,9 @@ struct DayTimeline {
     CivilDate day;
     double areaM2 = 0;         ///< of the place's cells
     double sunlitMinutes = 0;  ///< steps x step length
+    /// Length of a step. Each beginning and end of shadow is at most this much too late, as each step has the
+    /// sun of its beginning.
+    double stepMinutes = 1;
     std::vector<PlaceStep> steps;
     ShadowOnPlace baseline, scenario, incremental, gained;
     double fullCoverMin = 0;  ///< minutes in which the scenario shades the whole place

@@ -9,6 +9,14 @@ namespace noonmark {
 
 namespace {
 
+double standardErrorOf(std::span<const double> values, double mean) {
+    const auto count = double(values.size());
+    if (count < 2) return mean;  // one value says nothing of its spread
+    double squares = 0;
+    for (const double value : values) squares += std::pow(value - mean, 2);
+    return std::sqrt(squares / (count - 1) / count);
+}
+
 template <class Difference>
 CellError cellErrorOf(std::span<const ComparedCell> cells, double wholeMin, const Difference& difference) {
     CellError error{.wholeMin = wholeMin};
@@ -21,6 +29,7 @@ CellError cellErrorOf(std::span<const ComparedCell> cells, double wholeMin, cons
         error.worstM = cell.centreM;
     }
     if (off.empty()) return error;
+    error.meanStandardErrorMin = standardErrorOf(off, error.meanMin);
     const auto rank = std::size_t(std::ceil(0.99 * double(off.size()))) - 1;  // nearest rank
     std::ranges::nth_element(off, off.begin() + std::ptrdiff_t(rank));
     error.p99Min = off[rank];
@@ -43,12 +52,12 @@ CellError continuousErrorOf(std::span<const ComparedCell> cells, double longestD
 // Cells are of equal size: the error of the area is the mean of the cells' errors.
 void addArea(SampledError& error, std::span<const ComparedCell> cells) {
     const auto count = double(cells.size());
-    double mean = 0, squares = 0;
-    for (const ComparedCell& cell : cells) mean += grossDifference(cell) / count;
-    for (const ComparedCell& cell : cells) squares += std::pow(grossDifference(cell) - mean, 2);
+    double mean = 0;
+    std::vector<double> off;
+    for (const ComparedCell& cell : cells) off.push_back(grossDifference(cell));
+    for (const double difference : off) mean += difference / count;
     error.areaPct = error.gross.percent(mean);
-    if (cells.size() > 1)
-        error.areaStandardErrorPct = error.gross.percent(std::sqrt(squares / (count - 1) / count));
+    if (cells.size() > 1) error.areaStandardErrorPct = error.gross.percent(standardErrorOf(off, mean));
 }
 
 }  // namespace

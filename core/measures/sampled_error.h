@@ -5,6 +5,8 @@
 #include <glm/vec2.hpp>
 #include <span>
 
+#include "core/engines/api/engine.h"
+
 namespace noonmark {
 
 /// The minutes of one receiver by an engine, and by the ray reference over the same steps.
@@ -19,7 +21,8 @@ struct ComparedCell {
 /// Statistics of the absolute differences of cells. In minutes; percent() converts to % of `wholeMin`.
 struct CellError {
     double meanMin = 0;
-    double p99Min = 0;  ///< 99 % of the cells differ by no more than this
+    double meanStandardErrorMin = 0;  ///< standard error of the mean, from the spread of the sample
+    double p99Min = 0;                ///< 99 % of the cells differ by no more than this
     double maxMin = 0;
     glm::dvec2 worstM{0};  ///< centre of the cell with the largest difference, local metres
     double wholeMin = 0;   ///< minutes that are 100 %
@@ -39,6 +42,11 @@ struct SampledError {
     double areaStandardErrorPct = 0;  ///< standard error of areaPct, from the spread of the sample
     CellError gross;                  ///< 100 % is the sunlit minutes of a mean day
     CellError continuous;  ///< 100 % is the sunlit minutes of the longest day; minutes are NaN without runs
+
+    /// What error targets of engines are about.
+    [[nodiscard]] SampledOff grossOff() const {
+        return {gross.percent(gross.meanMin), gross.percent(gross.meanStandardErrorMin)};
+    }
 };
 
 /// Statistics of a sample; all zero for an empty one. `sunlitMinutesPerDay` and `longestDayMin` are 100 % of

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/clean_text.h"
 #include "core/sun/close_names.h"
 
 namespace noonmark {
@@ -13,22 +14,6 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t mostLetters = 120;
-
-// Bytes of the UTF-8 character at the front of the text; 0 where there is none.
-std::size_t characterBytes(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    const std::size_t bytes = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    if (bytes == 0 || lead > 0xF4 || text.size() < bytes) return 0;
-    for (std::size_t i = 1; i < bytes; ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
-    if (bytes < 3) return bytes;
-    const auto second = static_cast<unsigned char>(text[1]);
-    const bool tooLong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-    const bool noCharacter = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
-    return tooLong || noCharacter ? 0 : bytes;
-}
-
-bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
 std::string lowered(std::string_view text) {
     std::string low(text);
@@ -53,17 +38,7 @@ std::vector<std::string> namesLike(const std::vector<Place>& places, std::string
 }  // namespace
 
 std::string cleanName(std::string_view text) {
-    std::string name;
-    for (std::size_t letters = 0; !text.empty() && letters < mostLetters; ++letters) {
-        const std::size_t bytes = characterBytes(text);
-        if (bytes == 0)
-            name += '?';
-        else if (isControl(text.front()))
-            name += ' ';
-        else
-            name += text.substr(0, bytes);
-        text.remove_prefix(std::max<std::size_t>(1, bytes));
-    }
+    const std::string name = cleanText(text, mostLetters);
     const auto first = name.find_first_not_of(' ');
     if (first == name.npos) return {};
     return name.substr(first, name.find_last_not_of(' ') - first + 1);

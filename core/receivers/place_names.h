@@ -9,8 +9,8 @@
 
 namespace noonmark {
 
-/// A name as it may be shown and stored: control characters and line breaks become blanks, bytes that are not
-/// UTF-8 become '?', blanks at both ends go, and what exceeds 120 characters is cut off.
+/// A name as it may be shown and stored: cleanText() without blanks at both ends; what exceeds 120 characters
+/// is cut off.
 std::string cleanName(std::string_view text);
 
 /// Gives every place a name of its own: an empty one becomes "park (way 123)" by kind and source, and a name

@@ -100,15 +100,60 @@ std::vector<OverhangSpan> listOverhangs(const Skyline& skyline, double northDeg)
     return spans;
 }
 
-PointView viewOf(const City& city, const SkyPoint& point, const PointStudy& study, double northDeg,
-                 const Zone& zone) {
+/// The sun of the question's day: at steps, and at any instant.
+struct SunOfDay {
+    Observer observer;
+    Ephemeris ephemeris;
+    SunSteps steps;
+
+    [[nodiscard]] std::optional<glm::vec3> directionAt(Instant at) const {
+        const SolarPosition sun = ephemeris.at(at);
+        if (sun.altitudeApparent.value <= 0) return std::nullopt;
+        return glm::vec3(observer.frameFromPlace * toDirection(sun.azimuth, sun.altitudeApparent));
+    }
+};
+
+std::vector<SunBand> findSunlitTimes(const Skyline& skyline, const SunOfDay& day) {
+    auto bands = findSunBands(findShadedSteps(skyline, day.steps), day.steps, 0);
+    refineSunBands(bands, day.steps.stepMinutes, [&](Instant at) {
+        const auto direction = day.directionAt(at);
+        return direction && !skyline.hides(*direction);
+    });
+    return bands;
+}
+
+// Between the sunlit times, each step with what hides the sun at its beginning.
+std::vector<ShadedTime> findShadedTimes(const Skyline& skyline, const SunOfDay& day,
+                                        const std::vector<SunBand>& sunlit) {
+    std::vector<ShadedTime> times;
+    const auto length = std::chrono::milliseconds(std::llround(day.steps.stepMinutes * 60000));
+    for (const SunStep& step : day.steps.steps) {
+        const auto hider = skyline.findHider(step.direction);
+        if (!hider) continue;
+        const Instant end = step.at + length;
+        if (!times.empty() && times.back().building == *hider && times.back().when.to == step.at)
+            times.back().when.to = end;
+        else
+            times.push_back({{step.at, end}, *hider});
+    }
+    for (ShadedTime& time : times)
+        for (const SunBand& band : sunlit) {
+            if (std::chrono::abs(time.when.from - band.to) <= length) time.when.from = band.to;
+            if (std::chrono::abs(time.when.to - band.from) <= length) time.when.to = band.from;
+        }
+    return times;
+}
+
+PointView viewOf(const City& city, const SkyPoint& point, const PointStudy& study, const SunOfDay& day,
+                 double northDeg, const Zone& zone) {
     const Skyline skyline = Skyline::at(point, collectSkyObstacles(city));
     PointView view;
     SkylineList(skyline, northDeg).fill(view);
     view.overhangs = listOverhangs(skyline, northDeg);
     view.factors = computeSkyFactors(skyline);
     view.shaded = findShadedSteps(skyline, study.sun);
-    view.sunlit = findSunBands(view.shaded, study.sun, study.day);
+    view.sunlit = findSunlitTimes(skyline, day);
+    view.shadedTimes = findShadedTimes(skyline, day, view.sunlit);
     view.minutes = sumSunlight(view.shaded, study.sun, zone);
     view.year = countShadow(view.shaded, study.sun);
     return view;
@@ -130,6 +175,38 @@ Result<void> checkQuestion(const PointQuestion& question) {
     if (!question.day.ok())
         return failure("The day does not exist", "point", "Give a date such as 2026-03-21");
     return {};
+}
+
+Result<SunOfDay> computeSunOfDay(const PointQuestion& question, const Zone& zone, const Observer& observer,
+                                 const std::stop_token& stop) {
+    const Period day{.start = question.day,
+                     .days = 1,
+                     .stepMinutes = std::min(1.0, question.stepMinutes),
+                     .window = SolarWindow{},
+                     .zone = question.zone};
+    auto steps = computeSunSteps(day, observer, stop);
+    if (!steps) return tl::make_unexpected(steps.error());
+    const Instant midnight = zone.instantAt(question.day, std::chrono::minutes(0));
+    auto sun = Ephemeris::over(observer, midnight - std::chrono::days(1), midnight + std::chrono::days(2));
+    if (!sun) return tl::make_unexpected(sun.error());
+    return SunOfDay{observer, *std::move(sun), *std::move(steps)};
+}
+
+// Steps longer than a minute would miss the days on which little is lost, at the ends of a season.
+Result<std::vector<SeasonOfLoss>> findSeasons(const City& baseline, const City& scenario,
+                                              const SkyPoint& point, const PointStudy& study,
+                                              const Observer& observer, const Zone& zone,
+                                              const std::stop_token& stop) {
+    if (study.question.stepMinutes <= 1)
+        return findLosses(study.baseline.shaded, study.scenario->shaded, study.sun, zone);
+    PointQuestion minutes = study.question;
+    minutes.stepMinutes = 1;
+    const auto sun = computeSunSteps(yearOf(minutes), observer, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const auto shadedIn = [&](const City& city) {
+        return findShadedSteps(Skyline::at(point, collectSkyObstacles(city)), *sun);
+    };
+    return findLosses(shadedIn(baseline), shadedIn(scenario), *sun, zone);
 }
 
 std::size_t dayNumber(CivilDate day) {
@@ -162,12 +239,16 @@ Result<PointStudy> runPointStudy(const City& baseline, const City* scenario, con
                      .possibleMin = sun->sunlitMinutes(),
                      .sun = *std::move(sun),
                      .day = dayNumber(question.day)};
+    const auto day = computeSunOfDay(question, *zone, observer, stop);
+    if (!day) return tl::make_unexpected(day.error());
     const double north = convergenceDeg(observer);
-    study.baseline = viewOf(baseline, settled->point, study, north, *zone);
+    study.baseline = viewOf(baseline, settled->point, study, *day, north, *zone);
     if (stop.stop_requested()) return cancelled();
     if (scenario != nullptr) {
-        study.scenario = viewOf(*scenario, settled->point, study, north, *zone);
-        study.losses = findLosses(study.baseline.shaded, study.scenario->shaded, study.sun, *zone);
+        study.scenario = viewOf(*scenario, settled->point, study, *day, north, *zone);
+        auto losses = findSeasons(baseline, *scenario, settled->point, study, observer, *zone, stop);
+        if (!losses) return tl::make_unexpected(losses.error());
+        study.losses = *std::move(losses);
     }
     study.seconds = watch.seconds();
     return study;

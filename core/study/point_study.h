@@ -43,14 +43,24 @@ struct OverhangSpan {
     double lowDeg = 0, highDeg = 0;  ///< altitudes
 };
 
+/// A time of the day in which one thing hides the sun, with the sun above the horizon.
+struct ShadedTime {
+    SunBand when;  ///< ends at sunlight are exact, those between two buildings lie on a step of the day
+    std::uint32_t building = 0;  ///< index in City::buildings, or a constant of SkyObstacles
+};
+
 /// The sun and sky of a point in one city.
 struct PointView {
     std::vector<SkylinePlace> skyline;  ///< 0 to 360 degrees, at most 1 degree apart; two entries at a jump
     std::vector<SkylineStretch> stretches;
     std::vector<OverhangSpan> overhangs;  ///< ascending azimuths
     SkyFactors factors;
-    std::vector<SunBand> sunlit;  ///< of the day
-    MonthHours minutes{};         ///< sunlit minutes of the year, by month and hour of the wall clock
+    /// Of the day, at steps of at most a minute, with ends to 0.1 s; bands shorter than such a step may be
+    /// missing.
+    std::vector<SunBand> sunlit;
+    std::vector<ShadedTime> shadedTimes;  ///< of the day, in order
+    /// Sunlit minutes of the year at the question's step, by month and hour of the wall clock.
+    MonthHours minutes{};
     PointShadow year;
     ShadedSteps shaded;  ///< of PointStudy::sun
 };
@@ -73,7 +83,7 @@ struct PointStudy {
     std::size_t day = 0;     ///< index in SunSteps::days
     PointView baseline;
     std::optional<PointView> scenario;
-    std::vector<SeasonOfLoss> losses;  ///< the scenario's, most minutes first
+    std::vector<SeasonOfLoss> losses;  ///< the scenario's, most minutes first; at steps of a minute or less
     double seconds = 0;                ///< wall time of the computation
 };
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "core/measures/place_run.h"
 #include "core/receivers/city_above_plane.h"
 #include "core/receivers/parcels/line_belts.h"
 #include "core/receivers/plane_receivers.h"
@@ -75,11 +74,41 @@ Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const
     const std::array<const City*, 2> cities{&before, &after};
     auto receivers = placeReceiversOnPlaces(cities, places, {.cellM = cellM}, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    if (plane && !isLowered) raiseToPlane(receivers->receivers, rule.receivers.planeM);
-    return RuleScene{std::move(before), std::move(after), *std::move(receivers)};
+    RuleScene scene{std::move(before), std::move(after), *std::move(receivers)};
+    if (rule.occluders.casters == RuleCasters::proposal && scene.after.terrain)
+        scene.bare = City{scene.after.frame, {}, scene.after.terrain};
+    if (!plane || isLowered) return scene;
+    raiseToPlane(scene.receivers.receivers, rule.receivers.planeM);
+    const std::vector<float>& raised = scene.receivers.receivers.groundM;
+    if (!raised.empty()) scene.planeZ = raised.front();
+    return scene;
 }
 
 }  // namespace
+
+Result<void> shadeScene(const Engine& engine, const PreparedReview& prepared, const TakePlaces& take,
+                        Progress& progress, std::stop_token stop) {
+    const RuleScene& scene = prepared.scene;
+    std::vector<const City*> cities{&scene.before};
+    if (scene.bare) cities.push_back(&*scene.bare);
+    cities.push_back(&scene.after);
+    const auto join = [](std::span<StepMasks> masks) {
+        if (masks.size() < 3) return;
+        removeShadow(masks.front(), masks[1]);
+        removeShadow(masks.back(), masks[1]);
+    };
+    return shadePlaces(engine, cities, join, scene.receivers, prepared.days.sun, take, progress,
+                       std::move(stop));
+}
+
+Result<void> shadeWithout(const Engine& engine, const PreparedReview& prepared, const City& without,
+                          const TakePlaces& take, Progress& progress, std::stop_token stop) {
+    const RuleScene& scene = prepared.scene;
+    const std::vector<const City*> cities{&without, &scene.before, &scene.after};
+    const auto join = [](std::span<StepMasks> masks) { addShadow(masks.front(), masks[1]); };
+    return shadePlaces(engine, cities, join, scene.receivers, prepared.days.sun, take, progress,
+                       std::move(stop));
+}
 
 City keepOwnBuildings(const City& city, const City& other) {
     std::set<const Building*> shared;
@@ -115,9 +144,6 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
     CastingCities casting = chooseCasters(rule, baseline, scenario);
     auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());
-    if (days->sun.steps.empty())
-        return failure("The sun is below the horizon in all hours of the rule", rule.key,
-                       "Check place and year");
     auto measured = placesToMeasure(rule, places, casting.after, days->sun);
     if (!measured) return tl::make_unexpected(measured.error());
     auto scene = makeRuleScene(rule, std::move(casting.before), std::move(casting.after), measured->places,

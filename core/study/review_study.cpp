@@ -10,6 +10,7 @@
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/measures/place_sums.h"
+#include "core/review/criteria/worst_spots.h"
 #include "core/study/prepare_review.h"
 
 namespace noonmark {
@@ -38,12 +39,11 @@ std::vector<std::string> notCheckedIn(const Rule& rule, const City& city) {
     return all;
 }
 
-/// The shadow that one building alone adds to the places, m2 x h by place.
+/// The shadow that one building alone adds to what is lit in the baseline, m2 x h by place.
 Result<std::vector<double>> shadowOfBuilding(const PreparedReview& prepared, const Building& building,
                                              const Engine& engine, Progress& progress,
                                              const std::stop_token& stop) {
-    const RuleScene& scene = prepared.scene;
-    City without = scene.after;
+    City without = prepared.scene.after;
     std::erase_if(without.buildings, [&](const auto& other) { return other.get() == &building; });
     std::vector<double> incremental(prepared.measured.places.size());
     const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
@@ -53,9 +53,9 @@ Result<std::vector<double>> shadowOfBuilding(const PreparedReview& prepared, con
         });
         return {};
     };
-    return shadePlaces(engine, without, &scene.after, scene.receivers, prepared.days.sun, take, progress,
-                       stop)
-        .map([&] { return std::move(incremental); });
+    return shadeWithout(engine, prepared, without, take, progress, stop).map([&] {
+        return std::move(incremental);
+    });
 }
 
 /// Contributions of scenarios with several new buildings; of too many, a warning instead.
@@ -79,6 +79,31 @@ Result<void> addContributions(const PreparedReview& prepared, const Engine& engi
     return {};
 }
 
+/// Looks for the worst spots of places between the centres of their cells; for none where not wanted.
+struct SpotFinder {
+    std::vector<SpotSearch> searches;
+    std::optional<PlacePoints> points;
+
+    [[nodiscard]] std::vector<PlaceShadow> near(std::size_t place, const PlaceShadow& shadow) const {
+        if (!points) return {};
+        return refineWorstSpots(place, shadow, *points, searches);
+    }
+};
+
+Result<SpotFinder> prepareSpots(const Rule& rule, const PreparedReview& prepared,
+                                const ReviewSettings& settings, const std::stop_token& stop) {
+    SpotFinder finder{listSpotSearches(rule), {}};
+    if (!settings.refinesSpots) return finder;
+    const RuleScene& scene = prepared.scene;
+    std::vector<const City*> cities{&scene.before, &scene.after};
+    if (scene.bare) cities.push_back(&*scene.bare);
+    auto points = PlacePoints::over(cities, prepared.measured.places, scene.receivers, scene.planeZ,
+                                    prepared.days.sun, stop);
+    if (!points) return tl::make_unexpected(points.error());
+    finder.points = *std::move(points);
+    return finder;
+}
+
 }  // namespace
 
 Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, const City& scenario,
@@ -100,7 +125,6 @@ Result<RuleTimelines> computeRuleTimelines(const Rule& rule, const City& baselin
     if (!prepared) return tl::make_unexpected(prepared.error());
     const RuleSun& days = prepared->days;
     const RulePlaces& measured = prepared->measured;
-    const RuleScene& scene = prepared->scene;
     RuleTimelines timelines{{}, {}, days.clock, days.sun.stepMinutes};
     for (const Place& place : measured.places) timelines.names.push_back(place.name);
     timelines.days.resize(measured.places.size());
@@ -109,9 +133,9 @@ Result<RuleTimelines> computeRuleTimelines(const Rule& rule, const City& baselin
             timelines.days[i].push_back(computeTimeline(shadows[i], {.longestStays = false}));
         return {};
     };
-    return shadePlaces(engine, scene.before, &scene.after, scene.receivers, days.sun, take, progress,
-                       std::move(stop))
-        .map([&] { return std::move(timelines); });
+    return shadeScene(engine, *prepared, take, progress, std::move(stop)).map([&] {
+        return std::move(timelines);
+    });
 }
 
 Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City& scenario,
@@ -122,6 +146,8 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
     const RuleSun& days = prepared->days;
     const RulePlaces& measured = prepared->measured;
     const RuleScene& scene = prepared->scene;
+    const auto spots = prepareSpots(rule, *prepared, settings, stop);
+    if (!spots) return tl::make_unexpected(spots.error());
     std::vector<PlaceEvaluation> evaluations;
     for (std::size_t i = 0; i < measured.places.size(); ++i)
         evaluations.emplace_back(rule, days.clock, measured.places[i].name, measured.places[i].kind, 0,
@@ -129,7 +155,7 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
     std::vector<std::vector<DayTimeline>> timelines(settings.timelines ? measured.places.size() : 0);
     const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
         tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
-            evaluations[i].add(shadows[i], days.weights[day]);
+            evaluations[i].add(shadows[i], days.weights[day], spots->near(i, shadows[i]));
             if (settings.timelines)
                 timelines[i].push_back(thinned(computeTimeline(shadows[i], {.longestStays = false}),
                                                days.sun.stepMinutes, days.sun.days.size()));
@@ -137,20 +163,21 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         return {};
     };
     ProgressShare first(progress, 0, settings.contributions ? 2 : 1);
-    const auto done =
-        shadePlaces(engine, scene.before, &scene.after, scene.receivers, days.sun, take, first, stop);
+    const auto done = shadeScene(engine, *prepared, take, first, stop);
     if (!done) return tl::make_unexpected(done.error());
-    ReviewStudy study{rule,
-                      settings,
-                      {},
-                      std::move(timelines),
-                      {},
-                      std::string(engine.nameOfMasks(scene.cities(), scene.receivers.receivers)),
-                      days.clock.text(),
-                      days.year,
-                      days.sun.stepMinutes,
-                      notCheckedIn(rule, baseline),
-                      {}};
+    ReviewStudy study{
+        rule,
+        settings,
+        {},
+        std::move(timelines),
+        {},
+        std::string(engine.nameOfMasks(scene.cities(), scene.receivers.receivers)),
+        days.clock.text(),
+        days.year,
+        days.sun.stepMinutes,
+        settings.refinesSpots ? std::optional(spotDistanceCells * settings.cellM) : std::nullopt,
+        notCheckedIn(rule, baseline),
+        {}};
     for (const PlaceEvaluation& evaluation : evaluations) study.places.push_back(evaluation.finish());
     if (!settings.contributions) return study;
     ProgressShare second(progress, 1, 2);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -23,12 +24,14 @@ struct ReviewSettings {
     /// least ten minutes apart.
     bool timelines = false;
     bool contributions = false;  ///< of each new building, where there are 2 to mostContributors
+    bool refinesSpots = true;    ///< look for the worst spots between the centres of cells too
 };
 
 /// More new buildings are not measured one by one: each costs as much as the review.
 inline constexpr std::size_t mostContributors = 20;
 
-/// The shadow that one new building alone adds: in shadow in the scenario, lit in the scenario without it.
+/// The incremental shadow of one new building alone: in shadow in the scenario, lit in the baseline and in
+/// the scenario without it. What a demolished building shaded before is nobody's.
 struct ReviewContribution {
     std::string id, name;                ///< of the building
     std::vector<double> incrementalM2h;  ///< by place, over the rule's days, m2 x h
@@ -46,6 +49,9 @@ struct ReviewStudy {
     std::string clock;  ///< "America/New_York, standard time"
     int year = 0;
     double stepMinutes = 1;
+    /// How near to each other the points are among which the worst spots were looked for, metres; none: only
+    /// the centres of cells.
+    std::optional<double> spotDistanceM;
     std::vector<std::string> notChecked;  ///< of the rule, and what this run adds to it
     Warnings warnings;
 };
@@ -53,8 +59,8 @@ struct ReviewStudy {
 /// Evaluates a rule on places. The baseline and the scenario are whole cities; where the rule says that only
 /// the proposal casts, each keeps only the buildings that the other does not have. Of a rule with lines the
 /// places are parcels: the belt between the lines, and what lies beyond the outer line as far as the limit
-/// can be exceeded, are measured. Error: no place, a rule about windows, the sun below the horizon at all
-/// steps, errors of Engine::shadeSteps(), or cancelled().
+/// can be exceeded, are measured. Where the sun is not up in the rule's hours, no place is checked. Error: no
+/// place, a rule about windows, errors of Engine::shadeSteps(), or cancelled().
 Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City& scenario,
                               const std::vector<Place>& places, const ReviewSettings& settings,
                               const Engine& engine, Progress& progress, std::stop_token stop);

@@ -7,6 +7,7 @@
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
+#include "core/engines/common/engine_in_use.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_check.h"
 #include "core/study/memory_need.h"
@@ -16,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-// Runs one stage, stores its result in `place` and its duration in `study.seconds`.
+// Runs one stage, stores its result in `place` and adds its duration to `study.seconds`.
 template <class T, class Stage>
 Result<void> timeStage(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
     if (stop.stop_requested()) return cancelled();
@@ -24,7 +25,7 @@ Result<void> timeStage(Study& study, const char* name, T& place, std::stop_token
     auto made = std::forward<Stage>(stage)();
     if (!made) return tl::make_unexpected(std::move(made).error());
     place = *std::move(made);
-    study.seconds[name] = watch.seconds();
+    study.seconds[name] += watch.seconds();
     return {};
 }
 
@@ -39,16 +40,21 @@ Result<void> checkReceivers(const Study& study) {
 
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
 
-Result<void> breakDown(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
+Result<void> breakDown(Study& study, const EngineInUse& engine, Progress& progress,
+                       const std::stop_token& stop) {
     if (!wantsBreakdown(study.settings)) return {};
+    const bool byBuilding = study.settings.contributions;
     const StepSets sets = study.settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
-    return timeStage(study, "breakdown", study.breakdown, stop, [&] {
-        return engine.breakDown(study.city, study.receivers, study.sun, sets, study.settings.contributions,
-                                progress, stop);
-    });
+    if (byBuilding && engine.sumsByBuildingLessClosely())
+        study.warnings.push_back({WarningKind::assumed,
+                                  "months and contributions are those of the horizon sweep, which a sample "
+                                  "shows to be off here",
+                                  study.settings.region.name});
+    return timeStage(study, "breakdown", study.breakdown, stop,
+                     [&] { return engine.breakDown(study.city, sets, byBuilding, progress, stop); });
 }
 
-Result<void> computeStudy(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
+Result<void> placeStudy(Study& study, const std::stop_token& stop) {
     const StudySettings& settings = study.settings;
     return timeStage(study, "receivers", study.receivers, stop,
                      [&] { return placeReceivers(study.city, settings.region, settings.receivers, stop); })
@@ -61,13 +67,14 @@ Result<void> computeStudy(Study& study, const Engine& engine, Progress& progress
         .and_then([&] {
             study.terrainCoverage = computeTerrainCoverage(study.city, study.receivers, study.sun);
             return checkCoverage(study.terrainCoverage, settings.region.name);
-        })
-        .and_then([&] {
-            return timeStage(study, "accumulate", study.field, stop, [&] {
-                return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
-            });
-        })
-        .and_then([&] { return breakDown(study, engine, progress, stop); });
+        });
+}
+
+Result<void> accumulate(Study& study, EngineInUse& engine, Progress& progress, const std::stop_token& stop) {
+    auto done = timeStage(study, "accumulate", study.field, stop,
+                          [&] { return engine.accumulate(study.city, progress, stop); });
+    if (study.field.engineKey.empty()) study.field.engineKey = study.settings.engine;
+    return done;
 }
 
 bool wantsError(const Study& study) {
@@ -76,6 +83,8 @@ bool wantsError(const Study& study) {
 
 // A failure to measure the error does not fail the study; only a stop request ends it.
 Result<void> measureError(Study& study, Progress& progress, const std::stop_token& stop) {
+    study.error.reset();
+    if (!wantsError(study)) return {};
     const Stopwatch watch;
     const auto error = sampleError(study.city, study.receivers, study.sun, study.field,
                                    study.settings.errorSample, progress, stop);
@@ -85,8 +94,22 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
     else
         study.warnings.push_back(
             {WarningKind::leftOut, "the error against the ray reference", error.error().text()});
-    study.seconds["error_sample"] = watch.seconds();
+    study.seconds["error_sample"] += watch.seconds();
     return {};
+}
+
+bool goesOn(const Study& study, EngineInUse& engine) {
+    return study.error && engine.goOn(study.error->grossOff());
+}
+
+// By the engine in use, and by those that it goes on to while samples are off by more than it aims at.
+Result<void> measureField(Study& study, EngineInUse& engine, Progress& progress,
+                          const std::stop_token& stop) {
+    do {
+        if (auto done = accumulate(study, engine, progress, stop); !done) return done;
+        if (auto done = measureError(study, progress, stop); !done) return done;
+    } while (goesOn(study, engine));
+    return breakDown(study, engine, progress, stop);
 }
 
 }  // namespace
@@ -127,17 +150,18 @@ Result<Study> answer(const City& city, const StudySettings& settings, Progress& 
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};
-    if (auto done = computeStudy(study, **engine, progress, stop); !done)
+    if (auto done = placeStudy(study, stop); !done) return tl::make_unexpected(done.error());
+    const City* const cities[]{&study.city};
+    EngineInUse inUse(**engine, cities, study.receivers, study.sun);
+    if (auto done = measureField(study, inUse, progress, stop); !done)
         return tl::make_unexpected(done.error());
-    if (study.field.engineKey.empty()) study.field.engineKey = settings.engine;
     study.statistics = computeStatistics(study.field);
-    study.warnings = study.field.warnings;
-    for (Warning& warning : makeWarnings(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
+    Warnings first = study.field.warnings;
+    for (Warning& warning : makeWarnings(study.terrainCoverage)) first.push_back(std::move(warning));
     const Box2 box = bounds(settings.region);
     const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
-    if (auto question = questionZone(settings.period, middle)) study.warnings.push_back(*std::move(question));
-    if (wantsError(study))
-        if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
+    if (auto question = questionZone(settings.period, middle)) first.push_back(*std::move(question));
+    study.warnings.insert(study.warnings.begin(), first.begin(), first.end());
     study.seconds["total"] = watch.seconds();
     return study;
 }

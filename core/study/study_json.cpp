@@ -108,7 +108,7 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     json["engine_used"] = study.field.engineKey;
     json["engine_options"] = study.settings.engineSettings;
     json["engine_settings"] = study.field.engine;
-    json["period"] = periodJson(study.settings.period, study.sun);
+    json["period"] = periodJson(study.settings.period, study.sun, makeObserver(study));
     json["steps"] = study.sun.steps.size();
     json["steps_below_horizon"] = study.sun.belowHorizon;
     json["sunlit_min_per_day"] = study.field.sunlitMinutesPerDay;

@@ -43,10 +43,12 @@ std::vector<glm::dvec3> nodesFrom(Instant first, std::size_t count) {
 
 struct Ephemeris::Table {
     ObserverFrame frame;
+    double airDensity;
     Instant first;
     std::vector<Cubic> cubics;
 
-    Table(const Observer& observer, Instant from, Instant to) : frame(observer), first(from) {
+    Table(const Observer& observer, Instant from, Instant to)
+        : frame(observer), airDensity(relativeAirDensity(observer)), first(from) {
         const auto count = std::size_t((to - from) / spacing) + 1;
         const auto nodes = nodesFrom(from - spacing, count + 3);
         for (std::size_t i = 0; i < count; ++i) {
@@ -88,6 +90,8 @@ Ephemeris Ephemeris::spanning(const Observer& observer, Instant from, Instant to
 SolarPosition Ephemeris::at(Instant at) const {
     return table_->frame.position(table_->sunAt(at), earthRotation(ut1Days(at)));
 }
+
+double Ephemeris::airDensity() const { return table_->airDensity; }
 
 Radians Ephemeris::hourAngle(Instant at) const {
     return table_->frame.hourAngle(table_->sunAt(at), earthRotation(ut1Days(at)));

@@ -43,13 +43,17 @@ SolarPosition computeSolarPosition(const Observer& observer, Instant at) {
     return ObserverFrame(observer).position(computeApparentSun(ttDays(at)), earthRotation(ut1Days(at)));
 }
 
+double relativeAirDensity(const Observer& observer) {
+    return observer.pressureHPa / 1010 * 283 / (273 + observer.temperatureC);
+}
+
 Degrees refraction(const Observer& observer, Degrees trueAltitude) {
     // Saemundsson (Sky and Telescope 72, 1986, p. 70), made for 1010 hPa and 10 deg C, scaled by the density
     // of the air as in Meeus, Astronomical Algorithms, chapter 16. NREL SPA and JPL Horizons use the same
     // formula.
     constexpr double lowest = -1;
     if (!(trueAltitude.value >= lowest)) return {0};
-    const double density = observer.pressureHPa / 1010 * 283 / (273 + observer.temperatureC);
+    const double density = relativeAirDensity(observer);
     const Degrees angle{trueAltitude.value + 10.3 / (trueAltitude.value + 5.11)};
     const double arcMinutes = 1.02 / std::tan(angle.radians().value);
     return {std::max(

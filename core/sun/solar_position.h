@@ -49,6 +49,10 @@ SolarPosition computeSolarPosition(const Observer& observer, Instant at);
 /// Refraction to add to a true altitude. Source of the formula: see the .cpp.
 Degrees refraction(const Observer& observer, Degrees trueAltitude);
 
+/// Density of the air by that of the default air, which refraction is proportional to; 1 for the default, 0
+/// without air.
+double relativeAirDensity(const Observer& observer);
+
 /// Unit vector towards the sun in the local frame: x east, y north, z up.
 glm::dvec3 toDirection(Degrees azimuth, Degrees altitude);
 
@@ -70,8 +74,11 @@ public:
     /// Hour angle at an instant within the span: the sun's angle past the meridian, west positive, -pi to pi.
     [[nodiscard]] Radians hourAngle(Instant at) const;
 
+    [[nodiscard]] double airDensity() const;  ///< relativeAirDensity() of its observer
+
 private:
-    friend SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
+    friend SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule,
+                                      Degrees horizonDip);
     // does not check the years
     static Ephemeris spanning(const Observer& observer, Instant from, Instant to);
 

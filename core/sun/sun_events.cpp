@@ -1,5 +1,6 @@
 #include "core/sun/sun_events.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,10 +13,14 @@ using namespace std::chrono;
 // Almanacs and SPA define -0.833 deg (34' of refraction, 16' of half the disc) from the earth's centre; seen
 // from its surface the sun is lower by its parallax.
 constexpr double parallaxDeg = 8.794 / 3600;
-constexpr double limbAltitudeDeg = -0.8333 - parallaxDeg;
+constexpr double limbAltitudeDeg = -0.8333;
+constexpr double horizonRefractionDeg = 34.0 / 60;  // in the default air
 constexpr milliseconds halfDay = 12h;
 
-double thresholdDeg(SunriseRule rule) { return rule == SunriseRule::upperLimb ? limbAltitudeDeg : 0; }
+double thresholdDeg(const Ephemeris& sun, SunriseRule rule, Degrees horizonDip) {
+    if (rule == SunriseRule::centre) return 0;
+    return computeSunriseAltitudeDeg(rule, sun.airDensity()) - parallaxDeg - horizonDip.value;
+}
 
 double altitudeAt(const Ephemeris& sun, Instant at) { return sun.at(at).altitude.value; }
 
@@ -60,10 +65,11 @@ std::optional<Instant> crossing(const Ephemeris& sun, Instant up, Instant down, 
 
 }  // namespace
 
-SunEvents computeSunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule) {
+SunEvents computeSunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule,
+                           Degrees horizonDip) {
     SunEvents events;
     events.transit = transitNearest(sun, localMidnight + halfDay);
-    const double altitudeDeg = thresholdDeg(rule);
+    const double altitudeDeg = thresholdDeg(sun, rule, horizonDip);
     const Instant highest = highestBetween(sun, events.transit - halfDay, events.transit + halfDay);
     if (altitudeAt(sun, highest) <= altitudeDeg) {
         events.kind = DayKind::polarNight;
@@ -75,9 +81,19 @@ SunEvents computeSunEvents(const Ephemeris& sun, Instant localMidnight, SunriseR
     return events;
 }
 
-SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule) {
+double computeSunriseAltitudeDeg(SunriseRule rule, double airDensity) {
+    if (rule == SunriseRule::centre) return 0;
+    return limbAltitudeDeg + (1 - airDensity) * horizonRefractionDeg;
+}
+
+Degrees computeHorizonDip(double aboveHorizonM) {
+    return {1.76 / 60 * std::sqrt(std::max(0.0, aboveHorizonM))};
+}
+
+SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule,
+                           Degrees horizonDip) {
     return computeSunEvents(Ephemeris::spanning(observer, localMidnight - days{1}, localMidnight + days{2}),
-                            localMidnight, rule);
+                            localMidnight, rule, horizonDip);
 }
 
 }  // namespace noonmark

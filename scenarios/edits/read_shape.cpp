@@ -1,8 +1,11 @@
 #include "scenarios/edits/read_shape.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/io/files/file_kind.h"
+#include "core/io/terrain/standing.h"
 
 namespace noonmark {
 
@@ -21,6 +24,22 @@ double lowestM(const Building& building) {
     return double(lowest);
 }
 
+// A mesh that begins above its own zero, or lies mostly below it, has elevations. The user may scale it
+// later, so that only the proportions of a basement are known.
+bool isLowered(const Building& mesh, Stand wanted) {
+    if (wanted != Stand::automatic) return wanted == Stand::terrain;
+    const double low = lowestM(mesh);
+    return !countsFromZero(low) && (low > 0 || -low > double(topM(mesh)));
+}
+
+Warning describeLowered(const Building& mesh, const std::filesystem::path& file) {
+    return {
+        WarningKind::assumed,
+        "the mesh does not begin at its own zero: its lowest point was set on the ground (--stand absolute "
+        "leaves it)",
+        fmt::format("{} ({:.1f} m)", file.filename().string(), lowestM(mesh))};
+}
+
 }  // namespace
 
 Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
@@ -29,7 +48,9 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     const auto kind = detectFileKind(file);
     if (!kind) return tl::make_unexpected(kind.error());
     ReadSettings here = settings;
-    here.frame = frame;
+    here.frame = Frame(frame.origin());  // heights are the shape's own
+    here.stand = Stand::absolute;        // its parts keep their places to each other
+    here.terrainFromBases = TerrainFromBases::never;
     if (*kind == FileKind::mesh) here.meshAnchor.reset();  // the user places it
     auto read = readCity({file}, here, progress, std::move(stop));
     if (!read) return tl::make_unexpected(read.error());
@@ -38,9 +59,11 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     if (whole.parts.empty())
         return failure("The file contains no building", file.string(),
                        "Export the building as a closed solid");
-    if (*kind != FileKind::mesh) {
+    if (*kind != FileKind::mesh || isLowered(whole, settings.stand)) {
+        if (*kind == FileKind::mesh) warnings.push_back(describeLowered(whole, file));
         const float footM = lowestM(whole);  // before the building is moved from: arguments have no order
         whole = liftBuilding(std::move(whole), -footM);
+        markOverhangsAgain(whole, [](glm::dvec2) { return 0.0F; });
     }
     return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
 }

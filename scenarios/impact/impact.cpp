@@ -51,14 +51,24 @@ public:
     Result<ImpactStudy> run(const City& before, const City& after) {
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
         auto study = compare(before, after);
-        if (study || !choice_) return study;
-        auto other = engine_->chooseInstead(*choice_, study.error());
-        if (!other) return study;
-        choice_ = std::move(other);
-        return compare(before, after);
+        while (auto other = chooseAnother(study, before, after)) {
+            choice_ = std::move(other);
+            study = compare(before, after);
+        }
+        return study;
     }
 
 private:
+    // Where the choice refused, or its sample is off by more than it aims at.
+    [[nodiscard]] std::optional<EngineChoice> chooseAnother(const Result<ImpactStudy>& study,
+                                                            const City& before, const City& after) const {
+        if (!choice_) return std::nullopt;
+        if (!study) return engine_->chooseInstead(*choice_, study.error());
+        if (!study->error) return std::nullopt;
+        const City* const cities[]{&before, &after};
+        return engine_->chooseCloser(*choice_, study->error->grossOff(), cities, common_.receivers, sun_);
+    }
+
     Result<ImpactStudy> compare(const City& before, const City& after) {
         done_ = 0;
         const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};

@@ -85,7 +85,8 @@ struct ImpactStudy {
 };
 
 /// Computes all fields with the same engine, receivers and steps. The engine "auto" chooses once for all
-/// fields, and `engine` states its choice. A building is new if `before` does not share its pointer, so both
+/// fields, and again for all where the sampled error of the change is more than its choice aims at; `engine`
+/// states its choice. A building is new if `before` does not share its pointer, so both
 /// cities must come from one project. Error: as of runStudy(), receivers on roofs, or no cell is open ground
 /// in both cities. Cost: two fields, their error on a sample, and per new building one more field. The ray
 /// reference, projected shadows and the horizon sweep on flat ground compute that field only where the

@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/error_json.h"
@@ -26,18 +27,23 @@ Json changeJson(const ChangeFigures& figures) {
             {"most_lost_min", figures.mostLostMin}};
 }
 
+}  // namespace
+
+Json figuresJson(const ImpactFigures& figures) {
+    return {{"threshold_min", figures.thresholdMin},
+            {"receiver_area_m2", figures.receiverAreaM2},
+            {"gross", changeJson(figures.gross)},
+            {"continuous", changeJson(figures.continuous)},
+            {"shadow_area_change_m2", figures.shadowAreaChangeM2},
+            {"became_building_m2", figures.becameBuildingM2},
+            {"became_ground_m2", figures.becameGroundM2}};
+}
+
+namespace {
+
 Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
     Json json = Json::array();
-    for (const double threshold : thresholds) {
-        const ImpactFigures figures = computeFigures(impact, threshold);
-        json.push_back({{"threshold_min", threshold},
-                        {"receiver_area_m2", figures.receiverAreaM2},
-                        {"gross", changeJson(figures.gross)},
-                        {"continuous", changeJson(figures.continuous)},
-                        {"shadow_area_change_m2", figures.shadowAreaChangeM2},
-                        {"became_building_m2", figures.becameBuildingM2},
-                        {"became_ground_m2", figures.becameGroundM2}});
-    }
+    for (const double threshold : thresholds) json.push_back(figuresJson(computeFigures(impact, threshold)));
     return json;
 }
 
@@ -52,19 +58,20 @@ Json definitions() {
             {"became_building_m2", "open ground in `from`, under a building in `to`: no receiver"}};
 }
 
-// Area gained and lost; empty fields where the measure was not computed.
-std::string areasText(const ChangeFigures& figures) {
-    return std::isnan(figures.meanMin) ? "," : fmt::format("{:.1f},{:.1f}", figures.gainedM2, figures.lostM2);
-}
-
-std::string line(const std::string& id, const std::string& name, const ImpactFigures& figures,
-                 const std::string& source) {
-    const ChangeFigures& gross = figures.gross;
-    return fmt::format(
-        "{},{},{:g},{:.1f},{:.1f},{:.1f},{:.1f},{:.3f},{:.2f},{:.2f},{},{:.1f},{:.1f},{:.1f}{}\r\n",
-        csvField(id), csvField(name), figures.thresholdMin, gross.gainedM2, gross.lostM2, gross.touchedM2,
-        gross.easedM2, gross.meanMin, gross.mostGainedMin, gross.mostLostMin, areasText(figures.continuous),
-        figures.shadowAreaChangeM2, figures.becameBuildingM2, figures.becameGroundM2, source);
+void addLine(CsvText& csv, const std::string& id, const std::string& name, const ImpactFigures& figures,
+             const SourceValues& source) {
+    const ChangeFigures &gross = figures.gross, &runs = figures.continuous;
+    csv.text(id).text(name).number(figures.thresholdMin);
+    for (const double m2 : {gross.gainedM2, gross.lostM2, gross.touchedM2, gross.easedM2}) csv.number(m2, 1);
+    csv.number(gross.meanMin, 3).number(gross.mostGainedMin, 2).number(gross.mostLostMin, 2);
+    if (std::isnan(runs.meanMin))  // the measure was not computed
+        csv.nothing(2);
+    else
+        csv.number(runs.gainedM2, 1).number(runs.lostM2, 1);
+    csv.number(figures.shadowAreaChangeM2, 1);
+    csv.number(figures.becameBuildingM2, 1).number(figures.becameGroundM2, 1);
+    addSource(csv, source);
+    csv.endRow();
 }
 
 std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
@@ -121,18 +128,17 @@ std::string impactJson(const ImpactAnswer& answer) {
 }
 
 std::string impactCsv(const ImpactAnswer& answer) {
-    std::string csv =
-        "id,name,threshold_min,gained_m2,lost_m2,touched_m2,eased_m2,mean_min,most_gained_min,most_lost_min,"
-        "continuous_gained_m2,continuous_lost_m2,shadow_area_change_m2,became_building_m2,became_ground_"
-        "m2" +
-        std::string(sourceColumns) + "\r\n";
-    const std::string source = sourceFields(answer.provenance);
+    CsvText csv(withSourceColumns({"id", "name", "threshold_min", "gained_m2", "lost_m2", "touched_m2",
+                                   "eased_m2", "mean_min", "most_gained_min", "most_lost_min",
+                                   "continuous_gained_m2", "continuous_lost_m2", "shadow_area_change_m2",
+                                   "became_building_m2", "became_ground_m2"}));
+    const SourceValues source = sourceValues(answer.provenance);
     for (const double threshold : answer.thresholdsMin)
-        csv += line("", "all", computeFigures(answer.study.total, threshold), source);
+        addLine(csv, "", "all", computeFigures(answer.study.total, threshold), source);
     for (const BuildingImpact& building : answer.study.byBuilding)
         for (const double threshold : answer.thresholdsMin)
-            csv += line(building.id, building.name, computeFigures(building.impact, threshold), source);
-    return csv;
+            addLine(csv, building.id, building.name, computeFigures(building.impact, threshold), source);
+    return csv.take();
 }
 
 }  // namespace noonmark

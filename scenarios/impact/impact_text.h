@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ComparisonFigures {
     std::string engine;
 };
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
+
+/// One entry of `impact` in impact.json.
+nlohmann::ordered_json figuresJson(const ImpactFigures& figures);
 
 /// The command line that repeats this impact; see core/study/provenance/repeat_command.h.
 Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width = 120);

@@ -1,7 +1,10 @@
 #include "scenarios/massing/lot_edits.h"
 
+#include <algorithm>
+
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/city/terrain/ground_contact.h"
 #include "scenarios/edits/placed_building.h"
 #include "scenarios/massing/same_floor_area.h"
 
@@ -9,10 +12,11 @@ namespace noonmark {
 
 std::vector<Footprint> computeOutline(const Building& building) {
     constexpr LeastPiece least{.areaM2 = 1, .widthM = 0};
+    const auto lowest = std::ranges::min_element(building.parts, {}, &Part::bottomM);
     std::vector<Footprint> standing, all;
     for (const Part& part : building.parts) {
         all.push_back(part.footprint);
-        if (!part.isOverhanging) standing.push_back(part.footprint);
+        if (reachesGround(part, lowest->bottomM)) standing.push_back(part.footprint);
     }
     return cutPiecesOutside(standing.empty() ? all : standing, {}, least);
 }

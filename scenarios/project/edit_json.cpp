@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/clean_text.h"
 #include "core/base/json_number.h"
 #include "scenarios/project/massing_json.h"
 #include "scenarios/project/tables/ring_json.h"
@@ -15,6 +16,10 @@ namespace {
 constexpr NumberLimits scaleLimits{1e-6, 1e6};
 constexpr NumberLimits storeyOrNoneM{0, 10};
 constexpr NumberLimits angleLimitsDeg{-1e6, 1e6};
+
+std::string wordsIn(const Json& json, const char* key) {
+    return cleanText(json.at(key).get_ref<const std::string&>());
+}
 
 Json toJson(const TriangleMesh& mesh) {
     Json vertices = Json::array(), triangles = Json::array();
@@ -55,7 +60,7 @@ Json toJson(const Part& part) {
 }
 
 Part cutInterval(const Json& json) {
-    Part part{.sourceId = json.at("source_id"), .footprint = {parseRing(json.at("outer")), {}}};
+    Part part{.sourceId = wordsIn(json, "source_id"), .footprint = {parseRing(json.at("outer")), {}}};
     for (const Json& hole : json.at("holes")) part.footprint.holes.push_back(parseRing(hole));
     part.bottomM = float(numberFrom(json.at("bottom_m"), elevationLimitsM));
     part.topM = float(numberFrom(json.at("top_m"), elevationLimitsM));
@@ -75,7 +80,8 @@ Json toJson(const Building& building) {
 }
 
 NewShape shapeOf(const Json& json) {
-    Building building{.sourceId = json.at("id"), .name = json.at("name"), .status = json.at("status")};
+    Building building{
+        .sourceId = wordsIn(json, "id"), .name = wordsIn(json, "name"), .status = wordsIn(json, "status")};
     for (const Json& part : json.at("parts")) building.parts.push_back(cutInterval(part));
     if (building.parts.empty()) throw std::invalid_argument("a building without parts");
     return std::make_shared<const Building>(std::move(building));
@@ -137,7 +143,7 @@ Placement placementOf(const Json& json) {
 }
 
 Edit read(const std::string& kind, const Json& json) {
-    const auto building = [&] { return json.at("building").get<std::string>(); };
+    const auto building = [&] { return wordsIn(json, "building"); };
     if (kind == "demolish") return Demolish{building()};
     if (kind == "replace") return Replace{building(), shapeOf(json.at("with")), designOf(json)};
     if (kind == "add") return AddBuilding{shapeOf(json.at("with")), designOf(json)};
@@ -145,7 +151,7 @@ Edit read(const std::string& kind, const Json& json) {
     if (kind == "move") return Move{building(), moveOf(json)};
     if (kind == "rotate") return Rotate{building(), numberFrom(json.at("clockwise_deg"), angleLimitsDeg)};
     if (kind == "import")
-        return ImportMesh{shapeOf(json.at("with")), placementOf(json), json.at("file").get<std::string>(),
+        return ImportMesh{shapeOf(json.at("with")), placementOf(json), wordsIn(json, "file"),
                           storeyHeightOf(json)};
     throw std::invalid_argument("an edit of an unknown kind");
 }

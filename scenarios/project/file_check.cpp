@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/process.h"
+#include "core/io/files/own_files.h"
 
 namespace noonmark {
 
@@ -43,6 +44,7 @@ Result<void> checkWhole(const fs::path& file) {
     if (!fs::exists(file, error)) return failure("There is no such file", file.string(), "Check its name");
     if (!fs::is_regular_file(file, error))
         return failure("It is not a file", file.string(), "Give the path of a project file");
+    if (auto harmless = checkBeside(file); !harmless) return harmless;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return failure("The project file cannot be read", file.string(), "Check its permissions");
     Head head{};

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/base/version.h"
+#include "core/io/files/geopackage_check.h"
 #include "core/io/files/pending_file.h"
 #include "scenarios/project/file_check.h"
 #include "scenarios/project/read_project.h"
@@ -98,6 +99,9 @@ Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& pro
     std::error_code ignored;
     if (ifThere == IfThere::refuse && fs::exists(file, ignored))
         return failure("There is a file of this name already", file.string(), "Choose another name");
+    if (isBeingWritten(file))  // SQLite would apply the journal of an older file to the new one
+        return failure("The journal of another file lies here", file.string() + "-journal",
+                       "Remove it, or choose another name");
     return guarded(file, [&]() -> Result<ProjectFile> {
         PendingFile pending(file);
         ProjectFile made;
@@ -117,6 +121,7 @@ Result<ProjectFile> ProjectFile::open(const fs::path& file) {
         // Rolling back an unfinished transaction of a killed process needs write access.
         const bool writable = bool(checkWritable(file));
         Database database(file, writable ? Database::Access::write : Database::Access::read);
+        database.limitValues(file);
         const Transaction transaction(database, false);
         if (auto known = checkVersion(database, file); !known) return tl::make_unexpected(known.error());
         ProjectFile opened;
@@ -150,6 +155,7 @@ Result<void> ProjectFile::save(const Project& project) {
         migrate(database);
         checkTables(database);
         removeSpatialIndexes(database);
+        takeTablesBack(database);
         writeChanges(database, &project_, project);
         noteSave(database, saves_ + 1);
         transaction.commit();

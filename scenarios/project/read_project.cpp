@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/clean_text.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/tables/checked_row.h"
@@ -31,7 +32,8 @@ std::vector<NamedLot> readLots(Database& database) {
     while (row.step()) {
         const auto polygons = toPolygons(row.blob(1));
         if (!polygons) throwDamaged("a lot has an invalid outline");
-        const std::string name = row.isNull(2) ? fmt::format("lot {}", row.integer(0)) : row.text(2);
+        const std::string name =
+            row.isNull(2) ? fmt::format("lot {}", row.integer(0)) : cleanText(row.text(2));
         const auto roads = parseRoads(row.text(3));
         if (!roads) throwDamaged(fmt::format("lot {}: {}", name, roads.error().text()));
         for (std::size_t i = 0; i < polygons->size(); ++i)
@@ -46,7 +48,8 @@ std::vector<Region> readRegions(Database& database) {
     while (row.step()) {
         auto polygons = toPolygons(row.blob(1));
         if (!polygons) throwDamaged("a region has an invalid outline");
-        const std::string name = row.isNull(2) ? fmt::format("region {}", row.integer(0)) : row.text(2);
+        const std::string name =
+            row.isNull(2) ? fmt::format("region {}", row.integer(0)) : cleanText(row.text(2));
         regions.push_back({name, *std::move(polygons)});
     }
     return regions;
@@ -60,7 +63,7 @@ std::vector<Place> readPlaces(Database& database) {
         auto polygons = toPolygons(row.blob(1));
         if (!polygons || polygons->empty()) throwDamaged("a place has an invalid outline");
         places.push_back({cleanName(row.text(2)), parsePlaceKind(row.text(3)).value_or(PlaceKind::other),
-                          *std::move(polygons), row.text(4)});
+                          *std::move(polygons), cleanText(row.text(4))});
         if (places.back().source.empty()) places.back().source = fmt::format("place {}", row.integer(0));
     }
     nameApart(places);
@@ -81,7 +84,9 @@ std::vector<Edit> readEdits(Database& database, std::int64_t scenario) {
 std::vector<Scenario> readScenarios(Database& database) {
     std::vector<Scenario> scenarios;
     Statement row = database.prepare("SELECT id, name, base FROM scenarios ORDER BY id");
-    while (row.step()) scenarios.push_back({row.text(1), row.text(2), readEdits(database, row.integer(0))});
+    while (row.step())
+        scenarios.push_back(
+            {cleanText(row.text(1)), cleanText(row.text(2)), readEdits(database, row.integer(0))});
     return scenarios;
 }
 
@@ -100,11 +105,11 @@ std::vector<TimeWeights> readWeights(Database& database) {
         "FROM time_weight_tables t JOIN time_weights w ON w.weight_table = t.id ORDER BY t.id, w.id");
     std::int64_t last = 0;
     while (row.step()) {
-        if (row.integer(0) != last) tables.push_back({row.text(1), {}});
+        if (row.integer(0) != last) tables.push_back({cleanText(row.text(1)), {}});
         last = row.integer(0);
         const CheckedRow checked(row, "time_weights");
         if (tables.back().intervals.size() == mostIntervals) checked.refuse("too many intervals");
-        tables.back().intervals.push_back({row.text(2), dayOf(checked, 3), dayOf(checked, 5),
+        tables.back().intervals.push_back({cleanText(row.text(2)), dayOf(checked, 3), dayOf(checked, 5),
                                            std::chrono::minutes(checked.integer(7, "from_min", dayMinutes)),
                                            std::chrono::minutes(checked.integer(8, "to_min", dayMinutes)),
                                            checked.number(9, "weight", {-1, 1})});
@@ -140,7 +145,7 @@ std::vector<NamedPeriod> readPeriods(Database& database) {
         "SELECT name, start, days, from_min, hours, step_min, after_sunrise_min, before_sunset_min, "
         "sunrise_rule, zone, "
         "refraction, id FROM periods ORDER BY id");
-    while (row.step()) periods.push_back({row.text(0), periodOf(row)});
+    while (row.step()) periods.push_back({cleanText(row.text(0)), periodOf(row)});
     return periods;
 }
 
@@ -162,12 +167,21 @@ bool isTileTable(std::string_view name) {
            numbers.find('_', bar + 1) == numbers.npos;
 }
 
+// A grid takes memory for every cell, so its tiles must all be there.
+void checkTileCount(Database& database, const std::string& table, const Grid& grid) {
+    const auto along = [](int cells) { return std::int64_t((cells + tileCells - 1) / tileCells); };
+    const auto found = database.value("SELECT count(*) FROM " + table + " WHERE zoom_level = 0");
+    if (found != std::to_string(along(grid.columns) * along(grid.rows)))
+        throwDamaged(fmt::format("table {}: tiles are missing", table));
+}
+
 SavedLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
     SavedLayer layer{row.text(0), row.text(1), {}};
-    layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     const std::string table = row.text(2);
     if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is not a table of a result", table));
     checkTable(database, table, {"id", "zoom_level", "tile_column", "tile_row", "tile_data"});
+    checkTileCount(database, table, grid);
+    layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     Statement tile = database.prepare("SELECT id, tile_column, tile_row, tile_data FROM " + table +
                                       " WHERE zoom_level = 0");
     const int lastColumn = (grid.columns - 1) / tileCells, lastRow = (grid.rows - 1) / tileCells;
@@ -190,14 +204,25 @@ std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) 
     Statement row = database.prepare(
         "SELECT id, name, kind, scenario, baseline, settings, inputs, west_m, south_m, cell_m, columns, rows "
         "FROM results ORDER BY id");
+    std::size_t cells = 0;
     while (row.step()) {
-        SavedResult result{row.text(1), row.text(2), row.text(3), row.text(4),
-                           row.text(5), row.text(6), {},          {}};
+        SavedResult result{cleanText(row.text(1)),
+                           row.text(2),
+                           cleanText(row.text(3)),
+                           cleanText(row.text(4)),
+                           row.text(5),
+                           row.text(6),
+                           {},
+                           {}};
         result.grid = CheckedRow(row, "results").grid(7);
         Statement layer =
             database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
-        for (layer.begin(row.integer(0)); layer.step();)
+        for (layer.begin(row.integer(0)); layer.step();) {
+            cells += result.grid.size();
+            if (cells > mostLayerCells)
+                throwDamaged(fmt::format("its results have more than {} cells", mostLayerCells));
             result.layers.push_back(readLayer(database, layer, result.grid));
+        }
         result.elements = readElements(database, row.integer(0));
         results.push_back(std::make_shared<const SavedResult>(std::move(result)));
     }

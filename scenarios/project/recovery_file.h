@@ -11,6 +11,12 @@ namespace noonmark {
 /// The recovery file of a project file: a hidden project file beside it.
 std::filesystem::path recoveryPath(const std::filesystem::path& file);
 
+/// Remove or rename a project file that this program wrote together with the journal that a killed save left
+/// beside it. A journal that stayed behind would be applied to the next file of that name. What cannot be
+/// done is left.
+void removeProject(const std::filesystem::path& file);
+void moveProject(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Saves unsaved work to the recovery file: the whole project at first, then only changes.
 class Autosave {
 public:

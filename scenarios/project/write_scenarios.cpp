@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scenarios/project/edit_json.h"
@@ -34,7 +36,8 @@ public:
     // Edits before `first` are already in the tables.
     void write(std::size_t id, const Scenario& scenario, std::size_t first) {
         cut(id, first);
-        database_.prepare("INSERT OR REPLACE INTO scenarios (id, name, base) VALUES (?, ?, ?)")
+        database_.prepare("DELETE FROM scenarios WHERE id = ?").run(id);
+        database_.prepare("INSERT INTO scenarios (id, name, base) VALUES (?, ?, ?)")
             .run(id, scenario.name, scenario.base);
         for (std::size_t i = first; i < scenario.edits.size(); ++i) {
             const Edit& edit = scenario.edits[i];
@@ -76,10 +79,25 @@ std::size_t sharedEdits(const Scenario& before, const Scenario& after) {
     return std::size_t(made - after.edits.begin());
 }
 
+// Another program may have deleted or numbered rows.
+bool areNumbered(Database& database, std::size_t scenarios) {
+    const auto rows = database.value(
+        "SELECT count(*) || ' ' || ifnull(min(id), 1) || ' ' || ifnull(max(id), 0) FROM scenarios");
+    return rows == fmt::format("{0} 1 {0}", scenarios);
+}
+
+void clearScenarios(Database& database) {
+    database.execute("DELETE FROM proposals; DELETE FROM edits; DELETE FROM scenarios");
+}
+
 }  // namespace
 
 void writeScenarios(Database& database, const std::vector<Scenario>& before,
                     const std::vector<Scenario>& after) {
+    if (!areNumbered(database, before.size())) {
+        clearScenarios(database);
+        if (!before.empty()) return writeScenarios(database, {}, after);
+    }
     ScenarioWriter writer(database);
     for (std::size_t i = 0; i < after.size(); ++i) {
         const bool was = i < before.size();

@@ -128,7 +128,10 @@ Result<Score> placeAndScore(const City& city, const StudySettings& settings, con
     });
     if (!sun) return tl::make_unexpected(sun.error());
     auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
-    if (score && score->engineKey.empty()) score->engineKey = settings.engine;
+    if (!score) return score;
+    if (score->engineKey.empty()) score->engineKey = settings.engine;
+    if (auto mismatch = findSeasonMismatch(weights, city.frame.origin().latDeg))
+        score->warnings.push_back(*std::move(mismatch));
     return score;
 }
 

@@ -16,6 +16,7 @@ struct MonthFigures {
     double shadowAreaM2 = 0;  ///< sum of (share of the month's sunlit time in shadow x cell area)
     double scoreM2 = 0;       ///< the month's part of the score; the months add up to it
     double sunlitMinutes = 0;
+    double weightedShadeM2h = 0;  ///< the month's part; the months add up to the total
 };
 
 struct IntervalFigures {
@@ -23,22 +24,35 @@ struct IntervalFigures {
     double weight = 0;
     double shadowAreaM2 = 0;  ///< as in MonthFigures, over the interval's sunlit time
     double scoreM2 = 0;       ///< weight x shadow area
+    double weightedShadeM2h = 0;
 };
 
 /// Shadow score (paper, section 5.4). At a receiver: the sum over intervals of weight x share of the
 /// interval's sunlit time in shadow. Over a region: the sum over receivers of that x cell area. Positive
-/// where wanted shade outweighs unwanted shadow.
+/// where wanted shade outweighs unwanted shadow. An interval that is cut in two counts twice, as each share
+/// is of its own interval.
+///
+/// Weighted shade: the sum over the steps of weight x hours in shadow x cell area, m2 h over the period. How
+/// the table is cut into intervals does not change it.
 struct Score {
     Grid grid;
     std::vector<float> score;  ///< one per cell, NaN where there is no receiver; grid order
     double scoreM2 = 0;
     double receiverAreaM2 = 0;
+    double weightedShadeM2h = 0;             ///< NaN: of a result saved before it was counted
     std::vector<MonthFigures> months;        ///< of the period, in order
     std::vector<IntervalFigures> intervals;  ///< of the weight table, in its order
     std::string engine;                      ///< name and settings, as text
     std::string engineKey;                   ///< key of the engine that computed it
     Warnings warnings;
 };
+
+/// The sums of a score over its region.
+struct ScoreTotals {
+    double scoreM2 = 0;
+    double weightedShadeM2h = 0;  ///< NaN: not counted
+};
+inline ScoreTotals totalsOf(const Score& score) { return {score.scoreM2, score.weightedShadeM2h}; }
 
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other

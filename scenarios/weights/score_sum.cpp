@@ -46,7 +46,13 @@ void ScoreSum::add(const TimePiece& piece, const std::vector<float>& minutes, do
     month.sunlitMinutes += piece.sun.sunlitMinutes();
     month.shadowAreaM2 += all * cellM2;
     month.scoreM2 += weight * all * perMinute * cellM2;
-    if (piece.interval) score_.intervals[*piece.interval].shadowAreaM2 += all * perMinute * cellM2;
+    const double weightedM2h = weight * all / 60 * cellM2;
+    month.weightedShadeM2h += weightedM2h;
+    score_.weightedShadeM2h += weightedM2h;
+    if (!piece.interval) return;
+    IntervalFigures& interval = score_.intervals[*piece.interval];
+    interval.shadowAreaM2 += all * perMinute * cellM2;
+    interval.weightedShadeM2h += weightedM2h;
 }
 
 Score ScoreSum::finish() && {

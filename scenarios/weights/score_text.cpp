@@ -24,6 +24,7 @@ Json monthsJson(const Score& score) {
     for (const MonthFigures& month : score.months)
         json.push_back({{"month", formatText(month.month)},
                         {"sunlit_min", month.sunlitMinutes},
+                        {"weighted_shade_m2h", month.weightedShadeM2h},
                         {"shadow_area_m2", month.shadowAreaM2},
                         {"score_m2", month.scoreM2}});
     return json;
@@ -34,6 +35,7 @@ Json intervalsJson(const Score& score) {
     for (const IntervalFigures& interval : score.intervals)
         json.push_back({{"name", interval.name},
                         {"weight", interval.weight},
+                        {"weighted_shade_m2h", interval.weightedShadeM2h},
                         {"shadow_area_m2", interval.shadowAreaM2},
                         {"score_m2", interval.scoreM2}});
     return json;
@@ -55,24 +57,29 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
     json["receiver_area_m2"] = answer.score.receiverAreaM2;
+    json["weighted_shade_m2h"] = answer.score.weightedShadeM2h;
     json["score_m2"] = answer.score.scoreM2;
     json["months"] = monthsJson(answer.score);
     json["intervals"] = intervalsJson(answer.score);
     json["definitions"] = {
-        {"score_m2",
-         "sum over intervals of weight x share of the interval's sunlit time in shadow, times cell area"},
+        {"weighted_shade_m2h", weightedShadeDefinition},
+        {"score_m2", scoreDefinition},
         {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"}};
     json["warnings"] = warningsJson(answer.score.warnings);
     return toJsonText(json);
 }
 
 std::string scoreCsv(const ScoreAnswer& answer) {
-    std::string csv = "month,sunlit_min,shadow_area_m2,score_m2" + std::string(sourceColumns) + "\r\n";
-    const std::string source = sourceFields(answer.provenance);
-    for (const MonthFigures& month : answer.score.months)
-        csv += fmt::format("{},{:g},{:.1f},{:.1f}{}\r\n", formatText(month.month), month.sunlitMinutes,
-                           month.shadowAreaM2, month.scoreM2, source);
-    return csv;
+    CsvText csv(
+        withSourceColumns({"month", "sunlit_min", "weighted_shade_m2h", "shadow_area_m2", "score_m2"}));
+    const SourceValues source = sourceValues(answer.provenance);
+    for (const MonthFigures& month : answer.score.months) {
+        csv.text(formatText(month.month)).number(month.sunlitMinutes, 1);
+        csv.number(month.weightedShadeM2h, 1).number(month.shadowAreaM2, 1).number(month.scoreM2, 1);
+        addSource(csv, source);
+        csv.endRow();
+    }
+    return csv.take();
 }
 
 }  // namespace noonmark

@@ -13,11 +13,13 @@ namespace noonmark {
 namespace {
 
 std::map<std::string, double> listFigures(const Score& score) {
-    std::map<std::string, double> figures{{"score_m2", score.scoreM2},
+    std::map<std::string, double> figures{{"weighted_shade_m2h", score.weightedShadeM2h},
+                                          {"score_m2", score.scoreM2},
                                           {"receiver_area_m2", score.receiverAreaM2}};
     for (const MonthFigures& month : score.months) {
         const std::string name =
             fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month()));
+        figures["weighted_shade_m2h_" + name] = month.weightedShadeM2h;
         figures["score_m2_" + name] = month.scoreM2;
         figures["shadow_area_m2_" + name] = month.shadowAreaM2;
     }

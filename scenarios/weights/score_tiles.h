@@ -14,8 +14,8 @@ struct ScoredCity {
 
 /// The score of a scenario as the subject of a plan. Its cells equal those of runScore() with the same engine
 /// to the last bit, if the engine's cells do not depend on their surroundings; the engine "auto" chooses for
-/// each tile. Figures of a tile: score_m2 and receiver_area_m2; and by month of the period, as in
-/// "score_m2_2026-03", score_m2 and shadow_area_m2.
+/// each tile. Figures of a tile: weighted_shade_m2h, score_m2 and receiver_area_m2; and by month of the
+/// period, as in "score_m2_2026-03", weighted_shade_m2h, score_m2 and shadow_area_m2.
 TileSubject makeScoreSubject(const ScoredCity& scored);
 
 /// Its map: `score`.

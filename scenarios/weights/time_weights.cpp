@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace noonmark {
 
@@ -26,21 +27,56 @@ Result<void> validate(const WeightedInterval& interval) {
                        "Give -1 (unwanted shadow) to 1 (wanted shade)");
     if (!interval.first.ok() || !interval.last.ok())
         return failure("A date is not in the calendar", interval.name, "Give a month and a day of it");
-    if (interval.from < minutes(0) || interval.to > hours(24) || interval.from >= interval.to)
+    if (interval.from < minutes(0) || interval.to > hours(24) || interval.from >= hours(24) ||
+        interval.to < minutes(0) || interval.from == interval.to)
         return failure("The hours are not a valid range", interval.name,
-                       "Give an earlier and a later hour, 0:00 to 24:00");
+                       "Give two different hours, 0:00 to 24:00; a later one first spans midnight");
     return {};
+}
+
+// The hours before and after midnight of one date.
+bool holdsTime(const WeightedInterval& interval, minutes time) {
+    if (interval.from < interval.to) return interval.from <= time && time < interval.to;
+    return interval.from <= time || time < interval.to;
+}
+
+// Mean weight of all hours of three months of the northern half's summer or winter; time without a weight
+// counts as 0.
+double meanWeight(const TimeWeights& weights, sys_days first, sys_days end) {
+    double sum = 0;
+    for (sys_days day = first; day < end; day += days(1))
+        for (hours hour(0); hour < hours(24); ++hour)
+            for (const WeightedInterval& interval : weights.intervals)
+                if (interval.holds(day, hour)) sum += interval.weight;
+    return sum / double((end - first).count() * 24);
 }
 
 bool overlap(const WeightedInterval& a, const WeightedInterval& b) {
     const bool dates = holdsDate(a, b.first) || holdsDate(b, a.first);
-    return dates && a.from < b.to && b.from < a.to;
+    return dates && (holdsTime(a, b.from) || holdsTime(b, a.from));
 }
 
 }  // namespace
 
 bool WeightedInterval::holds(CivilDate date, std::chrono::minutes timeOfDay) const {
-    return holdsDate(*this, date.month() / date.day()) && from <= timeOfDay && timeOfDay < to;
+    return holdsDate(*this, date.month() / date.day()) && holdsTime(*this, timeOfDay);
+}
+
+std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double latitudeDeg) {
+    constexpr double tropicDeg = 23.44, least = 0.05;
+    if (std::abs(latitudeDeg) <= tropicDeg) return std::nullopt;
+    const double juneToAugust =
+        meanWeight(weights, sys_days(2001y / June / 1), sys_days(2001y / September / 1));
+    const double decemberToFebruary =
+        meanWeight(weights, sys_days(2001y / December / 1), sys_days(2002y / March / 1));
+    const double summerMinusWinter =
+        latitudeDeg > 0 ? juneToAugust - decemberToFebruary : decemberToFebruary - juneToAugust;
+    if (summerMinusWinter > -least) return std::nullopt;
+    return Warning{
+        WarningKind::assumed,
+        fmt::format("the weights want shade in {}, which is winter at this place, and sun in its summer",
+                    latitudeDeg > 0 ? "December to February" : "June to August"),
+        weights.name};
 }
 
 TimeWeights makeMonthlyWeights() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/warnings.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -20,10 +21,11 @@ struct WeightedInterval {
     std::string name;  ///< "January", "school afternoons"
     std::chrono::month_day first{std::chrono::January / 1};
     std::chrono::month_day last{std::chrono::December /
-                                31};   ///< inclusive; before `first`: the range spans New Year
-    std::chrono::minutes from{0};      ///< wall clock, 0 to 24 h
-    std::chrono::minutes to{24 * 60};  ///< exclusive; after `from`
-    double weight = 0;                 ///< -1 (shadow is unwanted) to 1 (shade is wanted)
+                                31};  ///< inclusive; before `first`: the range spans New Year
+    std::chrono::minutes from{0};     ///< wall clock, 0 to 24 h
+    /// Exclusive. Before `from`: the hours span midnight, and those after it belong to their own date.
+    std::chrono::minutes to{24 * 60};
+    double weight = 0;  ///< -1 (shadow is unwanted) to 1 (shade is wanted)
 
     [[nodiscard]] bool holds(CivilDate date, std::chrono::minutes timeOfDay) const;
     bool operator==(const WeightedInterval&) const = default;
@@ -41,5 +43,9 @@ TimeWeights makeMonthlyWeights();
 
 /// Error: no name or no interval; a weight, date or hour out of range; or two intervals that overlap.
 Result<void> validate(const TimeWeights& weights);
+
+/// Shade is wanted in the hot season. A warning where the table wants more of it in the winter of a place
+/// outside the tropics than in its summer: the table was made for the other half of the earth.
+std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double latitudeDeg);
 
 }  // namespace noonmark

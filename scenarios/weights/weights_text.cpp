@@ -10,9 +10,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/csv_field.h"
 #include "core/base/csv_rows.h"
+#include "core/base/csv_text.h"
 #include "core/io/files/fold_text.h"
+#include "core/io/files/plain_file.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 
@@ -132,14 +133,13 @@ Result<WeightedInterval> intervalFrom(const std::map<std::string, std::string>& 
 }
 
 std::string weightsCsv(const TimeWeights& weights) {
-    std::string csv = fmt::format("{}\r\n", fmt::join(columns, ","));
+    CsvText csv({columns.begin(), columns.end()});
     for (const WeightedInterval& interval : weights.intervals) {
         const auto texts = textsOf(interval);
-        std::vector<std::string> fields;
-        for (const char* column : columns) fields.push_back(quoteField(texts.at(column)));
-        csv += fmt::format("{}\r\n", fmt::join(fields, ","));
+        for (const char* column : columns) csv.text(texts.at(column));
+        csv.endRow();
     }
-    return csv;
+    return csv.take();
 }
 
 std::string weightsJson(const TimeWeights& weights) {
@@ -191,6 +191,7 @@ Result<TimeWeights> parseWeightsJson(std::string_view text, const std::string& n
 }
 
 Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::string& name) {
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     std::ifstream stream(file, std::ios::binary);
     std::string text(largestFile + 1, '\0');
     stream.read(text.data(), std::streamsize(text.size()));

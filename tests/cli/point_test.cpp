@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/cli/project_command.h"
 
 namespace noonmark::cli::tests {
@@ -15,8 +17,9 @@ double sumOf(const nlohmann::json& numbers) {
 
 std::vector<std::string> pointOf(const std::string& file, const std::string& at,
                                  std::vector<std::string> more) {
-    std::vector<std::string> arguments{"point", file,         "--at",   at,  "--zone", "America/New_York",
-                                       "--day", "2026-12-21", "--step", "5", "--json"};
+    std::vector<std::string> arguments{"point", file,         "--at",  at, "--zone", "America/New_York",
+                                       "--day", "2026-12-21", "--json"};
+    if (std::ranges::find(more, "--step") == more.end()) more.insert(more.end(), {"--step", "5"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -53,6 +56,24 @@ TEST(Point, HasTheKeysThatScriptsRelyOn) {
     EXPECT_LT(json["svf"], 0.5);  // a wall
     EXPECT_LT(json["vsc_pct"], 39.62);
     EXPECT_THAT(json["sentence"].get<std::string>(), testing::StartsWith("On 21 December this point gets "));
+}
+
+// The ends of sunlight do not depend on the step that the year is measured with.
+TEST(Point, TimesOfTheDayAreExactAtAnyStep) {
+    const std::string place = "-73.9785,40.7675,1.5";
+    const auto fine = noonmarkCli(pointOf("sample:central-park-south", place, {"--step", "0.25"})).json();
+    const auto coarse = noonmarkCli(pointOf("sample:central-park-south", place, {"--step", "15"})).json();
+    ASSERT_GT(fine["sunlit"].size(), 0U);
+    ASSERT_EQ(coarse["sunlit"].size(), fine["sunlit"].size());
+    for (std::size_t i = 0; i < fine["sunlit"].size(); ++i)
+        EXPECT_NEAR(coarse["sunlit"][i]["minutes"], fine["sunlit"][i]["minutes"], 0.02);
+    double allDay = 0;
+    for (const char* kind : {"sunlit", "shaded"})
+        for (const auto& time : coarse[kind]) allDay += time["minutes"].get<double>();
+    EXPECT_NEAR(allDay, 9 * 60 + 15,
+                5);  // New York's shortest day, centre of the sun above the horizon: 9:08 to 9:15
+    EXPECT_NE(coarse["shaded"][0]["building"], "");
+    EXPECT_GT(coarse["error"]["year_min"], fine["error"]["year_min"]);
 }
 
 TEST(Point, InTheOpenAllTheSkyIsSeen) {
@@ -133,6 +154,16 @@ TEST_F(PointOfProject, StatesWhatTheProposalTakes) {
                 testing::MatchesRegex("The proposal takes .* mostly .*"));
     const Spoken same = noonmarkCli(pointOf(file_, at, {"--scenario", "Existing"}));
     EXPECT_EQ(same.json()["sentence"], "The proposal takes no sun from this point on any day of the year.");
+}
+
+// The season's first and last days lose only minutes, which steps of a quarter of an hour would miss.
+TEST_F(PointOfProject, TheSeasonDoesNotDependOnTheStep) {
+    const auto sentence = [&](const char* step) {
+        return noonmarkCli(pointOf(file_, "-73.9785,40.7675",
+                                   {"--baseline", "Before", "--scenario", "Existing", "--step", step}))
+            .json()["sentence"];
+    };
+    EXPECT_EQ(sentence("15"), sentence("1"));
 }
 
 TEST_F(PointOfProject, ComparesAnyTwoScenariosAndListsAll) {

@@ -1,3 +1,5 @@
+#include <qpdf/qpdf-c.h>
+
 #include <fstream>
 
 #include "tests/cli/project_command.h"
@@ -64,6 +66,60 @@ TEST_F(VerifyCommand, LeavesNothingBehind) {
     EXPECT_EQ(verify("out/report.pdf").code, exitOk);
     EXPECT_EQ(fs::current_path(), before);
     EXPECT_EQ(count(), files);
+}
+
+// Adds to what the first page of the report draws.
+void paintOver(const fs::path& report, const fs::path& painted, const std::string& drawn) {
+    qpdf_data pdf = qpdf_init();
+    EXPECT_EQ(qpdf_read(pdf, report.c_str(), nullptr), QPDF_SUCCESS);
+    const qpdf_oh page = qpdf_get_page_n(pdf, 0), added = qpdf_oh_new_stream(pdf);
+    qpdf_oh_replace_stream_data(pdf, added, reinterpret_cast<const unsigned char*>(drawn.data()),
+                                drawn.size(), qpdf_oh_new_null(pdf), qpdf_oh_new_null(pdf));
+    const qpdf_oh contents = qpdf_oh_new_array(pdf);
+    qpdf_oh_append_item(pdf, contents, qpdf_oh_get_key(pdf, page, "/Contents"));
+    qpdf_oh_append_item(pdf, contents, added);
+    qpdf_oh_replace_key(pdf, page, "/Contents", contents);
+    EXPECT_EQ(qpdf_init_write(pdf, painted.c_str()), QPDF_SUCCESS);
+    EXPECT_EQ(qpdf_write(pdf), QPDF_SUCCESS);
+    qpdf_cleanup(&pdf);
+}
+
+TEST_F(VerifyCommand, FindsAPageThatWasPaintedOver) {
+    paintOver(folder_.path("out/report.pdf"), folder_.path("out/same.pdf"), " ");
+    const Spoken same = verify("out/same.pdf");
+    EXPECT_EQ(same.code, exitOk) << same.out;
+    EXPECT_EQ(same.json()["pages"]["different"].dump(), "[]");
+    EXPECT_GE(same.json()["pages"]["compared"], 1);
+    // The words stay as they are: a white field lies over them.
+    paintOver(folder_.path("out/report.pdf"), folder_.path("out/covered.pdf"), " 1 g 300 300 6000 3000 re f");
+    const Spoken covered = verify("out/covered.pdf");
+    EXPECT_EQ(covered.code, exitFailed) << covered.out;
+    EXPECT_EQ(covered.json()["verdict"], "differs");
+    EXPECT_EQ(covered.json()["pages"]["different"].dump(), "[1]");
+    EXPECT_EQ(covered.json()["printed"]["differences"].size(), 0U);
+}
+
+TEST_F(VerifyCommand, ReadsTablesAsOthersDo) {
+    const Spoken points = noonmarkCli({"study",       folder_.path("houses.geojson").string(),
+                                       "--start",     "2026-03-21",
+                                       "--from",      "09:00",
+                                       "--hours",     "6",
+                                       "--step",      "10",
+                                       "--zone",      "America/New_York",
+                                       "--region",    "-73.9845,40.7525,-73.9828,40.7536",
+                                       "--receivers", "points",
+                                       "--point",     "-73.9842,40.7531",
+                                       "--out",       folder_.path("points").string()});
+    ASSERT_EQ(points.code, exitOk) << points.err;
+    const auto verified = verify("points/study.json").json();
+    EXPECT_EQ(verified["verdict"], "agrees");
+    EXPECT_EQ(verified["tables"][0]["name"], "elements.csv");
+    EXPECT_GT(verified["tables"][0]["compared"], 10);
+    EXPECT_THAT(verified["not_compared"].dump(), HasSubstr("elements.gpkg"));
+    alter("points/elements.csv", "point 1,point", "1,234.5,point 1,point");
+    const Spoken spoken = verify("points/study.json");
+    EXPECT_EQ(spoken.code, exitFailed);
+    EXPECT_THAT(spoken.json()["tables"][0]["differences"].dump(), HasSubstr("fields"));
 }
 
 TEST_F(VerifyCommand, FindsAnAlteredFigure) {

@@ -121,6 +121,39 @@ void writeMap(const SeedFolder& seeds) {
     writeGeoTiff(seeds.file("map_geotiff", "plain.tif"), GDT_Float32, {0, 2, 0, 18, 0, -2}, 26918, "NONE");
 }
 
+// Colours as three bands, with a fourth of transparency, and as one with a table.
+void writePicture(const fs::path& file, int bands, const char* compression) {
+    constexpr int columns = 12, rows = 9;
+    CPLStringList options;
+    options.AddNameValue("COMPRESS", compression);
+    GDALDatasetUniquePtr picture(
+        driverNamed("GTiff").Create(file.c_str(), columns, rows, bands, GDT_Byte, options.List()));
+    require(picture != nullptr, "a picture is written");
+    std::array<double, 6> place{-73.9805, 1e-4, 0, 40.7505, 0, -1e-4};
+    picture->SetGeoTransform(place.data());
+    OGRSpatialReference crs = degrees();
+    picture->SetSpatialRef(&crs);
+    GDALColorTable colours;
+    for (int i = 0; i < 7; ++i) {
+        const GDALColorEntry entry{short(30 * i), short(200 - 20 * i), 90, 255};
+        colours.SetColorEntry(i, &entry);
+    }
+    if (bands == 1) picture->GetRasterBand(1)->SetColorTable(&colours);
+    std::vector<std::uint8_t> values;
+    for (int i = 0; i < columns * rows * bands; ++i) values.push_back(std::uint8_t(i % 7));
+    require(picture->RasterIO(GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Byte, bands,
+                              nullptr, 0, 0, 0) == CE_None,
+            "colours are written");
+}
+
+void writePictures(const SeedFolder& seeds) {
+    const auto file = [&](const char* name) { return seeds.file("ground_picture", name); };
+    writePicture(file("plain.tif"), 3, "NONE");
+    writePicture(file("clear.tif"), 4, "LZW");
+    writePicture(file("table.tif"), 1, "NONE");
+    writePicture(file("packed.tif"), 3, "DEFLATE");
+}
+
 }  // namespace
 
 void makeGdalSeeds(const SeedFolder& seeds) {
@@ -136,6 +169,7 @@ void makeGdalSeeds(const SeedFolder& seeds) {
     writeShapefile(seeds);
     writeTerrains(seeds);
     writeMap(seeds);
+    writePictures(seeds);
 }
 
 }  // namespace noonmark::tests

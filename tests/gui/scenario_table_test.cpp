@@ -14,6 +14,7 @@
 
 #include "app/window/looks/units.h"
 #include "app/window/scenarios/scenarios_dock.h"
+#include "app/window/weights/weights_dock.h"
 #include "app/window/widgets/column_menu.h"
 #include "tests/gui/project_window.h"
 
@@ -209,6 +210,71 @@ TEST_F(ScenarioTableWindow, ASavedScoreCountsUntilItsScenarioChanges) {
     EXPECT_EQ(text(2, TableColumn::score), score) << "read from the project";
     editTall(ChangeHeight{"New", 30});
     EXPECT_EQ(text(2, TableColumn::score), QString());
+}
+
+TEST_F(ScenarioTableWindow, FiguresAreThereAgainWhenTheProjectIsOpenedAnotherDay) {
+    Project next = session().project();
+    next.weights.push_back(next.weights[0]);
+    next.weights.back().name = "halves";
+    for (WeightedInterval& interval : next.weights.back().intervals) interval.weight /= 2;
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("weights")));
+    window->findChild<WeightsDock*>()->choose("halves");
+    press("measureAll");
+    press("scoreAll");
+    const std::vector columns{TableColumn::shadowArea, TableColumn::gross, TableColumn::continuous,
+                              TableColumn::impact, TableColumn::score};
+    const auto texts = [&] {
+        QStringList all;
+        for (int row = 0; row < 3; ++row)
+            for (const TableColumn column : columns) all << text(row, column);
+        return all;
+    };
+    const QStringList before = texts();
+    ASSERT_EQ(before.count(QString()), 1) << "the impact of the baseline itself";
+    save();
+    for (int day = 1; day <= 2; ++day) {
+        makeWindow();
+        open(file);
+        settle();
+        EXPECT_EQ(texts(), before) << day;
+        save();  // without measuring again
+    }
+    EXPECT_THAT(tip(2, TableColumn::gross).toStdString(), HasSubstr("saved with the project"));
+    const QString figures = QString::fromStdString(session().file()->project().view.at("figures"));
+    EXPECT_EQ(figures.count(QStringLiteral("\"measured\"")), 3) << "each once, however often it is saved";
+    editTall(ChangeHeight{"New", 30});
+    for (const TableColumn column : columns) {
+        EXPECT_EQ(text(2, column), QString()) << column;
+        EXPECT_FALSE(text(1, column).isEmpty()) << column;
+    }
+    undo();
+    EXPECT_EQ(texts(), before);
+    StudySettings other = workbench().document().settings();
+    other.period.days += 1;
+    workbench().document().change(other, QStringLiteral("date"));
+    EXPECT_EQ(text(2, TableColumn::impact), QString()) << "another question";
+}
+
+TEST_F(ScenarioTableWindow, FiguresOfAllScenariosAreUnsavedWork) {
+    save();
+    for (const char* button : {"measureAll", "scoreAll"}) {
+        ASSERT_FALSE(session().hasUnsavedWork());
+        press(button);
+        EXPECT_TRUE(session().hasUnsavedWork()) << button << ": closing asks whether to save them";
+        save();
+    }
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+TEST_F(ScenarioTableWindow, MeasuringAllGivesTheImpactWhateverTheEngineCounted) {
+    StudySettings question = workbench().document().settings();
+    question.engine = "horizon";
+    question.receivers.cellM = 2;
+    workbench().document().change(question, QStringLiteral("engine"));
+    press("measureAll");
+    // Its words state how many longest runs were decided by rays, which differs from scenario to scenario.
+    EXPECT_FALSE(text(1, TableColumn::impact).isEmpty());
+    EXPECT_FALSE(text(2, TableColumn::impact).isEmpty());
 }
 
 TEST_F(ScenarioTableWindow, VerdictsOfEachScenarioAreCountedUntilItChanges) {

@@ -47,6 +47,18 @@ TEST_F(AnswersWindow, GrossShadowAloneStandsForContinuousAndSaysSo) {
     EXPECT_FALSE(legend.note().contains(QStringLiteral("not counted"))) << legend.note().toStdString();
 }
 
+TEST_F(AnswersWindow, TheLegendStatesTheErrorOfWhatTheMapShows) {
+    study();
+    LegendStrip& legend = window->panel().legend();
+    legend.setMeasure(ShadowMeasure::gross);
+    EXPECT_TRUE(legend.note().contains(QStringLiteral("of the minutes of a cell")))
+        << legend.note().toStdString();
+    legend.setMeasure(ShadowMeasure::continuous);
+    EXPECT_TRUE(legend.note().startsWith(QStringLiteral("Measured error of the longest shadow")))
+        << legend.note().toStdString();
+    EXPECT_FALSE(legend.note().contains(QStringLiteral("minutes of a cell"))) << legend.note().toStdString();
+}
+
 /// The names of exported files, sorted.
 QStringList exported(MainWindow& window, const QString& folder) {
     window.workbench().exportShown(folder.toStdString(), {.scale = window.panel().legend().changeScale()});

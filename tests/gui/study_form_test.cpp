@@ -87,7 +87,7 @@ TEST(RulePeriods, AreNotOfferedWhereAPeriodCannotStateThem) {
     };
     EXPECT_FALSE(first("ceqr")) << "hours in standard time";
     EXPECT_FALSE(first("japan")) << "hours in true solar time";
-    EXPECT_FALSE(first("zurich")) << "steps begin on full hours";
+    EXPECT_FALSE(first("zurich")) << "hours in standard time";
 }
 
 TEST(AccuracyChoices, NameTheEngineThatSuitsTheGround) {

@@ -103,6 +103,22 @@ TEST(ShadowMovie, HasOneFrameATime) {
     EXPECT_EQ(bytesOf(folder.path("day.mp4")).mid(4, 4), "ftyp");
 }
 
+// The frame is wider than the area: the shadows are computed for what it shows.
+TEST(ShadowMovie, ShowsShadowsInTheWholeFrame) {
+    const tests::TemporaryFolder folder;
+    const City before = tower();
+    NoProgress progress;
+    const std::vector<Place> none;
+    ShadowMovie movie = movieOf(before, nullptr, none, 1);
+    movie.drawing.area = Box2{{-20, -20}, {20, 20}};
+    const auto made = writeShadowMovie(movie, folder.path("day.gif"), progress, {});
+    ASSERT_TRUE(made) << made.error().text();
+    EXPECT_LT(made->area.low.x, -35);
+    EXPECT_GT(made->area.high.x, 35);
+    EXPECT_NEAR(made->area.low.y, -20, 1e-3);
+    EXPECT_NEAR(made->area.high.y, 20, 1e-3);
+}
+
 TEST(ShadowMovie, SwipesFromTheBaselineToTheScenario) {
     const tests::TemporaryFolder folder;
     const City before = tower();

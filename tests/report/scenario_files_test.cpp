@@ -83,7 +83,7 @@ TEST(ScenarioTables, StateHeightImpactScoreAndVerdictsOrLeaveThemEmpty) {
     tower.answers.impact = ScenarioImpact{"Existing", {}};
     tower.answers.impact->figures.shadowAreaChangeM2 = -12.5;
     tower.answers.impact->figures.gross.gainedM2 = 80;
-    tower.answers.score = ScenarioScore{"default", -340.25};
+    tower.answers.score = ScenarioScore{"default", {-340.25, -1234.5}};
     tower.answers.verdicts = ScenarioVerdicts{"Boston Common", "Existing", {12, 1, 3, 2}};
     const auto fields = lastFieldsOf(scenariosCsv(two));
     for (const auto& [name, text] : std::map<std::string, std::string>{{"height_m", "42.0"},
@@ -94,6 +94,7 @@ TEST(ScenarioTables, StateHeightImpactScoreAndVerdictsOrLeaveThemEmpty) {
                                                                        {"gained_m2", "80.0"},
                                                                        {"lost_m2", "0.0"},
                                                                        {"weights", "default"},
+                                                                       {"weighted_shade_m2h", "-1234.5"},
                                                                        {"score_m2", "-340.2"},
                                                                        {"rule", "Boston Common"},
                                                                        {"pass", "12"},
@@ -106,6 +107,7 @@ TEST(ScenarioTables, StateHeightImpactScoreAndVerdictsOrLeaveThemEmpty) {
     EXPECT_EQ(json["gross_floor_m2"], 2400);
     EXPECT_EQ(json["impact"]["gained_m2"], 80);
     EXPECT_EQ(json["score"]["score_m2"], -340.25);
+    EXPECT_EQ(json["score"]["weighted_shade_m2h"], -1234.5);
     EXPECT_EQ(json["verdicts"]["fail"], 3);
 }
 

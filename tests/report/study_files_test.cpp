@@ -30,7 +30,8 @@ qsizetype pagesOf(const QByteArray& pdf) { return pdf.count("/Type /Page") - pdf
 std::vector<std::string> linesOf(const QByteArray& text) {
     std::istringstream stream(text.toStdString());
     std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line.ends_with('\r') ? line.substr(0, line.size() - 1) : line);
     return lines;
 }
 

@@ -8,8 +8,12 @@
 #include <fstream>
 #include <random>
 
+#include "scenarios/project/edit_json.h"
 #include "scenarios/project/project_file.h"
+#include "scenarios/project/recovery_file.h"
 #include "scenarios/project/results/saved_answer.h"
+#include "scenarios/project/tables/database.h"
+#include "tests/core/io/planted_journal.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
 
@@ -297,6 +301,210 @@ TEST_F(HostileProject, ChangedCellsNeverCrash) {
         SCOPED_TRACE(round);
         useAll(file());
     }
+}
+
+struct PlantedJournal : HostileProject {
+    void SetUp() override {
+        HostileProject::SetUp();
+        victim = folder_.file("thesis.txt", "years of work");
+    }
+    void expectUnharmed() const { EXPECT_EQ(allBytes(victim), "years of work"); }
+    [[nodiscard]] fs::path beside(const char* ending) const { return file().string() + ending; }
+
+    fs::path victim;
+};
+
+TEST_F(PlantedJournal, ThatNamesAFileDeletesNothingAndIsRefused) {
+    auto opened = ProjectFile::open(file());
+    ASSERT_TRUE(opened);
+    const std::string before = allBytes(file());
+    plantJournal(file(), victim);
+    EXPECT_THAT(trouble(), HasSubstr("names another file"));
+    const auto saved = opened->save(opened->project());
+    ASSERT_FALSE(saved);
+    EXPECT_THAT(saved.error().text(), HasSubstr("names another file"));
+    EXPECT_FALSE(opened->isUnchanged());
+    EXPECT_TRUE(fs::exists(beside("-journal")));
+    EXPECT_EQ(allBytes(file()), before);
+    expectUnharmed();
+}
+
+TEST_F(PlantedJournal, ThatNamesTheJournalOfAnotherProjectLeavesThatAlone) {
+    const fs::path other = folder_.path("other.noonmark.gpkg");
+    fs::copy_file(file(), other);
+    plantJournal(other);
+    plantJournal(file(), other.string() + "-journal");
+    EXPECT_THAT(trouble(), HasSubstr("names another file"));
+    EXPECT_TRUE(fs::exists(other.string() + "-journal"));
+}
+
+// What a program that swaps the journal after the check would meet.
+TEST_F(PlantedJournal, ReachesNoOtherFileThroughAConnection) {
+    plantJournal(file(), victim);
+    for (const auto access : {Database::Access::write, Database::Access::read})
+        EXPECT_THROW((void)Database(file(), access).value("SELECT count(*) FROM noonmark"), DatabaseTrouble);
+    expectUnharmed();
+}
+
+TEST_F(PlantedJournal, BesideARecoveryFileDeletesNothing) {
+    const fs::path recovery = recoveryPath(file());
+    fs::copy_file(file(), recovery);
+    plantJournal(recovery, victim);
+    const auto recovered = ProjectFile::open(recovery);
+    ASSERT_FALSE(recovered);
+    EXPECT_THAT(recovered.error().text(), HasSubstr("names another file"));
+    expectUnharmed();
+}
+
+TEST_F(PlantedJournal, OfAKilledSaveIsStillRolledBack) {
+    plantJournal(file());
+    EXPECT_EQ(trouble(), "");
+    EXPECT_FALSE(fs::exists(beside("-journal")));
+}
+
+TEST_F(PlantedJournal, ThatStatesASizeTheFileNeverHadIsRefused) {
+    plantJournal(file());
+    std::string journal = allBytes(beside("-journal"));
+    journal.replace(16, 4, bigEndian(0x7fffffff));  // pages of the database before the transaction
+    std::ofstream(beside("-journal"), std::ios::binary) << journal;
+    const auto before = fs::file_size(file());
+    EXPECT_THAT(trouble(), HasSubstr("a size that the file never had"));
+    EXPECT_EQ(fs::file_size(file()), before);
+}
+
+TEST_F(PlantedJournal, OrLogThatIsALinkIsRefused) {
+    for (const char* ending : {"-journal", "-wal", "-shm"}) {
+        fs::create_symlink(victim, beside(ending));
+        EXPECT_THAT(trouble(), HasSubstr("a link")) << ending;
+        fs::remove(beside(ending));
+    }
+    expectUnharmed();
+}
+
+TEST_F(PlantedJournal, OfAnOlderFileIsNotAppliedToANewOne) {
+    plantJournal(file());
+    fs::remove(file());
+    EXPECT_FALSE(ProjectFile::create(file(), sampleProject()));
+    const fs::path recovery = recoveryPath(file());
+    fs::rename(beside("-journal"), recovery.string() + "-journal");
+    Project project = sampleProject();
+    for (int i = 0; i < 200; ++i) project.lots.push_back({"lot " + std::to_string(i), box(0, 0, 9, 9)});
+    Autosave autosave(file());
+    ASSERT_TRUE(autosave.keep(project));
+    const auto recovered = ProjectFile::open(recovery);
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    EXPECT_EQ(recovered->project().lots, project.lots);
+    plantJournal(recovery);
+    autosave.discard();
+    EXPECT_THAT(folder_.names(), testing::ElementsAre("thesis.txt"));
+}
+
+TEST_F(PlantedJournal, MovesWithItsRecoveryFile) {
+    plantJournal(file());
+    const fs::path aside = folder_.path("aside.noonmark.gpkg");
+    moveProject(file(), aside);
+    EXPECT_TRUE(fs::exists(aside.string() + "-journal"));
+    EXPECT_TRUE(ProjectFile::open(aside));
+    EXPECT_THAT(folder_.names(), testing::ElementsAre("aside.noonmark.gpkg", "thesis.txt"));
+}
+
+// Every scenario with its edits, which hold their shapes by pointer.
+std::vector<std::string> textsOf(const std::vector<Scenario>& scenarios) {
+    std::vector<std::string> texts;
+    for (const Scenario& scenario : scenarios) {
+        texts.push_back(scenario.name + " from " + scenario.base);
+        for (const Edit& edit : scenario.edits)
+            texts.push_back(std::string(getKind(edit)) + ' ' + toJson(edit));
+    }
+    return texts;
+}
+
+// Replaces a table by one with the same rows and other columns.
+std::string rebuilt(const std::string& table, const std::string& columns) {
+    return fmt::format(
+        "ALTER TABLE {0} RENAME TO old; CREATE TABLE {0} ({1}); INSERT INTO {0} SELECT * FROM old; "
+        "DROP TABLE old;",
+        table, columns);
+}
+
+TEST_F(HostileProject, ConstraintsOfOthersMakeASaveLoseNothing) {
+    const std::string id = "id INTEGER PRIMARY KEY NOT NULL, ";
+    const std::string edit = id + "scenario INTEGER NOT NULL, position INTEGER NOT NULL, kind TEXT NOT NULL";
+    for (const std::string& change :
+         {std::string("CREATE UNIQUE INDEX one ON scenarios (base)"),
+          std::string("CREATE UNIQUE INDEX one ON edits (kind)"),
+          rebuilt("scenarios", id + "name TEXT NOT NULL, base TEXT NOT NULL UNIQUE ON CONFLICT REPLACE"),
+          rebuilt("scenarios",
+                  id + "name TEXT NOT NULL, base TEXT NOT NULL, UNIQUE (base) ON CONFLICT IGNORE"),
+          rebuilt("scenarios", id + "name INTEGER NOT NULL, base TEXT NOT NULL"),
+          rebuilt("edits", edit + " UNIQUE ON CONFLICT IGNORE, words TEXT NOT NULL, value TEXT NOT NULL"),
+          rebuilt("scenarios", id + "name TEXT NOT NULL CHECK (name <> 'C'), base TEXT NOT NULL")}) {
+        SCOPED_TRACE(change);
+        sql(change + ";");
+        auto opened = ProjectFile::open(file());
+        ASSERT_TRUE(opened) << opened.error().text();
+        Project project = opened->project();
+        project.scenarios.push_back({"C", "", {Demolish{"a"}}});
+        project.scenarios.push_back({"007", "", {Demolish{"b"}, ChangeHeight{"c", 8}}});
+        project.weights.push_back({"more", project.weights.front().intervals});
+        const auto saved = opened->save(project);
+        ASSERT_TRUE(saved) << saved.error().text();
+        const auto after = ProjectFile::open(file());
+        ASSERT_TRUE(after) << after.error().text();
+        EXPECT_EQ(textsOf(after->project().scenarios), textsOf(project.scenarios));
+        EXPECT_EQ(after->project().weights, project.weights);
+        remake();
+    }
+}
+
+TEST_F(HostileProject, ColumnsThatAGisAddedStayWhenATableIsTakenBack) {
+    sql("ALTER TABLE lots ADD COLUMN \"my remark\" TEXT(50); UPDATE lots SET \"my remark\" = 'sunny';"
+        "CREATE UNIQUE INDEX one ON lots (name);");
+    sql("ALTER TABLE edits ADD COLUMN note TEXT; UPDATE edits SET note = 'by hand'; CREATE UNIQUE INDEX two "
+        "ON "
+        "edits (kind);");
+    sql(rebuilt("regions",
+                "fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT UNIQUE ON CONFLICT IGNORE, "
+                "area_m2 REAL"));
+    sql("ALTER TABLE regions ADD COLUMN rank INTEGER DEFAULT 7; ALTER TABLE regions ADD COLUMN more;");
+    auto opened = ProjectFile::open(file());
+    ASSERT_TRUE(opened) << opened.error().text();
+    Project project = opened->project();
+    project.view["turn"] = "1";
+    ASSERT_TRUE(opened->save(project));
+    EXPECT_EQ(sql("SELECT \"my remark\" FROM lots")[0][0], "sunny");
+    EXPECT_EQ(sql("SELECT rank FROM regions")[0][0], "7");
+    EXPECT_EQ(sql("SELECT note FROM edits")[0][0], "by hand");
+    EXPECT_THAT(sql("SELECT 1 FROM sqlite_master WHERE name = 'one'"), testing::IsEmpty());
+    EXPECT_THAT(sql("SELECT sql FROM sqlite_master WHERE name = 'regions'")[0][0],
+                testing::Not(HasSubstr("CONFLICT")));
+}
+
+TEST_F(HostileProject, ScenariosThatAnotherProgramNumberedAreSavedUnderTheirOwnNumbers) {
+    sql("UPDATE scenarios SET id = id + 10; UPDATE edits SET scenario = scenario + 10;");
+    auto opened = ProjectFile::open(file());
+    ASSERT_TRUE(opened) << opened.error().text();
+    Project project = opened->project();
+    project.scenarios[0].edits.pop_back();
+    ASSERT_TRUE(opened->save(project));
+    const auto after = ProjectFile::open(file());
+    ASSERT_TRUE(after) << after.error().text();
+    EXPECT_EQ(textsOf(after->project().scenarios), textsOf(project.scenarios));
+}
+
+TEST_F(HostileProject, BuildingsUnderOtherNumbersAreRefused) {
+    expectRefused("UPDATE buildings SET building = building + 1", "buildings are missing");
+}
+
+TEST_F(HostileProject, ResultsTakeNoMemoryThatTheirTilesDoNotExplain) {
+    expectRefused("DELETE FROM result_1_1", "tiles are missing");
+    expectRefused("UPDATE results SET columns = 15000, rows = 15000", "tiles are missing");
+}
+
+TEST_F(HostileProject, AValueLargerThanTheFileIsNotMade) {
+    Database database(file(), Database::Access::read);
+    database.limitValues(file());
+    EXPECT_THROW((void)database.value("SELECT length(hex(zeroblob(400000000)))"), DatabaseTrouble);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/impact/reached_receivers.h"
 #include "scenarios/scenario.h"
+#include "scenarios/weights/score_text.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -139,6 +140,21 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
     const std::string csv = impactCsv(answer);
     EXPECT_EQ(csv.find("nan"), std::string::npos) << csv;
     EXPECT_NE(csv.find(",31.00,,,"), std::string::npos) << csv;
+}
+
+TEST(Impact, ItsJsonStatesTheAir) {
+    ImpactAnswer answer;
+    answer.thresholdsMin = {30};
+    answer.study.total.grid = {.cellM = 2, .columns = 1, .rows = 1};
+    answer.study.total.grossMin = answer.study.total.continuousMin = {1};
+    answer.study.total.change = {CellChange::none};
+    answer.settings.study.pressureHPa = 850;
+    answer.settings.study.temperatureC = -12.5;
+    const auto json = nlohmann::json::parse(impactJson(answer));
+    EXPECT_EQ(json["observer"]["pressure_hpa"], 850);
+    EXPECT_EQ(json["observer"]["temperature_c"], -12.5);
+    const auto score = nlohmann::json::parse(scoreJson({.settings = answer.settings.study}));
+    EXPECT_EQ(score["observer"], json["observer"]);
 }
 
 TEST(Impact, EveryEngineSeesTheSame) {

@@ -11,7 +11,9 @@
 #include "core/city/footprints/floor_area.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/study/study.h"
+#include "scenarios/massing/lot_edits.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -133,6 +135,26 @@ TEST(LeaningWalls, VolumesStandOnTheTopOfTheOneBelow) {
     EXPECT_TRUE(buildingOf(massing, "three"));
     settings.podium->walls.taper = 0.75;
     EXPECT_THAT(makeMassing(lot, settings).error().text(), HasSubstr("beyond its podium"));
+}
+
+// A twisted volume is an overhang to the engines, but the tower stands on it.
+TEST(LeaningWalls, ATowerIsMeasuredFromItsTwistedLowestVolume) {
+    MassingSettings settings = tower(40, {.twistDeg = 30});
+    settings.setbacks = {{.aboveM = 80, .insetM = 2}};
+    const Massing massing = makeMassing(lot, settings).value();
+    const Building built = buildingOf(massing, "twisted").value();
+    ASSERT_EQ(built.parts.size(), 2U);
+    ASSERT_TRUE(built.parts[0].isOverhanging);
+    City city;
+    city.buildings = {std::make_shared<const Building>(built)};
+    EXPECT_NEAR(heightM(built, city), 160, 1e-3);
+    const FloorArea floors = computeFloorArea(built, double(findGroundUnder(built, city)), 4);
+    EXPECT_EQ(floors.storeys, 40);
+    EXPECT_NEAR(floors.grossM2, 20 * 400 + 20 * 256, 10);
+    EXPECT_NEAR(floors.grossM2, massing.figures.grossFloorM2, 10);
+    double outlineM2 = 0;
+    for (const Footprint& piece : computeOutline(built)) outlineM2 += area(piece);
+    EXPECT_GT(outlineM2, 400) << "of the turning plates, not of the plate above the setback";
 }
 
 TEST(LeaningWalls, WhatCannotBeIsRefusedWithTheLimit) {

@@ -6,7 +6,8 @@
 #include <random>
 #include <thread>
 
-#include "scenarios/project/project_file.h"
+#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/tables/database.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
 
@@ -29,13 +30,28 @@ namespace {
     ::_exit(1);
 }
 
-// Kills a saving process `microseconds` after it reported `saves` saves. Returns the last save that it
-// reported.
-std::int64_t killedAfter(const std::filesystem::path& file, int saves, int microseconds) {
+// Keeps unsaved work in the recovery file in an endless loop, and reports as saveForEver() does.
+[[noreturn]] void keepForEver(const std::filesystem::path& file, int pipe) {
+    const auto disk = ProjectFile::open(file);
+    Autosave autosave(file);
+    for (std::int64_t i = 0; disk; ++i) {
+        if (::write(pipe, &i, sizeof i) != sizeof i) break;
+        Project project = disk->project();
+        project.view["turn"] = std::to_string(i);
+        project.scenarios[1].edits.emplace_back(Rotate{"c", double(i)});
+        if (!autosave.keep(project)) break;
+    }
+    ::_exit(1);
+}
+
+// Kills a process that does `work` for ever, `microseconds` after it reported `saves` saves. Returns the last
+// save that it reported.
+std::int64_t killedAfter(const std::filesystem::path& file, int saves, int microseconds,
+                         void (*work)(const std::filesystem::path&, int) = saveForEver) {
     int ends[2];
     EXPECT_EQ(::pipe(ends), 0);
     const pid_t child = ::fork();
-    if (child == 0) saveForEver(file, ends[1]);
+    if (child == 0) work(file, ends[1]);
     ::close(ends[1]);
     std::int64_t last = 0;
     for (int told = 0; told <= saves; ++told) EXPECT_EQ(::read(ends[0], &last, sizeof last), sizeof last);
@@ -68,6 +84,50 @@ TEST(ProjectKill, NoKilledSaveLosesWhatWasSaved) {
         last = disk->saves();
     }
     EXPECT_GT(last, 100);
+}
+
+// A recovery file that was killed while it was written is moved aside and read, as the window does when it
+// starts again; what the next run keeps in its place is whole, too.
+TEST(ProjectKill, NoKilledRecoveryFileIsTornOrTearsTheNext) {
+    const TemporaryFolder folder;
+    const auto file = folder.path("town.noonmark.gpkg"), aside = folder.path("aside.noonmark.gpkg");
+    ASSERT_TRUE(ProjectFile::create(file, sampleProject()));
+    std::mt19937 random(6);
+    std::uniform_int_distribution<int> moment(0, 25'000);
+    for (int i = 0; i < 100; ++i) {
+        const std::int64_t last = killedAfter(file, 1 + i % 3, moment(random), keepForEver);
+        if (i % 2 == 1) continue;  // the next run meets what this one left
+        moveProject(recoveryPath(file), aside);
+        const auto recovered = ProjectFile::open(aside);
+        ASSERT_TRUE(recovered) << recovered.error().text();
+        ASSERT_GE(std::stoll(recovered->project().view.at("turn")), last - 1);
+        ASSERT_FALSE(std::filesystem::exists(recoveryPath(file).string() + "-journal"));
+    }
+}
+
+// The first save copies the tables that another program changed.
+TEST(ProjectKill, NoKilledSaveLosesTablesThatAreTakenBack) {
+    const TemporaryFolder folder;
+    const auto changed = folder.path("changed.noonmark.gpkg"), file = folder.path("town.noonmark.gpkg");
+    ASSERT_TRUE(ProjectFile::create(changed, sampleProject()));
+    {
+        Database database(changed, Database::Access::write);
+        for (const char* table : {"buildings", "scenarios", "edits", "lots", "regions"})
+            database.execute(std::string("ALTER TABLE ") + table + " ADD COLUMN more TEXT DEFAULT 'x'");
+    }
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> moment(0, 25'000);
+    for (int i = 0; i < 100; ++i) {
+        for (const char* ending : {"", "-journal"}) std::filesystem::remove(file.string() + ending);
+        std::filesystem::copy_file(changed, file);
+        const std::int64_t last = killedAfter(file, 0, moment(random));
+        const auto disk = ProjectFile::open(file);
+        ASSERT_TRUE(disk) << disk.error().text();
+        ASSERT_GE(disk->saves(), last);
+        ASSERT_EQ(disk->project().city->buildings.size(), 5U);
+        ASSERT_EQ(disk->project().scenarios.size(), 2U);
+        ASSERT_EQ(disk->project().scenarios[0].edits.size(), 2U);
+    }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "scenarios/edits/read_shape.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,6 +31,36 @@ TEST(ReadShape, AMeshComesAtItsOwnOriginAndIsPlacedByTheUser) {
     EXPECT_NEAR(topM(built), 20, 1e-3);
     EXPECT_NEAR(bounds(built).high.x, 108, 1e-3);
     ASSERT_TRUE(built.parts[0].mesh);
+}
+
+// A tower of 40 m that begins at this height of the mesh.
+Result<ImportMesh> readTower(int low, Stand stand, Warnings& warnings) {
+    const TemporaryFolder folder;
+    std::string text = "o tower\n";
+    for (const int y : {low, low + 40})
+        for (const char* corner : {"v 0 {} 0\n", "v 20 {} 0\n", "v 20 {} -20\n", "v 0 {} -20\n"})
+            text += fmt::format(fmt::runtime(corner), y);
+    text += "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    NoProgress progress;
+    return readShape(folder.file("tower.obj", text), "tower", {.stand = stand}, threeHouses().frame, warnings,
+                     progress, {});
+}
+
+TEST(ReadShape, AMeshWithElevationsIsSetOnTheGroundAndSaid) {
+    Warnings warnings;
+    const Building tower = *readTower(187, Stand::automatic, warnings)->shape;
+    EXPECT_NEAR(topM(tower), 40, 1e-3);
+    EXPECT_FALSE(tower.parts[0].isOverhanging);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings[0].where, testing::HasSubstr("187.0 m"));
+    EXPECT_NEAR(topM(*readTower(187, Stand::absolute, warnings)->shape), 227, 1e-3);
+}
+
+TEST(ReadShape, ABasementStaysBelowTheGround) {
+    Warnings warnings;
+    EXPECT_NEAR(topM(*readTower(-9, Stand::automatic, warnings)->shape), 31, 1e-3);
+    EXPECT_TRUE(warnings.empty());
+    EXPECT_NEAR(topM(*readTower(-9, Stand::terrain, warnings)->shape), 40, 1e-3);
 }
 
 TEST(ReadShape, WhatIsNoMeshIsRefused) {

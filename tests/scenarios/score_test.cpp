@@ -61,7 +61,7 @@ TEST(TimeWeights, WhatMakesNoSenseIsRefused) {
     EXPECT_THAT(validate(table).error().text(), HasSubstr("'all' and 'winter' overlap"));
     EXPECT_FALSE(validate(TimeWeights{"", {{.weight = 1}}}));
     EXPECT_FALSE(validate(TimeWeights{"none", {}}));
-    EXPECT_FALSE(validate(TimeWeights{"backwards", {{.from = 12h, .to = 9h, .weight = 1}}}));
+    EXPECT_FALSE(validate(TimeWeights{"no time", {{.from = 12h, .to = 12h, .weight = 1}}}));
 }
 
 TEST(TimeWeights, AnIntervalGoesOverNewYear) {
@@ -69,6 +69,34 @@ TEST(TimeWeights, AnIntervalGoesOverNewYear) {
     EXPECT_TRUE(winter.holds(2026y / December / 31, 0h));
     EXPECT_TRUE(winter.holds(2026y / February / 28, 0h));
     EXPECT_FALSE(winter.holds(2026y / March / 1, 0h));
+}
+
+TEST(TimeWeights, AWinterThatWantsShadeIsWarnedOf) {
+    const TimeWeights northern = makeMonthlyWeights();
+    EXPECT_FALSE(findSeasonMismatch(northern, 40.7));
+    EXPECT_FALSE(findSeasonMismatch(northern, -1.3));  // Nairobi has no winter
+    const auto melbourne = findSeasonMismatch(northern, -37.8);
+    ASSERT_TRUE(melbourne);
+    EXPECT_THAT(melbourne->what, HasSubstr("June to August, which is winter"));
+    TimeWeights southern = northern;
+    for (WeightedInterval& interval : southern.intervals) interval.weight = -interval.weight;
+    EXPECT_FALSE(findSeasonMismatch(southern, -37.8));
+    EXPECT_TRUE(findSeasonMismatch(southern, 52.5));
+    EXPECT_FALSE(findSeasonMismatch({"whole year", {{.name = "all", .weight = 1}}}, -37.8));
+}
+
+TEST(TimeWeights, HoursGoOverMidnight) {
+    const WeightedInterval night{.name = "night", .from = 22h, .to = 5h, .weight = 1};
+    EXPECT_TRUE(validate(TimeWeights{"nights", {night}}));
+    for (const auto time : {0h, 4h, 22h, 23h}) EXPECT_TRUE(night.holds(2026y / June / 1, time));
+    for (const auto time : {5h, 12h, 21h}) EXPECT_FALSE(night.holds(2026y / June / 1, time));
+    const WeightedInterval day{.name = "day", .from = 5h, .to = 22h, .weight = -1};
+    EXPECT_TRUE(validate(TimeWeights{"both", {night, day}}));
+    const WeightedInterval dawn{.name = "dawn", .from = 4h, .to = 6h, .weight = -1};
+    EXPECT_FALSE(validate(TimeWeights{"twice", {night, dawn}}));
+    EXPECT_FALSE(validate(TimeWeights{"twice", {dawn, night}}));
+    const WeightedInterval late{.name = "late", .from = 23h, .to = 1h, .weight = -1};
+    EXPECT_FALSE(validate(TimeWeights{"twice", {night, late}}));
 }
 
 TEST(TimePieces, HoldEveryStepOnce) {
@@ -105,6 +133,27 @@ TEST(Score, IsTheWeightedSumOfTheMonths) {
     for (const MonthFigures& month : score.months) sum += month.scoreM2;
     EXPECT_NEAR(score.scoreM2, sum, 1e-6 * std::abs(sum));
     EXPECT_LT(score.scoreM2, 0);  // winter's shadows are longer
+}
+
+// A share of an interval's time counts again in each part of it; hours in shadow do not.
+TEST(Score, WeightedShadeDoesNotDependOnHowTheTableIsCut) {
+    StudySettings day = year();
+    day.period.days = 1;
+    day.period.stepMinutes = 10;
+    const TimeWeights whole{"whole", {{.name = "day", .from = 8h, .to = 16h, .weight = 1}}};
+    const TimeWeights cut{"cut",
+                          {{.name = "morning", .from = 8h, .to = 12h, .weight = 1},
+                           {.name = "afternoon", .from = 12h, .to = 16h, .weight = 1}}};
+    const Score one = scored(day, whole), two = scored(day, cut);
+    // One day of 8 h: shadow area = shaded minutes x cell area / sunlit minutes.
+    const ShadowStatistics truth = studied(day).statistics;
+    const double shadedM2h = truth.shadowAreaM2 * one.months.at(0).sunlitMinutes / 60;
+    EXPECT_NEAR(one.weightedShadeM2h, shadedM2h, 1e-4 * shadedM2h);
+    EXPECT_NEAR(two.weightedShadeM2h, one.weightedShadeM2h, 1e-6 * shadedM2h);
+    EXPECT_NEAR(two.months.at(0).weightedShadeM2h, one.months.at(0).weightedShadeM2h, 1e-6 * shadedM2h);
+    EXPECT_NEAR(two.intervals[0].weightedShadeM2h + two.intervals[1].weightedShadeM2h, two.weightedShadeM2h,
+                1e-6 * shadedM2h);
+    EXPECT_GT(two.scoreM2, 1.5 * one.scoreM2);  // the paper's score does
 }
 
 TEST(Score, OfHoursCountsThoseHoursOnly) {

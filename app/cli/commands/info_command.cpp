@@ -32,6 +32,7 @@ std::string describeSource(const nlohmann::ordered_json& sources) {
 // Warns of assumed heights and names the fields that may hold heights.
 void printHeights(std::ostream& out, const CityRead& read) {
     if (const auto headline = makeAssumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
+    if (const auto headline = makeStandHeadline(read.heights)) out << "\n" << *headline << '\n';
     if (read.heights.unknown.empty()) return;
     out << "fields that may hold heights or storeys; select one with:\n";
     for (const UnknownField& field : read.heights.unknown)
@@ -50,6 +51,7 @@ void print(const CityRead& read, std::ostream& out) {
     table.add("triangles", number("triangles"));
     table.add("heights of parts", describeSource(info["height_sources"]));
     for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
+    for (const BaseFit& fit : read.heights.bases) table.add("bases", describe(fit));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));
     table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");

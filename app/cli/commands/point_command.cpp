@@ -105,17 +105,19 @@ Result<PointCities> citiesOf(const PointOptions& options, const Console& console
     });
 }
 
-void print(const PointStudy& study, const City& city, const Zone& zone, std::ostream& out) {
+void print(const PointStudy& study, const City& city, const City* scenario, const Zone& zone,
+           std::ostream& out) {
     Table table;
-    const auto addView = [&](const std::string& name, const PointView& view) {
+    const auto addView = [&](const std::string& name, const PointView& view, const City& of) {
         table.add(name + "sunlit", sunlitText(view, zone));
+        table.add(name + "hidden by", shadedText(view, of, zone));
         table.add(name + "sky view factor", fmt::format("{:.3f}", view.factors.skyView));
         if (study.question.facingDeg)
             table.add(name + "vertical sky component", fmt::format("{:.1f} %", view.factors.skyComponentPct));
     };
     table.add("day", fmt::format("{}, times of {}", formatText(study.question.day), zone.name()));
-    addView("", study.baseline);
-    if (study.scenario) addView("scenario: ", *study.scenario);
+    addView("", study.baseline, city);
+    if (study.scenario) addView("scenario: ", *study.scenario, scenario != nullptr ? *scenario : city);
     table.print(out);
     out << describe(study, city) << '\n';
 }
@@ -172,8 +174,8 @@ int runPoint(const PointOptions& options, const Console& console) {
     const auto zone = Zone::named(question.zone);
     if (!zone) return fail(console, zone.error(), exitUsage);
     const Interrupt interrupt;
-    const auto study = runPointStudy(cities->baseline, cities->scenario ? &*cities->scenario : nullptr,
-                                     question, interrupt.token());
+    const City* const scenario = cities->scenario ? &*cities->scenario : nullptr;
+    const auto study = runPointStudy(cities->baseline, scenario, question, interrupt.token());
     if (!study) return fail(console, study.error(), exitUsage);
     if (const auto written = writeFiles(options, *study, cities->baseline, *zone); !written)
         return fail(console, written.error(), exitFailed);
@@ -181,12 +183,12 @@ int runPoint(const PointOptions& options, const Console& console) {
     if (!cases) return fail(console, cases.error(), exitUsage);
     const bool wall = question.facingDeg.has_value();
     if (options.json) {
-        auto json = pointJson(*study, cities->baseline, *zone);
+        auto json = pointJson(*study, cities->baseline, scenario, *zone);
         if (!cases->empty()) json["scenarios"] = pointCasesJson(*cases, wall);
         console.out << toJsonText(json) << '\n';
         return exitOk;
     }
-    print(*study, cities->baseline, *zone, console.out);
+    print(*study, cities->baseline, scenario, *zone, console.out);
     printCases(*cases, wall, console.out);
     return exitOk;
 }

@@ -69,12 +69,14 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
     table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
+    table.add("weighted shade", fmt::format("{:+.0f} m2 h ({:+.2f} h on every m2)", score.weightedShadeM2h,
+                                            score.weightedShadeM2h / std::max(1.0, score.receiverAreaM2)));
     table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} per m2)", score.scoreM2,
                                    score.scoreM2 / std::max(1.0, score.receiverAreaM2)));
     for (const MonthFigures& month : score.months)
-        table.add(
-            fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
-            fmt::format("shadow area {:9.0f} m2, score {:+9.0f} m2", month.shadowAreaM2, month.scoreM2));
+        table.add(fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
+                  fmt::format("weighted shade {:+10.0f} m2 h, shadow area {:9.0f} m2, score {:+9.0f} m2",
+                              month.weightedShadeM2h, month.shadowAreaM2, month.scoreM2));
     table.print(out);
     printWarnings(out, score.warnings);
 }

@@ -23,6 +23,7 @@ struct SunOptions {
     std::string at;
     std::string zone;
     bool centre = false;
+    double aboveHorizonM = 0;
     bool json = false;
 };
 
@@ -55,7 +56,9 @@ Result<SunReport> sunReport(const SunOptions& options) {
         return tl::make_unexpected(known.error());
     const SunriseRule rule = options.centre ? SunriseRule::centre : SunriseRule::upperLimb;
     return SunReport{computeSolarPosition(options.observer, *at),
-                     computeSunEvents(options.observer, clock->midnightBefore(*at), rule), *clock, *at};
+                     computeSunEvents(options.observer, clock->midnightBefore(*at), rule,
+                                      computeHorizonDip(options.aboveHorizonM)),
+                     *clock, *at};
 }
 
 Json timeJson(const SunReport& report, const std::optional<Instant>& at) {
@@ -138,9 +141,17 @@ void addSunCommand(CLI::App& app, Run& run) {
     command->add_option("--zone", options->zone, "Time zone of the output (default: the offset of --at)")
         ->type_name("ZONE");
     addAirOptions(*command, options->observer);
-    command->add_flag(
-        "--centre", options->centre,
-        "Define sunrise by the sun's centre at 0 deg, not by its upper limb on the horizon (-0.833 deg)");
+    command
+        ->add_option("--above-horizon", options->aboveHorizonM,
+                     "Height of the observer above the surface in which the horizon lies (the sea, a plain), "
+                     "m: the dip "
+                     "of that horizon makes sunrise earlier")
+        ->capture_default_str()
+        ->check(within(0.0, 9000.0))
+        ->type_name("M");
+    command->add_flag("--centre", options->centre,
+                      "Define sunrise by the sun's centre at 0 deg, not by its upper limb on the horizon "
+                      "(-0.833 deg in the default air)");
     command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->footer(
         "noonmark-cli sun --lat 40.75 --lon -73.98 --at 2026-03-21T09:00:00 --zone America/New_York");

@@ -107,8 +107,10 @@ std::string lineOf(const ShadowOnPlace& shadow, const Zone& zone) {
 void printDay(const DayTimeline& day, const TimelineAnswer& answer, std::ostream& out) {
     const Zone& zone = answer.labels.zone;
     Table table;
-    table.add("day", fmt::format("{}, {:.0f} min of sun; times of {}", formatText(day.day), day.sunlitMinutes,
-                                 zone.name()));
+    std::string when = fmt::format("{}, {:.0f} min of sun; times of {}", formatText(day.day),
+                                   day.sunlitMinutes, zone.name());
+    if (day.stepMinutes > 1) when += fmt::format(", up to {:g} min too late", day.stepMinutes);
+    table.add("day", when);
     table.add("baseline", lineOf(day.baseline, zone));
     if (!answer.labels.to.empty()) {
         table.add("scenario", lineOf(day.scenario, zone));

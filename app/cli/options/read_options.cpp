@@ -56,7 +56,7 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
         ->type_name("M");
 }
 
-void addTerrainOption(CLI::App& command, ReadSettings& settings) {
+void addTerrainOptions(CLI::App& command, ReadSettings& settings) {
     static const std::map<std::string, TerrainFromBases> choices{{"auto", TerrainFromBases::automatic},
                                                                  {"always", TerrainFromBases::always},
                                                                  {"never", TerrainFromBases::never}};
@@ -68,6 +68,19 @@ void addTerrainOption(CLI::App& command, ReadSettings& settings) {
             "only where neighbours stand at different heights")
         ->check(CLI::IsMember({"auto", "always", "never"}))
         ->type_name("WHEN");
+    static const std::map<std::string, TerrainShows> shown{{"auto", TerrainShows::automatic},
+                                                           {"ground", TerrainShows::ground},
+                                                           {"surface", TerrainShows::surface}};
+    command
+        .add_option_function<std::string>(
+            "--terrain-shows",
+            [&settings](const std::string& choice) { settings.terrainShows = shown.at(choice); },
+            "What terrain rasters show: the bare ground, or a surface with the buildings on it; auto "
+            "(default): a surface where they jump at the outlines of buildings")
+        ->check(CLI::IsMember({"auto", "ground", "surface"}))
+        ->type_name("WHAT");
+    command.add_flag("--heights-from-surface", settings.heightsFromSurface,
+                     "Give buildings without a height that of the surface model above the ground");
 }
 
 void addMeshOptions(CLI::App& command, ReadSettings& settings) {
@@ -99,6 +112,18 @@ void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
             "Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)");
 }
 
+void addStandOption(CLI::App& command, ReadSettings& settings) {
+    static const std::map<std::string, Stand> choices{
+        {"auto", Stand::automatic}, {"terrain", Stand::terrain}, {"absolute", Stand::absolute}};
+    command
+        .add_option_function<std::string>(
+            "--stand", [&settings](const std::string& choice) { settings.stand = choices.at(choice); },
+            "Where buildings stand: each on the terrain, or at the elevations that the file states "
+            "(absolute); auto (default): as its bases lie against the terrain")
+        ->check(CLI::IsMember({"auto", "terrain", "absolute"}))
+        ->type_name("HOW");
+}
+
 void addReadOptions(CLI::App& command, ReadOptions& options) {
     ReadSettings& settings = options.settings;
     command.add_option("files", options.files, options.filesHelp)->required()->type_name("FILE");
@@ -116,7 +141,8 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         ->capture_default_str()
         ->check(within(100, 200000))
         ->type_name("M");
-    addTerrainOption(command, settings);
+    addTerrainOptions(command, settings);
+    addStandOption(command, settings);
     addMeshOptions(command, settings);
 }
 

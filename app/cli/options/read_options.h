@@ -18,6 +18,9 @@ struct ReadOptions {
 /// Adds FILE... and one option per user-visible field of ReadSettings. `options` must outlive the parsing.
 void addReadOptions(CLI::App& command, ReadOptions& options);
 
+/// Adds --stand, which states where buildings stand.
+void addStandOption(CLI::App& command, ReadSettings& settings);
+
 /// Adds the options of meshes only: the axis that points up, and the unit.
 void addMeshAxesOptions(CLI::App& command, ReadSettings& settings);
 

@@ -146,6 +146,7 @@ void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
 void addShapeOptions(CLI::App& command, ShapeOptions& options) {
     addPlaceOptions(command, options);
     addMeshAxesOptions(command, options.read);
+    addStandOption(command, options.read);
     command
         .add_option("--crs", options.read.crs, "CityJSON that does not state its reference system: EPSG:2263")
         ->type_name("CRS");

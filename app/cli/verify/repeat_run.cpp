@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "app/cli/command_line.h"
-#include "core/base/process.h"
 
 namespace noonmark::cli {
 
@@ -44,11 +43,12 @@ Result<void> place(const fs::path& file, const fs::path& at) {
 
 Result<RepeatFolder> RepeatFolder::make(const std::vector<FoundFile>& files) {
     std::error_code error;
-    const fs::path path = fs::temp_directory_path(error) / fmt::format("noonmark-verify-{}", processId());
-    if (error || !fs::create_directory(path, error))
-        return failure("The folder for the repeated run cannot be made", path.string(),
+    const fs::path temporary = fs::temp_directory_path(error);
+    RepeatFolder folder{PrivateFolder(temporary)};
+    const fs::path& path = folder.folder_.path();
+    if (error || path.empty())
+        return failure("The folder for the repeated run cannot be made", temporary.string(),
                        "Check the folder for temporary files (TMPDIR)");
-    RepeatFolder folder(path);
     for (const FoundFile& file : files) {
         if (!file.path) continue;
         const fs::path at = path / nameOf(file.recorded);
@@ -60,13 +60,8 @@ Result<RepeatFolder> RepeatFolder::make(const std::vector<FoundFile>& files) {
     return folder;
 }
 
-RepeatFolder::~RepeatFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-}
-
 Result<void> RepeatFolder::add(const fs::path& file) const {
-    const fs::path at = path_ / file.filename();
+    const fs::path at = folder_.path() / file.filename();
     return fs::exists(at) ? Result<void>() : place(file, at);
 }
 
@@ -75,7 +70,7 @@ Result<void> RepeatFolder::run(const std::vector<std::string>& words, const Cons
     argv.reserve(words.size());
     for (const std::string& word : words) argv.push_back(word.c_str());
     std::ostringstream out, err;
-    const WorkingFolder there(path_);
+    const WorkingFolder there(folder_.path());
     const int code = runCommandLine(int(argv.size()), argv.data(),
                                     {out, console.watched ? console.err : err, console.watched});
     if (code == exitCancelled) return cancelled();

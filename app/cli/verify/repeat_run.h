@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
+#include "core/base/private_folder.h"
 #include "core/base/result.h"
 #include "core/study/verification/find_inputs.h"
 
@@ -16,20 +17,16 @@ class RepeatFolder {
 public:
     /// Error: the folder cannot be made, or two recorded files have the same name.
     static Result<RepeatFolder> make(const std::vector<FoundFile>& files);
-    RepeatFolder(RepeatFolder&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
-    RepeatFolder& operator=(RepeatFolder&&) = delete;
-    ~RepeatFolder();
-
     /// Adds a file under its own name. Files that are there already stay.
     [[nodiscard]] Result<void> add(const std::filesystem::path& file) const;
     /// Runs the words of a noonmark-cli command in the folder. Error: it failed, with what it said, or
     /// cancelled().
     [[nodiscard]] Result<void> run(const std::vector<std::string>& words, const Console& console) const;
-    [[nodiscard]] std::filesystem::path outputs() const { return path_ / "repeated"; }
+    [[nodiscard]] std::filesystem::path outputs() const { return folder_.path() / "repeated"; }
 
 private:
-    explicit RepeatFolder(std::filesystem::path path) : path_(std::move(path)) {}
-    std::filesystem::path path_;
+    explicit RepeatFolder(PrivateFolder folder) : folder_(std::move(folder)) {}
+    PrivateFolder folder_;
 };
 
 }  // namespace noonmark::cli

@@ -1,11 +1,13 @@
 #include "app/cli/verify/verification.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
 
 #include "app/cli/table.h"
+#include "core/base/clean_text.h"
 
 namespace noonmark::cli {
 
@@ -15,8 +17,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t mostDifferences = 20;
 
-bool printsOtherFigures(const WordComparison& printed) {
-    return std::ranges::any_of(printed.differences, &WordDifference::hasFigure);
+// Another version may word a passage differently; its figures are the same.
+bool counts(const WordDifference& one, bool sameProgram) { return sameProgram || one.hasFigure; }
+
+bool printsOther(const Verification& verification) {
+    return verification.printed &&
+           std::ranges::any_of(verification.printed->differences, [&](const WordDifference& one) {
+               return counts(one, verification.sameProgram);
+           });
+}
+
+bool looksOther(const std::optional<PageComparison>& pages) {
+    return pages && (!pages->different.empty() || !pages->onlyInOne.empty());
 }
 
 std::string_view nameOf(Verdict verdict) {
@@ -44,31 +56,66 @@ std::string orNothing(const std::string& text) { return text.empty() ? "nothing"
 std::string describeFiles(const Verification& verification) {
     std::string text = "Inputs\n";
     for (const FoundFile& file : verification.files)
-        text += fmt::format("  {}: {}\n", file.recorded.path, stateOf(file));
+        text += fmt::format("  {}: {}\n", cleanText(file.recorded.path), stateOf(file));
+    return text;
+}
+
+std::string listDifferences(const std::vector<RecordDifference>& differences) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(differences.size(), mostDifferences); ++i) {
+        const RecordDifference& one = differences[i];
+        text += fmt::format("  {}: recorded {}, computed {}\n", cleanText(one.key),
+                            cleanText(orNothing(one.recorded)), cleanText(orNothing(one.computed)));
+    }
     return text;
 }
 
 std::string describeFigures(const RecordComparison& figures) {
-    std::string text = fmt::format("\nFigures and texts of the record: {} compared, {} differ\n",
-                                   withCommas(figures.compared), withCommas(figures.differences.size()));
-    for (std::size_t i = 0; i < std::min(figures.differences.size(), mostDifferences); ++i) {
-        const RecordDifference& one = figures.differences[i];
-        text += fmt::format("  {}: recorded {}, computed {}\n", one.key, orNothing(one.recorded),
-                            orNothing(one.computed));
+    return fmt::format("\nFigures and texts of the record: {} compared, {} differ\n",
+                       withCommas(figures.compared), withCommas(figures.differences.size())) +
+           listDifferences(figures.differences);
+}
+
+std::string describePrinted(const WordComparison& printed, bool sameProgram) {
+    std::string text;
+    std::size_t different = 0;
+    for (const WordDifference& one : printed.differences) {
+        if (!counts(one, sameProgram) || ++different > mostDifferences) continue;
+        text += fmt::format("  ... {} [{}], computed [{}]\n", one.before, one.recorded, one.computed);
+    }
+    return fmt::format("\nFigures printed on the pages: {}; passages with other {}: {}\n",
+                       withCommas(printed.figures), sameProgram ? "words or figures" : "figures",
+                       withCommas(different)) +
+           text;
+}
+
+std::string describePages(const PageComparison& pages) {
+    std::string text = fmt::format("\nPages drawn and compared: {}; look different: {}\n",
+                                   withCommas(pages.pages), withCommas(pages.different.size()));
+    if (!pages.different.empty())
+        text += fmt::format(
+            "  page {}: something may cover what is printed there, or the fonts are others. Look at it "
+            "beside "
+            "a new report\n",
+            fmt::join(pages.different, ", "));
+    if (!pages.onlyInOne.empty())
+        text += fmt::format("  page {}: in one of the two only, or of another size\n",
+                            fmt::join(pages.onlyInOne, ", "));
+    return text;
+}
+
+std::string describeTables(const std::vector<TableComparison>& tables) {
+    std::string text;
+    for (const TableComparison& table : tables) {
+        text += fmt::format("\nFields of {}: {} compared, {} differ\n", table.name, withCommas(table.fields),
+                            withCommas(table.differences.size()));
+        text += listDifferences(table.differences);
     }
     return text;
 }
 
-std::string describePrinted(const WordComparison& printed) {
-    std::string text;
-    std::size_t different = 0;
-    for (const WordDifference& one : printed.differences) {
-        if (!one.hasFigure || ++different > mostDifferences) continue;
-        text += fmt::format("  ... {} [{}], computed [{}]\n", one.before, one.recorded, one.computed);
-    }
-    return fmt::format("\nFigures printed on the pages: {}; passages with other figures: {}\n",
-                       withCommas(printed.figures), withCommas(different)) +
-           text;
+std::string describeNotCompared(const std::vector<std::string>& things) {
+    return things.empty() ? std::string() : fmt::format("\nNot compared: {}\n", fmt::join(things, ", "));
 }
 
 Json filesJson(const std::vector<FoundFile>& files) {
@@ -82,11 +129,28 @@ Json filesJson(const std::vector<FoundFile>& files) {
     return json;
 }
 
-Json figuresJson(const RecordComparison& figures) {
+Json differencesJson(const std::vector<RecordDifference>& all) {
     Json differences = Json::array();
-    for (const RecordDifference& one : figures.differences)
+    for (const RecordDifference& one : all)
         differences.push_back({{"key", one.key}, {"recorded", one.recorded}, {"computed", one.computed}});
-    return {{"compared", figures.compared}, {"differences", differences}};
+    return differences;
+}
+
+Json figuresJson(const RecordComparison& figures) {
+    return {{"compared", figures.compared}, {"differences", differencesJson(figures.differences)}};
+}
+
+Json tablesJson(const std::vector<TableComparison>& tables) {
+    Json json = Json::array();
+    for (const TableComparison& table : tables)
+        json.push_back({{"name", table.name},
+                        {"compared", table.fields},
+                        {"differences", differencesJson(table.differences)}});
+    return json;
+}
+
+Json pagesJson(const PageComparison& pages) {
+    return {{"compared", pages.pages}, {"different", pages.different}, {"only_in_one", pages.onlyInOne}};
 }
 
 Json printedJson(const WordComparison& printed) {
@@ -103,7 +167,10 @@ Json printedJson(const WordComparison& printed) {
 
 Verdict Verification::verdict() const {
     if (!figures) return Verdict::notComputed;
-    const bool same = figures->differences.empty() && (!printed || !printsOtherFigures(*printed));
+    const bool tablesAgree =
+        std::ranges::all_of(tables, [](const TableComparison& one) { return one.differences.empty(); });
+    const bool same =
+        figures->differences.empty() && tablesAgree && !printsOther(*this) && !looksOther(pages);
     return same ? Verdict::agrees : Verdict::differs;
 }
 
@@ -114,18 +181,23 @@ Json verificationJson(const Verification& verification) {
             {"verdict", nameOf(verification.verdict())},
             {"inputs", filesJson(verification.files)},
             {"figures", verification.figures ? figuresJson(*verification.figures) : Json()},
-            {"printed", verification.printed ? printedJson(*verification.printed) : Json()}};
+            {"printed", verification.printed ? printedJson(*verification.printed) : Json()},
+            {"pages", verification.pages ? pagesJson(*verification.pages) : Json()},
+            {"tables", tablesJson(verification.tables)},
+            {"not_compared", verification.notCompared}};
 }
 
 std::string describe(const Verification& verification) {
     std::string text = fmt::format("{} ({}, by {})\n\n", verification.report, verification.recordName,
-                                   verification.program) +
+                                   cleanText(verification.program)) +
                        describeFiles(verification);
     if (verification.figures) text += describeFigures(*verification.figures);
-    if (verification.printed) text += describePrinted(*verification.printed);
+    if (verification.printed) text += describePrinted(*verification.printed, verification.sameProgram);
+    if (verification.pages) text += describePages(*verification.pages);
+    text += describeTables(verification.tables) + describeNotCompared(verification.notCompared);
     switch (verification.verdict()) {
         case Verdict::agrees:
-            return text + "\nThe report agrees with its inputs, to the last printed digit.\n";
+            return text + "\nWhat was compared agrees with the inputs, to the last printed digit.\n";
         case Verdict::differs:
             return text + "\nTHE REPORT DOES NOT AGREE with what its inputs give.\n";
         case Verdict::notComputed:

@@ -1,8 +1,10 @@
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 #include "app/cli/command.h"
@@ -11,6 +13,8 @@
 #include "app/cli/verify/repeat_run.h"
 #include "app/cli/verify/verification.h"
 #include "app/report/files/read_report.h"
+#include "core/base/version.h"
+#include "core/io/files/plain_file.h"
 #include "core/study/text/region_text.h"
 #include "core/study/text/warnings_json.h"
 
@@ -36,6 +40,15 @@ fs::path reportBeside(const std::string& recordName) {
     return found == reports.end() ? fs::path() : fs::path(found->second);
 }
 
+Result<std::string> readTable(const fs::path& file) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    std::error_code ignored;
+    if (fs::file_size(file, ignored) > mostBytesOfRecord)
+        return limitReached("The table is larger than any that a report has", file.string(), {});
+    std::ifstream stream(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
 // A record that was renamed is recognised by the command that made it.
 std::string recordNameOf(const ResultRecord& record) { return record.command[1] + ".json"; }
 
@@ -54,6 +67,43 @@ Result<void> addRegionFile(const RepeatFolder& folder, const VerifyOptions& opti
     return {};
 }
 
+// Tables that both the report's folder and the new one hold are compared; of the other files only their names
+// are known to be the same.
+Result<void> compareFilesBeside(const fs::path& report, const fs::path& computed,
+                                Verification& verification) {
+    const fs::path beside = report.parent_path();
+    std::set<fs::path> names;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(computed, ignored)) names.insert(entry.path().filename());
+    for (const fs::path& name : names) {
+        const bool isFiled = name == report.filename(), isThere = fs::is_regular_file(beside / name, ignored);
+        if (isFiled || !isThere) continue;
+        if (name.extension() != ".csv") {
+            verification.notCompared.push_back(name.string());
+            continue;
+        }
+        const auto filed = readTable(beside / name), fresh = readTable(computed / name);
+        if (!filed) return tl::make_unexpected(filed.error());
+        if (!fresh) return tl::make_unexpected(fresh.error());
+        verification.tables.push_back(compareTables(name.string(), *filed, *fresh));
+    }
+    return {};
+}
+
+Result<void> comparePrinted(const FiledReport& filed, const fs::path& computed, Verification& verification) {
+    const auto printed = readPrintedWords(computed);
+    if (!printed) return tl::make_unexpected(printed.error());
+    verification.printed = compareWords(filed.printed, *printed);
+    if (!verification.sameProgram) {
+        verification.notCompared.emplace_back("how the pages look, since another version made them");
+        return {};
+    }
+    const Interrupt interrupt;
+    return comparePages(verification.report, computed, interrupt.token()).map([&](PageComparison pages) {
+        verification.pages = std::move(pages);
+    });
+}
+
 Result<void> repeat(const VerifyOptions& options, const ResultRecord& record, const FiledReport& filed,
                     const Console& console, Verification& verification) {
     const auto folder = RepeatFolder::make(verification.files);
@@ -63,12 +113,13 @@ Result<void> repeat(const VerifyOptions& options, const ResultRecord& record, co
     const auto computed = readComputed(folder->outputs() / recordNameOf(record));
     if (!computed) return tl::make_unexpected(computed.error());
     verification.figures = compareRecords(record.json, *computed);
+    if (auto compared = compareFilesBeside(options.report, folder->outputs(), verification); !compared)
+        return compared;
+    if (filed.isRecord) return {};
     // The command of a comparison or a score writes its page, not the book of sheets.
-    const bool printsSame = !filed.isBook || record.command[1] == "review";
-    if (filed.printed.empty() || !printsSame) return {};
-    const auto printed = readPrintedWords(folder->outputs() / reportBeside(recordNameOf(record)));
-    if (!printed) return tl::make_unexpected(printed.error());
-    verification.printed = compareWords(filed.printed, *printed);
+    if (!filed.isBook || record.command[1] == "review")
+        return comparePrinted(filed, folder->outputs() / reportBeside(recordNameOf(record)), verification);
+    verification.notCompared.emplace_back("what the pages print, and how they look");
     return {};
 }
 
@@ -82,7 +133,11 @@ Result<Verification> verify(const VerifyOptions& options, const Console& console
                               .program = record->json.value("program", std::string("an unknown program")),
                               .files = {},
                               .figures = {},
-                              .printed = {}};
+                              .printed = {},
+                              .pages = {},
+                              .tables = {},
+                              .notCompared = {}};
+    verification.sameProgram = verification.program == "Noonmark " + std::string(version());
     {
         const Interrupt interrupt;
         verification.files = findInputs(record->files, options.inputs, interrupt.token());
@@ -133,8 +188,11 @@ void addVerifyCommand(CLI::App& app, Run& run) {
         ->type_name("DIR");
     command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->footer(
-        "Computes the result again in a folder of its own; nothing is written elsewhere. The exit code is 0 "
-        "if all figures agree, 1 if one differs, and 2 if nothing could be computed.");
+        "Computes the result again in a folder of its own; nothing is written elsewhere. Compares the "
+        "record, "
+        "what the pages print and how they look, and the tables beside the report, and says what it does not "
+        "compare. The exit code is 0 if all agrees, 1 if something differs, and 2 if nothing could be "
+        "computed.");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runVerify(*options, console); };
     });

@@ -126,42 +126,48 @@ QString monthText(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
-/// A chart of one figure by month.
-PageChart monthChart(const Score& score, double MonthFigures::*figure, const BarChart::Series& series,
-                     const QString& explanation, UnitSystem units) {
-    BarChart chart{{series}, {}, false, units};
+/// A chart of one figure by month; `chart` has its series and units.
+PageChart monthChart(const Score& score, double MonthFigures::*figure, BarChart chart,
+                     const QString& explanation) {
     for (const MonthFigures& month : score.months)
         chart.groups.push_back({monthText(month.month), {month.*figure}});
-    return {std::move(chart), {series.name + QStringLiteral(" by month"), explanation}};
+    const QString title = chart.series.front().name + QStringLiteral(" by month");
+    return {std::move(chart), {title, explanation}};
 }
 
 BookPage monthPage(const Score& score, const BookSettings& settings) {
     const QString title = QStringLiteral("Months");
     BookPage page{title, {}, title, 0, {}};
     const QRectF all = contentArea(settings.setup);
-    const double half = (all.height() - 14 * textScale(settings.setup)) / 2;
-    page.items.push_back(
-        {{all.left(), all.top(), all.width(), half},
-         monthChart(
-             score, &MonthFigures::shadowAreaM2, {QStringLiteral("Shadow area"), shade::proposal},
-             QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area"),
-             settings.units)});
-    page.items.push_back(
-        {{all.left(), all.bottom() - half, all.width(), half},
-         monthChart(score, &MonthFigures::scoreM2, {QStringLiteral("Score"), shade::incremental},
-                    QStringLiteral("Positive: wanted shade outweighs unwanted shadow"), settings.units)});
+    const PageChart charts[]{
+        monthChart(
+            score, &MonthFigures::shadowAreaM2,
+            {{{QStringLiteral("Shadow area"), shade::proposal}}, {}, false, settings.units},
+            QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area")),
+        monthChart(score, &MonthFigures::weightedShadeM2h,
+                   {{{QStringLiteral("Weighted shade"), shade::incremental}}, {}, true, settings.units},
+                   QStringLiteral("Positive: wanted shade outweighs unwanted shadow"))};
+    const double gap = 14 * textScale(settings.setup);
+    const double height = (all.height() - gap) / double(std::size(charts));
+    double top = all.top();
+    for (const PageChart& chart : charts) {
+        page.items.push_back({{all.left(), top, all.width(), height}, chart});
+        top += height + gap;
+    }
     return page;
 }
 
 std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings) {
-    PageTable table{{QStringLiteral("Interval"), QStringLiteral("Weight"), QStringLiteral("Shadow area"),
-                     QStringLiteral("Score, m²")},
-                    {},
-                    {},
-                    {},
-                    tablePt * textScale(settings.setup)};
+    PageTable table{
+        {QStringLiteral("Interval"), QStringLiteral("Weight"), QStringLiteral("Weighted shade, m² h"),
+         QStringLiteral("Shadow area"), QStringLiteral("Score, m²")},
+        {},
+        {},
+        {},
+        tablePt * textScale(settings.setup)};
     for (const IntervalFigures& interval : answer.score.intervals)
         table.rows.push_back({plainText(interval.name), describeAmount(interval.weight, 3),
+                              describeAmount(interval.weightedShadeM2h, 0),
                               areaText(settings, interval.shadowAreaM2),
                               describeAmount(interval.scoreM2, 0)});
     if (table.rows.empty()) return {};

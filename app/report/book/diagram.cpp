@@ -293,6 +293,11 @@ QRectF mapAreaOf(const QRectF& area, double textScale) {
     return area.adjusted(0, 0, 0, -captionPt(textScale));
 }
 
+Box2 groundOf(glm::dvec2 centre, double scale, const QRectF& map) {
+    const glm::dvec2 half = glm::dvec2(map.width(), map.height()) / pointsPerMetre(scale) / 2.0;
+    return {glm::vec2(centre - half), glm::vec2(centre + half)};
+}
+
 void paintDiagram(const Canvas& canvas, const QRectF& area, const Diagram& diagram) {
     const double caption = captionPt(diagram.textScale) * canvas.point;
     DiagramPainter(canvas, area.adjusted(0, 0, 0, -caption), diagram).paint();

@@ -65,6 +65,9 @@ constexpr double diagramFootPt(double scale) { return 40 * scale; }
 /// The part of a diagram's area that the map fills.
 QRectF mapAreaOf(const QRectF& area, double textScale);
 
+/// The ground that a map shows around `centre`; `scale`: of 1:scale.
+Box2 groundOf(glm::dvec2 centre, double scale, const QRectF& map);
+
 void paintDiagram(const Canvas& canvas, const QRectF& area, const Diagram& diagram);
 void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoot& foot);
 

@@ -119,6 +119,7 @@ TextBlocks summariseElements(const ElementStudy& study, const ElementMap& map) {
     add(study.engineKey == referenceEngine
             ? QStringLiteral("Rays at every step of the sun.")
             : QStringLiteral("Horizons of the points, in bins of a quarter of a degree."));
+    if (!study.whyRays.empty()) add(QStringLiteral("Chosen since %1.").arg(plainText(study.whyRays)));
     if (study.error) add(QStringLiteral("Error against rays: %1.").arg(plainText(describe(*study.error))));
     add(QStringLiteral(
         "Hours of sun: time a day that a point is in the sun, mean over the days. A point that "

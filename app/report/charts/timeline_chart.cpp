@@ -183,11 +183,15 @@ QString describeIncremental(const DayTimeline& day, const DayClock& clock, UnitS
     const ShadowOnPlace& shadow = day.incremental;
     if (!shadow.enters()) return QStringLiteral("No incremental shadow in the rule's hours");
     const auto at = [&](Instant time) { return QString::fromStdString(clock.timeText(day.day, time)); };
-    return QStringLiteral("Incremental shadow from %1 to %2; at most %3, %4 % of the place, at %5")
+    const QString late = day.stepMinutes > 1
+                             ? QStringLiteral(" (up to %1 min too late)")
+                                   .arg(QString::fromStdString(formatNumber(day.stepMinutes, 1)))
+                             : QString();
+    return QStringLiteral("Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5")
         .arg(at(*shadow.enters()), at(*shadow.exits()),
              QString::fromStdString(formatArea(shadow.largestM2, units)),
              QString::fromStdString(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),
-             at(*shadow.largestAt));
+             at(*shadow.largestAt), late);
 }
 
 }  // namespace noonmark

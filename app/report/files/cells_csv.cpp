@@ -1,11 +1,10 @@
 #include "app/report/files/cells_csv.h"
 
-#include <fmt/compile.h>
-#include <fmt/format.h>
-
 #include <cmath>
-#include <iterator>
+#include <string>
+#include <vector>
 
+#include "core/base/csv_text.h"
 #include "core/measures/has_runs.h"
 
 namespace noonmark {
@@ -14,51 +13,35 @@ namespace {
 
 constexpr std::size_t chunkBytes = 1U << 20U;
 
-/// Buffers text for a device, a megabyte at a time.
-class Chunks {
-public:
-    explicit Chunks(QIODevice& device) : device_(device) {}
+bool flush(CsvText& csv, QIODevice& device) {
+    const std::string text = csv.take();
+    return device.write(text.data(), qint64(text.size())) == qint64(text.size());
+}
 
-    fmt::memory_buffer& text() { return text_; }
-    bool flushWhenFull() { return text_.size() < chunkBytes || flush(); }
-    bool flush() {
-        const auto bytes = qint64(text_.size());
-        const bool whole = device_.write(text_.data(), bytes) == bytes;
-        text_.clear();
-        return whole;
-    }
-
-private:
-    QIODevice& device_;
-    fmt::memory_buffer text_;
-};
-
-void addCell(fmt::memory_buffer& text, const ShadowField& field, bool runs, const Frame& frame, int column,
-             int row) {
+void addCell(CsvText& csv, const ShadowField& field, bool runs, const Frame& frame, int column, int row) {
     const std::size_t cell = field.grid.index(column, row);
     if (std::isnan(field.grossMin[cell])) return;
     const glm::dvec2 centre = field.grid.centre(column, row);
     const LonLat place = frame.lonLatFromLocal(centre);
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, FMT_COMPILE("{:.3f},{:.3f},{:.8f},{:.8f},{:.3f}"), centre.x, centre.y, place.lonDeg,
-                   place.latDeg, field.grossMin[cell]);
-    if (runs) fmt::format_to(out, FMT_COMPILE(",{:.3f}"), field.continuousMin[cell]);
-    text.push_back('\n');
+    csv.number(centre.x, 3).number(centre.y, 3).number(place.lonDeg, 8).number(place.latDeg, 8);
+    csv.number(double(field.grossMin[cell]), 3);
+    if (runs) csv.number(double(field.continuousMin[cell]), 3);
+    csv.endRow();
 }
 
 }  // namespace
 
 bool writeCellsCsv(const ShadowField& field, const Frame& frame, QIODevice& device) {
-    Chunks chunks(device);
     const bool runs = hasRuns(field);
-    chunks.text().append(std::string_view("x_m,y_m,lon_deg,lat_deg,gross_min"));
-    chunks.text().append(std::string_view(runs ? ",continuous_min\n" : "\n"));
+    std::vector<std::string> columns{"x_m", "y_m", "lon_deg", "lat_deg", "gross_min"};
+    if (runs) columns.emplace_back("continuous_min");
+    CsvText csv(columns);
     for (int row = 0; row < field.grid.rows; ++row) {
         for (int column = 0; column < field.grid.columns; ++column)
-            addCell(chunks.text(), field, runs, frame, column, row);
-        if (!chunks.flushWhenFull()) return false;
+            addCell(csv, field, runs, frame, column, row);
+        if (csv.size() >= chunkBytes && !flush(csv, device)) return false;
     }
-    return chunks.flush();
+    return flush(csv, device);
 }
 
 }  // namespace noonmark

@@ -4,6 +4,8 @@
 
 #include <QFile>
 
+#include "core/base/locked_file.h"
+#include "core/base/private_folder.h"
 #include "core/base/stopwatch.h"
 
 namespace noonmark {
@@ -43,9 +45,8 @@ Result<void> prepareFolder(const std::filesystem::path& folder) {
     if (error || !std::filesystem::is_directory(folder, error))
         return failure("The folder could not be created" + (error ? ": " + error.message() : std::string()),
                        folder.string(), "Choose a writable folder");
-    const PendingFile trial(folder / "trial");  // removed again
-    if (QFile file(trial.path()); !file.open(QIODevice::WriteOnly))
-        return notWritten(folder, file.errorString());
+    const PrivateFolder trial(folder);  // removed again
+    if (trial.path().empty()) return notWritten(folder, QString::fromStdString(lastSystemProblem()));
     return {};
 }
 

@@ -1,13 +1,18 @@
 #include <poppler-qt6.h>
 
 #include <QFile>
+#include <QImage>
+#include <QVariant>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "app/report/files/read_report.h"
 #include "core/io/files/plain_file.h"
 #include "core/study/verification/result_record.h"
+
+Q_DECLARE_METATYPE(const std::stop_token*)
 
 namespace noonmark {
 
@@ -44,6 +49,48 @@ std::string printedWords(const Poppler::Document& document) {
     return words.toStdString();
 }
 
+constexpr double pictureDpi = 72;  // a letter of 8 pt has 8 points of height
+constexpr double sameSizePt = 0.5;
+// Of 255. The same page gives the same picture; a value below is no mark that a reader could see.
+constexpr int visibleDifference = 24;
+
+bool mustStop(const QVariant& stop) { return stop.value<const std::stop_token*>()->stop_requested(); }
+
+QImage drawPage(const Poppler::Page& page, const std::stop_token& stop) {
+    return page
+        .renderToImage(pictureDpi, pictureDpi, -1, -1, -1, -1, Poppler::Page::Rotate0, nullptr, nullptr,
+                       mustStop, QVariant::fromValue(&stop))
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+bool looksSame(const QImage& a, const QImage& b) {
+    if (a.size() != b.size()) return false;
+    const auto differs = [](QRgb one, QRgb other) {
+        return std::abs(qRed(one) - qRed(other)) > visibleDifference ||
+               std::abs(qGreen(one) - qGreen(other)) > visibleDifference ||
+               std::abs(qBlue(one) - qBlue(other)) > visibleDifference;
+    };
+    for (int y = 0; y < a.height(); ++y) {
+        const auto *line = reinterpret_cast<const QRgb*>(a.constScanLine(y)),
+                   *other = reinterpret_cast<const QRgb*>(b.constScanLine(y));
+        for (int x = 0; x < a.width(); ++x)
+            if (differs(line[x], other[x])) return false;
+    }
+    return true;
+}
+
+// The size is that of a page of ours, so that a page of a kilometre is not drawn.
+bool isSameSize(const Poppler::Page& a, const Poppler::Page& b) {
+    const QSizeF one = a.pageSizeF(), other = b.pageSizeF();
+    return std::abs(one.width() - other.width()) < sameSizePt &&
+           std::abs(one.height() - other.height()) < sameSizePt;
+}
+
+void showAsViewersDo(Poppler::Document& document) {
+    document.setRenderHint(Poppler::Document::Antialiasing);
+    document.setRenderHint(Poppler::Document::TextAntialiasing);
+}
+
 bool isRecordName(const QString& name) {
     return std::ranges::any_of(recordNames, [&](const char* known) { return name == QLatin1String(known); });
 }
@@ -54,7 +101,7 @@ Result<FiledReport> readReport(const std::filesystem::path& path) {
     const auto bytes = readBytes(path);
     if (!bytes) return tl::make_unexpected(bytes.error());
     if (!bytes->startsWith("%PDF"))
-        return FiledReport{path.filename().string(), bytes->toStdString(), {}, false};
+        return FiledReport{path.filename().string(), bytes->toStdString(), {}, false, true};
     const auto document = openPdf(*bytes, path);
     if (!document) return tl::make_unexpected(document.error());
     for (Poppler::EmbeddedFile* attached : (*document)->embeddedFiles())
@@ -63,6 +110,29 @@ Result<FiledReport> readReport(const std::filesystem::path& path) {
                                printedWords(**document), !(*document)->outline().isEmpty()};
     return failure("The PDF has no record of its result attached", path.string(),
                    "Give the study.json, impact.json, score.json or review.json that was written beside it");
+}
+
+Result<PageComparison> comparePages(const std::filesystem::path& filed, const std::filesystem::path& computed,
+                                    const std::stop_token& stop) {
+    const auto filedBytes = readBytes(filed), computedBytes = readBytes(computed);
+    if (!filedBytes) return tl::make_unexpected(filedBytes.error());
+    if (!computedBytes) return tl::make_unexpected(computedBytes.error());
+    const auto a = openPdf(*filedBytes, filed), b = openPdf(*computedBytes, computed);
+    if (!a) return tl::make_unexpected(a.error());
+    if (!b) return tl::make_unexpected(b.error());
+    for (const auto* document : {&*a, &*b}) showAsViewersDo(**document);
+    PageComparison result;
+    for (int index = 0; index < std::max((*a)->numPages(), (*b)->numPages()); ++index) {
+        const auto one = (*a)->page(index), other = (*b)->page(index);
+        if (!one || !other || !isSameSize(*one, *other)) {
+            result.onlyInOne.push_back(index + 1);
+            continue;
+        }
+        ++result.pages;
+        if (!looksSame(drawPage(*one, stop), drawPage(*other, stop))) result.different.push_back(index + 1);
+        if (stop.stop_requested()) return cancelled();
+    }
+    return result;
 }
 
 Result<std::string> readPrintedWords(const std::filesystem::path& path) {

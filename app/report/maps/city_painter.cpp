@@ -1,15 +1,23 @@
 #include "app/report/maps/city_painter.h"
 
+#include "core/city/terrain/ground_contact.h"
+
 namespace noonmark {
 
 namespace {
 
-/// One path per building, for its overhangs or its other parts: the winding rule merges overlapping parts.
-QPainterPath pathOf(const Building& building, const MapView& view, bool isOverhanging) {
+bool standsOnGround(const Part& part, const City& city) {
+    if (!part.isOverhanging || part.footprint.outer.empty()) return !part.isOverhanging;
+    return reachesGround(part, groundAt(city, glm::dvec2(part.footprint.outer.front())));
+}
+
+/// One path per building, for what stands on the ground or for the rest: the winding rule merges overlapping
+/// parts.
+QPainterPath pathOf(const Building& building, const MapView& view, const City& city, bool standing) {
     QPainterPath path;
     path.setFillRule(Qt::WindingFill);
     for (const Part& part : building.parts)
-        if (part.isOverhanging == isOverhanging) view.addTo(path, part.footprint);
+        if (standsOnGround(part, city) == standing) view.addTo(path, part.footprint);
     return path;
 }
 
@@ -35,8 +43,8 @@ void paintBuildings(const Canvas& canvas, const MapView& view, const City& city,
                     const FootprintStyle& style) {
     for (const auto& building : city.buildings) {
         if (!view.sees(bounds(*building))) continue;
-        paintOverhangs(canvas, pathOf(*building, view, true), style);
-        paintSolid(canvas, pathOf(*building, view, false), style);
+        paintOverhangs(canvas, pathOf(*building, view, city, false), style);
+        paintSolid(canvas, pathOf(*building, view, city, true), style);
     }
 }
 

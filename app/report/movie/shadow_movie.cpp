@@ -47,18 +47,34 @@ QString sunText(const SunStep& sun) {
         .arg(describeAmount(double(sun.azimuthDeg), 1), describeAmount(double(sun.altitudeDeg), 1));
 }
 
-/// Paints frames of one scene at one scale.
+/// The whole frame and the part with the diagram, in points.
+struct FrameLayout {
+    QRectF frame, diagram;
+};
+
+FrameLayout layOut(const MovieFormat& format) {
+    const QRectF frame(0, 0, format.size.width() * heightPt / format.size.height(), heightPt);
+    return {frame, frame.adjusted(marginPt, marginPt + titlePt, -marginPt, -marginPt - diagramFootPt(1))};
+}
+
+/// The area, widened to the proportions of the map in a frame: shadows are computed for all that is seen.
+Box2 widenToFrame(const Box2& area, const MovieFormat& format) {
+    const QRectF map = mapAreaOf(layOut(format).diagram, 1);
+    const glm::dvec2 size(area.high - area.low), centre = glm::dvec2(area.low + area.high) / 2.0;
+    const double scale =
+        std::max(size.x / map.width(), size.y / map.height()) * pointsPerMetre(1);  // of 1:scale
+    return groundOf(centre, scale, map);
+}
+
+/// Paints frames of one scene at one scale; `area` has the proportions of the map.
 class FramePainter {
 public:
     FramePainter(const ShadowMovie& movie, std::shared_ptr<const DiagramScene> scene, const Box2& area)
         : movie_(movie), scene_(std::move(scene)), centre_(glm::dvec2(area.low + area.high) / 2.0) {
-        const double point = movie.format.size.height() / heightPt;
-        frame_ = QRectF(0, 0, movie.format.size.width() / point, heightPt);
-        const double foot = diagramFootPt(1);
-        area_ = frame_.adjusted(marginPt, marginPt + titlePt, -marginPt, -marginPt - foot);
-        const QRectF map = mapAreaOf(area_, 1);
-        const glm::dvec2 size(area.high - area.low);
-        scale_ = std::max(size.x / map.width(), size.y / map.height()) * pointsPerMetre(1);
+        const FrameLayout layout = layOut(movie.format);
+        frame_ = layout.frame;
+        area_ = layout.diagram;
+        scale_ = double(area.high.x - area.low.x) / mapAreaOf(area_, 1).width() * pointsPerMetre(1);
     }
 
     [[nodiscard]] QImage paint(const DrawnTime& time, const ShadowOutlines& shadows) const {
@@ -192,16 +208,17 @@ Result<MovieFacts> writeShadowMovie(const ShadowMovie& movie, const std::filesys
     if (movie.times.empty()) return failure("The movie has no time to show", "times", "Give days and times");
     if (movie.swipe && movie.scenario == nullptr)
         return failure("A swipe needs a baseline and a scenario", "swipe", "Name the scenario");
-    const auto area = findArea(movie, stop);
-    if (!area) return tl::make_unexpected(area.error());
+    const auto wanted = findArea(movie, stop);
+    if (!wanted) return tl::make_unexpected(wanted.error());
+    const Box2 area = widenToFrame(*wanted, movie.format);
     PendingFile pending(file);
     auto writer = MovieWriter::create(pending.path(), movie.format);
     if (!writer) return tl::make_unexpected(writer.error());
-    const auto frames = Filming(movie, *writer, *area, progress, stop).run();
+    const auto frames = Filming(movie, *writer, area, progress, stop).run();
     if (!frames) return tl::make_unexpected(frames.error());
     if (auto done = writer->finish(); !done) return tl::make_unexpected(done.error());
     if (auto done = pending.commit(); !done) return tl::make_unexpected(done.error());
-    return MovieFacts{*frames, double(*frames) / movie.format.framesPerSecond, *area};
+    return MovieFacts{*frames, double(*frames) / movie.format.framesPerSecond, area};
 }
 
 }  // namespace noonmark

@@ -23,7 +23,7 @@ struct ShadowMovie {
     DrawingSettings drawing;       ///< area and cell size
     std::string title;
     std::string credit;  ///< of the data
-    /// Not time goes on: at the first time, a line crosses the picture and uncovers the scenario.
+    /// At the first time, a line crosses the picture and uncovers the scenario.
     bool swipe = false;
     MovieFormat format;
 };
@@ -31,7 +31,7 @@ struct ShadowMovie {
 struct MovieFacts {
     std::size_t frames = 0;
     double seconds = 0;
-    Box2 area;
+    Box2 area;  ///< that the frames show: the wanted one, widened to their proportions
 };
 
 /// Computes the shadows and writes the movie; the file appears when it is complete. Each frame states its

@@ -12,6 +12,7 @@
 #include "core/study/study.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/massing/tower_design.h"
+#include "scenarios/weights/score.h"
 
 namespace noonmark {
 
@@ -23,7 +24,7 @@ struct ScenarioImpact {
 
 struct ScenarioScore {
     std::string weights;  ///< name of the table
-    double scoreM2 = 0;
+    ScoreTotals totals;
 };
 
 /// The review by a rule: the number of places or windows with each verdict.
@@ -38,6 +39,7 @@ struct ScenarioAnswers {
     std::optional<ScenarioImpact> impact{};
     std::optional<ScenarioScore> score{};
     std::optional<ScenarioVerdicts> verdicts{};
+    std::optional<ShadowStatistics> measured{};  ///< of an earlier study, which is not at hand itself
 };
 
 /// A scenario with its study. Those that are put side by side have the same settings, so that their figures

@@ -1,13 +1,12 @@
 #include "app/report/scenarios/scenario_text.h"
 
-#include <fmt/format.h>
-
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/measures/has_runs.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -39,7 +38,10 @@ Json impactJson(const std::optional<ScenarioImpact>& impact) {
 }
 
 Json scoreJson(const std::optional<ScenarioScore>& score) {
-    return score ? Json{{"weights", score->weights}, {"score_m2", score->scoreM2}} : Json();
+    if (!score) return {};
+    return {{"weights", score->weights},
+            {"weighted_shade_m2h", score->totals.weightedShadeM2h},
+            {"score_m2", score->totals.scoreM2}};
 }
 
 Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
@@ -64,67 +66,79 @@ Json usesJson(const ScenarioUses& uses) {
     return json;
 }
 
-std::string runsText(const ShadowStatistics& figures) {
-    if (!hasRuns(figures)) return ",";
-    return fmt::format("{:.3f},{:.3f}", figures.meanContinuousMin, figures.maxContinuousMin);
+void addFigures(CsvText& csv, const ShadowStatistics& figures, double changeM2) {
+    csv.number(figures.receiverAreaM2, 1).number(figures.shadowAreaM2, 1).number(changeM2, 1);
+    csv.number(figures.meanGrossMin, 3);
+    csv.number(figures.meanContinuousMin, 3);  // nothing where no runs were counted
+    csv.number(hasRuns(figures) ? std::optional(figures.maxContinuousMin) : std::nullopt, 3);
 }
 
-std::string orEmpty(const std::optional<double>& value) {
-    return value ? fmt::format("{:.1f}", *value) : std::string();
-}
-
-std::string impactFields(const std::optional<ScenarioImpact>& impact) {
-    if (!impact) return ",,,,";
+void addImpact(CsvText& csv, const std::optional<ScenarioImpact>& impact) {
+    if (!impact) return void(csv.nothing(5));
     const ImpactFigures& figures = impact->figures;
-    return fmt::format("{},{:.1f},{:g},{:.1f},{:.1f}", csvField(impact->baseline), figures.shadowAreaChangeM2,
-                       figures.thresholdMin, figures.gross.gainedM2, figures.gross.lostM2);
+    csv.text(impact->baseline).number(figures.shadowAreaChangeM2, 1).number(figures.thresholdMin);
+    csv.number(figures.gross.gainedM2, 1).number(figures.gross.lostM2, 1);
 }
 
-std::string scoreFields(const std::optional<ScenarioScore>& score) {
-    return score ? fmt::format("{},{:.1f}", csvField(score->weights), score->scoreM2) : ",";
+void addScore(CsvText& csv, const std::optional<ScenarioScore>& score) {
+    if (!score) return void(csv.nothing(3));
+    csv.text(score->weights).number(score->totals.weightedShadeM2h, 1).number(score->totals.scoreM2, 1);
 }
 
-std::string verdictFields(const std::optional<ScenarioVerdicts>& verdicts) {
-    if (!verdicts) return ",,,,,";
+void addVerdicts(CsvText& csv, const std::optional<ScenarioVerdicts>& verdicts) {
+    if (!verdicts) return void(csv.nothing(6));
     const VerdictCounts& counts = verdicts->counts;
-    return fmt::format("{},{},{},{},{},{}", csvField(verdicts->rule), csvField(verdicts->baseline),
-                       counts.pass, counts.borderline, counts.fail, counts.notJudged());
-}
-
-std::string answerFields(const ScenarioStudy& scenario) {
-    const ScenarioAnswers& answers = scenario.answers;
-    return fmt::format("{},{},{},{},{}", orEmpty(scenario.heightM), orEmpty(sumFloorAreaM2(scenario.uses)),
-                       impactFields(answers.impact), scoreFields(answers.score),
-                       verdictFields(answers.verdicts));
+    csv.text(verdicts->rule).text(verdicts->baseline);
+    csv.whole(counts.pass).whole(counts.borderline).whole(counts.fail).whole(counts.notJudged());
 }
 
 }  // namespace
 
 std::string scenariosCsv(const ScenarioStudies& scenarios) {
-    std::string csv =
-        "name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,"
-        "mean_continuous_min,max_continuous_min,height_m,gross_floor_m2,impact_baseline,impact_m2,"
-        "impact_threshold_min,gained_m2,lost_m2,weights,score_m2,rule,rule_baseline,pass,borderline,fail,"
-        "not_judged" +
-        std::string(sourceColumns) + "\r\n";
+    CsvText csv(withSourceColumns({"name",
+                                   "changes",
+                                   "receiver_area_m2",
+                                   "shadow_area_m2",
+                                   "shadow_area_change_m2",
+                                   "mean_gross_min",
+                                   "mean_continuous_min",
+                                   "max_continuous_min",
+                                   "height_m",
+                                   "gross_floor_m2",
+                                   "impact_baseline",
+                                   "impact_m2",
+                                   "impact_threshold_min",
+                                   "gained_m2",
+                                   "lost_m2",
+                                   "weights",
+                                   "weighted_shade_m2h",
+                                   "score_m2",
+                                   "rule",
+                                   "rule_baseline",
+                                   "pass",
+                                   "borderline",
+                                   "fail",
+                                   "not_judged"}));
     for (const ScenarioStudy& scenario : scenarios) {
-        const ShadowStatistics& figures = scenario.study->statistics;
-        csv +=
-            fmt::format("{},{},{:.1f},{:.1f},{:.1f},{:.3f},{},{}{}\r\n", csvField(scenario.name),
-                        countChanges(scenario), figures.receiverAreaM2, figures.shadowAreaM2,
-                        computeShadowAreaChange(scenarios, scenario), figures.meanGrossMin, runsText(figures),
-                        answerFields(scenario), sourceFields(scenario.study->provenance));
+        const ScenarioAnswers& answers = scenario.answers;
+        csv.text(scenario.name).whole(countChanges(scenario));
+        addFigures(csv, scenario.study->statistics, computeShadowAreaChange(scenarios, scenario));
+        csv.number(scenario.heightM, 1).number(sumFloorAreaM2(scenario.uses), 1);
+        addImpact(csv, answers.impact);
+        addScore(csv, answers.score);
+        addVerdicts(csv, answers.verdicts);
+        addSource(csv, sourceValues(scenario.study->provenance));
+        csv.endRow();
     }
-    return csv;
+    return csv.take();
 }
 
 std::string scenarioUsesCsv(const ScenarioStudies& scenarios) {
-    std::string csv = "scenario,use,storeys,gross_floor_m2\r\n";
+    CsvText csv({"scenario", "use", "storeys", "gross_floor_m2"});
     for (const ScenarioStudy& scenario : scenarios)
         for (const UseArea& area : scenario.uses.areas)
-            csv += fmt::format("{},{},{},{:.1f}\r\n", csvField(scenario.name), csvField(area.use),
-                               area.storeys, area.grossFloorM2);
-    return csv;
+            csv.text(scenario.name).text(area.use).whole(area.storeys).number(area.grossFloorM2, 1).endRow();
+    return csv.take();
 }
 
 std::string scenariosJson(const ScenarioStudies& scenarios) {
@@ -157,9 +171,8 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         {"impact",
          "change from the scenario baseline, on the receivers of both; gained_m2: area whose gross "
          "shadow rises by more than threshold_min"},
-        {"score",
-         "sum over the intervals of the weight table of weight x share of their sunlit time in "
-         "shadow x cell area"},
+        {"weighted_shade_m2h", weightedShadeDefinition},
+        {"score_m2", scoreDefinition},
         {"verdicts",
          "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
          "or was not checked"},

@@ -156,6 +156,8 @@ TextBlocks definitionBlocks(const Study& study) {
     TextBlocks blocks;
     if (const auto headline = makeAssumedHeadline(countHeights(study.city)))
         blocks.push_back(heading(QString::fromStdString(*headline)));
+    if (const auto headline = makeStandHeadline(study.heights))
+        blocks.push_back(heading(QString::fromStdString(*headline)));
     blocks.push_back(
         body(QStringLiteral("Shadow area: sum over the receivers of share of the sunlit time in shadow × "
                             "cell area; in %, of the receivers' area.")));

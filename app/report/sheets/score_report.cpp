@@ -1,6 +1,7 @@
 #include "app/report/sheets/score_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/report/maps/score_legend.h"
 #include "app/report/sheets/report_sections.h"
@@ -15,15 +16,21 @@ QString signedArea(double areaM2) {
     return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeAmount(areaM2, 0) + QStringLiteral(" m²");
 }
 
+QString signedShade(double shadeM2h) {
+    if (std::isnan(shadeM2h)) return QStringLiteral("not counted");
+    return (shadeM2h > 0 ? QStringLiteral("+") : QString()) + describeAmount(shadeM2h, 0) +
+           QStringLiteral(" m² h");
+}
+
 QString monthName(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
 TextBlocks definitions() {
-    return {body(QStringLiteral(
-        "Score: sum over the intervals of the weight table of weight × share of the interval's sunlit time "
-        "in shadow; over the region times the cell area. Positive means that wanted shade outweighs unwanted "
-        "shadow. The scores of the months add up to the total."))};
+    return {body(
+        QStringLiteral("Weighted shade: %1. Score: %2. Positive means that wanted shade outweighs unwanted "
+                       "shadow. The figures of the months add up to the total.")
+            .arg(QString::fromUtf8(weightedShadeDefinition), QString::fromUtf8(scoreDefinition)))};
 }
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
@@ -41,8 +48,9 @@ TextBlocks weightsOf(const ScoreAnswer& answer) {
     for (const IntervalFigures& interval : answer.score.intervals)
         if (interval.shadowAreaM2 > 0)
             blocks.push_back(
-                body(QStringLiteral("%1 × %2: %3 m² shadow, score %4")
+                body(QStringLiteral("%1 × %2: %3 weighted, %4 m² shadow, score %5")
                          .arg(QString::fromStdString(interval.name), describeAmount(interval.weight, 3),
+                              signedShade(interval.weightedShadeM2h),
                               describeAmount(interval.shadowAreaM2, 0), signedArea(interval.scoreM2))));
     return blocks;
 }
@@ -77,11 +85,14 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
 std::vector<Figure> makeScoreFigures(const Score& score) {
     const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
     std::vector<Figure> figures{
+        {QStringLiteral("Weighted shade"), signedShade(score.weightedShadeM2h)},
         {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
         {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
         {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
     for (const MonthFigures& month : score.months)
-        figures.push_back({monthName(month.month) + QStringLiteral(", score"), signedArea(month.scoreM2)});
+        figures.push_back(
+            {monthName(month.month),
+             signedShade(month.weightedShadeM2h) + QStringLiteral(", score ") + signedArea(month.scoreM2)});
     return figures;
 }
 

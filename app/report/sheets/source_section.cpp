@@ -108,6 +108,8 @@ TextBlocks heightsOf(const Study& study) {
     TextBlocks blocks{heading(QStringLiteral("Heights")), body(describeHeight(study))};
     for (const HeightField& field : study.heights.fields)
         blocks.push_back(body(QStringLiteral("From %1.").arg(QString::fromStdString(describe(field)))));
+    for (const BaseFit& fit : study.heights.bases)
+        blocks.push_back(body(QString::fromStdString(describe(fit)) + u'.'));
     return blocks;
 }
 

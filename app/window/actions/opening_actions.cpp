@@ -1,5 +1,9 @@
 #include "app/window/actions/opening_actions.h"
 
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/input/load_city.h"
 #include "app/window/actions/make_action.h"
 #include "app/window/actions/place_actions.h"
 #include "app/window/actions/saving_actions.h"
@@ -7,6 +11,7 @@
 #include "app/window/frame/workbench.h"
 #include "app/window/study/open_options.h"
 #include "app/window/widgets/message_bar.h"
+#include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/study/text/height_words.h"
 
@@ -18,6 +23,13 @@ LonLat findMiddle(const City& city) {
     const Box2 box = bounds(city);
     if (box.empty()) return city.frame.origin();
     return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
+}
+
+bool areTerrain(const QStringList& files) {
+    return std::ranges::all_of(files, [](const QString& file) {
+        const auto kind = detectFileKind(file.toStdString());
+        return kind && *kind == FileKind::terrain;
+    });
 }
 
 }  // namespace
@@ -70,6 +82,26 @@ void OpeningActions::open(const QStringList& files) { openWith(files, {}); }
 
 void OpeningActions::openWith(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
+    const bool sameFiles = files == workbench_.source().files;
+    if (workbench_.city() != nullptr && !sameFiles && areTerrain(files))
+        return askAboutTerrain(files, reading);
+    replaceBy(files, reading);
+}
+
+// A terrain has no buildings: alone it would take the place of the city that it was meant for.
+void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSettings& reading) {
+    messages_.showHelp(
+        tr("%1 is a terrain: it holds no buildings.").arg(QFileInfo(files.front()).fileName()));
+    const Workbench::Source source = workbench_.source();
+    const bool canAdd = !workbench_.session().file() && !source.files.isEmpty() &&
+                        !isSample(source.files.front().toStdString());
+    if (canAdd)
+        messages_.offer(tr("Add to the city"),
+                        [this, source, files] { replaceBy(source.files + files, source.reading); });
+    messages_.offerToo(tr("Open alone"), [this, files, reading] { replaceBy(files, reading); });
+}
+
+void OpeningActions::replaceBy(const QStringList& files, const ReadSettings& reading) {
     saving_.whenSafe([this, files, reading] {
         messages_.hide();  // its buttons refer to the previous files
         workbench_.open(files, reading);
@@ -88,6 +120,8 @@ void OpeningActions::showGuesses() {
     const ZoneGuess& zone = workbench_.zone();
     QStringList lines;
     if (heights) lines << QString::fromStdString(*heights) + u'.';
+    const auto stand = makeStandHeadline(city.heights);
+    if (stand) lines << QString::fromStdString(*stand) + u'.';
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
@@ -98,7 +132,8 @@ void OpeningActions::showGuesses() {
     if (lines.isEmpty()) return;
     if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
     messages_.showHelp(lines.join(u'\n'));
-    if (heights && !workbench_.source().files.isEmpty() && !workbench_.session().file()) offerOptions();
+    if ((heights || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
+        offerOptions();
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] QList<QAction*> actions() const;
     [[nodiscard]] QAction* openAction() const { return actions_[1]; }
 
-    /// Asks first if there is unsaved work.
+    /// Asks first if there is unsaved work, and whether a terrain alone belongs to the city that is open.
     void open(const QStringList& files);
     void openWith(const QStringList& files, const ReadSettings& reading);
     void takeProject();  ///< another project is open: adds it to the recent files
@@ -35,6 +35,8 @@ public:
 
 private:
     void makeActions();
+    void replaceBy(const QStringList& files, const ReadSettings& reading);
+    void askAboutTerrain(const QStringList& files, const ReadSettings& reading);
     void addSample(const QString& text, const QString& tip, const QString& sample);
     void showFailure(const Error& error);
     void offerOptions();

@@ -6,6 +6,7 @@
 #include "app/window/actions/saving_actions.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/widgets/message_bar.h"
+#include "scenarios/project/recovery_file.h"
 
 namespace noonmark {
 
@@ -44,10 +45,7 @@ void RecoveryOffers::offerOlder() {
         tr("There are unsaved changes to %1 from %2. They can be recovered or deleted.")
             .arg(workbench_.projectName(), info.lastModified().toString(QStringLiteral("yyyy-MM-dd HH:mm"))));
     messages_.offer(tr("Recover"), [this, older] { workbench_.recover(older); });
-    messages_.offerToo(tr("Delete them"), [older] {
-        std::error_code none;
-        std::filesystem::remove(older, none);
-    });
+    messages_.offerToo(tr("Delete them"), [older] { removeProject(older); });
 }
 
 // Not where the open project is itself recovered work.

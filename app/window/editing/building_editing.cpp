@@ -214,7 +214,8 @@ void BuildingEditing::previewHeight(double heightM) {
         {{middle.x, middle.y, ground}, facts.heightM, usualStoreyM, facts.groundElevationM});
     context_.handle.tell(tr("%1, %2\n%3 floor area")
                              .arg(describeHeight(facts.heightM, facts.groundElevationM),
-                                  describeStoreys(facts.storeys), describeSmallArea(facts.grossFloorM2)));
+                                  describeAssumedStoreys(facts.storeys),
+                                  describeSmallArea(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {

@@ -50,7 +50,7 @@ QString makeRows(const GroupFacts& facts) {
 
 QString makeRows(const BuildingFacts& facts) {
     const QString storeys =
-        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeStoreys(facts.storeys);
+        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeAssumedStoreys(facts.storeys);
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),

@@ -13,6 +13,8 @@ struct ElementView {
     std::shared_ptr<const ElementMap> map;  ///< not null
     QString note;
     bool marked = false;  ///< the note is a warning
+    /// Instead of the note while continuous shadow is shown; empty: the note holds for both measures.
+    QString runNote{};
 };
 
 /// The scale of a study of cells: up to the sunlit minutes of a day, or the largest value if that is larger.

@@ -47,7 +47,7 @@ std::vector<ResultRow> makeRows(const PointFigures& shown) {
                                     "steps")});
     rows.push_back({QObject::tr("Engine"),
                     shown.byRays ? QObject::tr("Ray reference") : QObject::tr("Horizons of the points"),
-                    {}});
+                    QString::fromStdString(shown.engine)});
     return rows;
 }
 
@@ -59,7 +59,8 @@ std::vector<ResultRow> makeElementRows(const ElementStudy& study) {
                        .belowHorizon = study.sun.belowHorizon,
                        .seconds = study.seconds.at("accumulate"),
                        .period = formatText(study.settings.period),
-                       .byRays = study.engineKey == referenceEngine};
+                       .byRays = study.engineKey == referenceEngine,
+                       .engine = describeEngine(study)};
     if (study.error) shown.error = describe(*study.error);
     return makeRows(shown);
 }

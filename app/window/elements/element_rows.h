@@ -15,6 +15,7 @@ struct PointFigures {
     std::string period;  ///< in words
     std::string error;   ///< against rays, in words; empty: not measured
     bool byRays = false;
+    std::string engine;  ///< in words, with what "auto" chose it for
 };
 
 std::vector<ResultRow> makeRows(const PointFigures& figures);

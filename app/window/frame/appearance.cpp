@@ -9,6 +9,7 @@
 #include "app/window/looks/language.h"
 #include "app/window/looks/units.h"
 #include "app/window/looks/window_style.h"
+#include "app/window/widgets/wheel_guard.h"
 #include "core/base/version.h"
 
 namespace noonmark {
@@ -28,6 +29,7 @@ void applyAppearance(QApplication& application) {
     QApplication::setStyle(new WindowStyle);
     applyLanguage(readLanguage(QSettings()), application);
     applyUnits(readUnits(QSettings()));
+    new WheelGuard(application);
     new ApplicationTheme(application, readThemeChoice(QSettings()), system, makePortalThemeSource());
 }
 

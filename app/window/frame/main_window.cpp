@@ -30,6 +30,7 @@
 #include "app/window/study_form/study_dock.h"
 #include "app/window/view/view_panel.h"
 #include "app/window/weights/weights_dock.h"
+#include "app/window/weights/weights_model.h"
 #include "app/window/widgets/progress_strip.h"
 #include "render/view/software_drawing.h"
 
@@ -37,6 +38,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
 constexpr int layoutVersion = 9;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
@@ -74,7 +76,7 @@ MainWindow::MainWindow(QSettings& settings)
       view_(workbench_, *panel_, mode_, review_),
       store_(unsavedFolder(settings)),
       saving_(
-          workbench_, store_, [this] { return view_.toSave(); }, panel_->messages(), *this),
+          workbench_, store_, [this] { return viewToSave(); }, panel_->messages(), *this),
       opening_(workbench_, saving_, settings, panel_->messages(), *this),
       recovery_(workbench_, store_, saving_, panel_->messages()),
       links_(*docks_.elements, *panel_),
@@ -375,12 +377,24 @@ void MainWindow::showCity() {
 }
 
 // The last message stays: recovery comes before what was assumed of the files.
+// The state of the view, and what the docks show beside it.
+std::map<std::string, std::string> MainWindow::viewToSave() {
+    auto view = view_.toSave();
+    view[chosenWeightsKey] = docks_.weights->model().table().name;
+    if (std::string figures = answers_.figuresToSave(); !figures.empty())
+        view[viewFiguresKey] = std::move(figures);
+    return view;
+}
+
 void MainWindow::showProject() {
     panel_->messages().hide();
     horizons_->forget();
     saving_.takeProject();
     display_.forget();
     view_.restore();
+    const auto& saved = workbench_.session().project().view;
+    if (const auto weights = saved.find(chosenWeightsKey); weights != saved.end())
+        docks_.weights->choose(weights->second);
     opening_.takeProject();
     showTitle();
     opening_.showGuesses();

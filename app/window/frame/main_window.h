@@ -119,6 +119,7 @@ private:
     void showDock(const QWidget* content);
     void savePoint();
     void showCity();
+    std::map<std::string, std::string> viewToSave();
     void showProject();
     void showDocument();
     void showTitle();

@@ -109,6 +109,7 @@ void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
     }
     if (std::ssize(known_) > mostKnown) known_.erase(known_.begin(), known_.end() - mostKnown);
     if (!made->empty()) answerSeconds_ = made->back().study->seconds.at("total");
+    if (made->size() > 1) session_.noteFigures();
     takeKnown();
     standBack();
     Q_EMIT studyDone();

@@ -57,7 +57,8 @@ Result<FacadeAnswer> measure(FacadeScene scene, const FacadeSettings& facades, c
     if (!receivers) return tl::make_unexpected(receivers.error());
     study.receivers = *std::move(receivers);
     study.sun = sun;
-    auto minutes = sweepPoints(study.city, study.receivers.points, sun, progress, stop, {.runs = true});
+    auto minutes = sweepPoints(study.city, study.receivers.points, sun, progress, stop,
+                               {.runs = true, .decidesRuns = false});
     if (!minutes) return tl::make_unexpected(minutes.error());
     study.minutes = *std::move(minutes);
     return FacadeAnswer{.map = makeElementMap(study),

@@ -10,6 +10,8 @@
 
 namespace noonmark {
 
+QString describeAssumedStoreys(int storeys) { return QObject::tr("about %1").arg(describeStoreys(storeys)); }
+
 QString describeStoreys(int storeys) {
     return QObject::tr("%1 storey(s)", "", storeys).arg(formatCount(quint64(storeys)));
 }

@@ -8,6 +8,8 @@ namespace noonmark {
 
 /// "10 storeys"
 QString describeStoreys(int storeys);
+/// The same where the storeys follow from the height and a usual storey: "about 12 storeys".
+QString describeAssumedStoreys(int storeys);
 
 /// Two lines, "35.0 m above ground, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor
 /// while a tower is extruded.

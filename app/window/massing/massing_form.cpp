@@ -82,16 +82,20 @@ void MassingForm::setGround(double groundElevationM) {
 }
 
 void MassingForm::connectFields() {
+    // What show() writes into one field is not an entry that decides about the others.
     connect(storeys_, &QSpinBox::valueChanged, this, [this](int storeys) {
+        if (showing_) return;
         settings_.storeys = storeys;
         settings_.heightM = 0;
         takeHeight();
     });
     connect(storeyHeight_, &QDoubleSpinBox::valueChanged, this, [this](double height) {
+        if (showing_) return;
         settings_.storeyHeightM = height;
         takeHeight();
     });
     connect(height_, &QDoubleSpinBox::valueChanged, this, [this](double height) {
+        if (showing_) return;
         settings_ = withHeight(settings_, height);
         takeHeight();
     });
@@ -109,7 +113,6 @@ void MassingForm::connectFields() {
 
 // One of storeys, storey height and total height was changed: the others follow.
 void MassingForm::takeHeight() {
-    if (showing_) return;
     show(settings_);
     Q_EMIT edited();
 }

@@ -18,7 +18,7 @@ public:
     explicit RecoveredWork(const fs::path& file) : autosave_(file) {
         std::error_code none;
         movedAside_ = fs::exists(recoveryPath(file), none);
-        if (movedAside_) fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
+        if (movedAside_) moveProject(recoveryPath(file), ProjectSaving::olderRecovery(file));
     }
 
     /// Whether there was a recovery file of an earlier run; it has been moved to olderRecovery().
@@ -99,8 +99,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
     forgetUnsaved();
     takenUp_.clear();
     session_.setSaved(*std::move(written), version);
-    std::error_code none;
-    fs::remove(olderRecovery(session_.file()->path()), none);  // superseded by this save
+    removeProject(olderRecovery(session_.file()->path()));  // superseded by this save
     Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
     if (const auto next = std::exchange(next_, nullptr)) next();
 }
@@ -147,9 +146,8 @@ void ProjectSaving::forgetTakenUp() {
     const fs::path recovery = recoveryPath(session_.file()->path());
     const fs::path older = olderRecovery(session_.file()->path());
     const bool moved = saved_ && saved_->movedAside();
-    std::error_code none;
-    if (takenUp_ == recovery) fs::remove(moved ? older : recovery, none);
-    if (takenUp_ == older && !moved) fs::remove(older, none);
+    if (takenUp_ == recovery) removeProject(moved ? older : recovery);
+    if (takenUp_ == older && !moved) removeProject(older);
 }
 
 void ProjectSaving::projectReplaced() {

@@ -38,7 +38,7 @@ void ProjectSession::open(Project project, std::optional<ProjectFile> file, cons
                           const std::string& baseline) {
     now_ = {std::move(project), existingCity, {}};
     file_ = std::move(file);
-    recovered_ = false;
+    recovered_ = newFigures_ = false;
     if (cityOf(scenario)) now_.scenario = scenario;
     if (!baseline.empty() && cityOf(baseline)) now_.baseline = baseline;
     takeCity();
@@ -156,7 +156,13 @@ bool ProjectSession::projectChanged() const {
 }
 
 bool ProjectSession::hasUnsavedWork() const {
-    return recovered_ || (!undo_.isClean() && (file_ || projectChanged()));
+    return recovered_ || (newFigures_ && file_) || (!undo_.isClean() && (file_ || projectChanged()));
+}
+
+void ProjectSession::noteFigures() {
+    newFigures_ = true;
+    ++version_;
+    Q_EMIT unsavedChanged();
 }
 
 void ProjectSession::setRecovered() {
@@ -167,10 +173,12 @@ void ProjectSession::setRecovered() {
 void ProjectSession::setSaved(ProjectFile file, int version) {
     file_ = std::move(file);
     recovered_ = false;
-    if (version == version_)
+    if (version == version_) {
+        newFigures_ = false;
         undo_.setClean();
-    else
+    } else {
         undo_.resetClean();
+    }
     Q_EMIT unsavedChanged();
 }
 

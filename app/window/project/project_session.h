@@ -62,6 +62,8 @@ public:
     [[nodiscard]] int version() const { return version_; }
     /// Marks the project as recovered: work that an earlier run left unsaved.
     void setRecovered();
+    /// Figures of all scenarios were computed: work that closing would lose, where the project has a file.
+    void noteFigures();
     [[nodiscard]] bool recovered() const { return recovered_; }  ///< until it is saved
     /// Records that the state of version `version` was saved in `file`.
     void setSaved(ProjectFile file, int version);
@@ -103,6 +105,7 @@ private:
     std::shared_ptr<const City> city_;
     int version_ = 0;
     bool recovered_ = false;
+    bool newFigures_ = false;
 };
 
 }  // namespace noonmark

@@ -26,9 +26,8 @@ int countAside(const fs::path& recovery) {
 }
 
 void dropOldest(const fs::path& recovery, int count) {
-    std::error_code none;
-    fs::remove(asideName(recovery, 1), none);
-    for (int i = 1; i < count; ++i) fs::rename(asideName(recovery, i + 1), asideName(recovery, i), none);
+    removeProject(asideName(recovery, 1));
+    for (int i = 1; i < count; ++i) moveProject(asideName(recovery, i + 1), asideName(recovery, i));
 }
 
 // Moves an earlier run's recovery file aside, as the newest of those moved before. Returns the newest.
@@ -37,7 +36,7 @@ std::optional<fs::path> putAside(const fs::path& recovery) {
     if (fs::exists(recovery, error)) {
         for (int count = countAside(recovery); count >= RecoveryStore::mostLeft; --count)
             dropOldest(recovery, count);
-        fs::rename(recovery, asideName(recovery, countAside(recovery) + 1), error);
+        moveProject(recovery, asideName(recovery, countAside(recovery) + 1));
     }
     const int count = countAside(recovery);
     return count > 0 ? std::optional(asideName(recovery, count)) : std::nullopt;
@@ -59,8 +58,7 @@ RecoveryStore::RecoveryStore(const QString& folder) {
 }
 
 void RecoveryStore::forgetLeft() {
-    std::error_code ignored;
-    if (left_) fs::remove(*std::exchange(left_, std::nullopt), ignored);
+    if (left_) removeProject(*std::exchange(left_, std::nullopt));
 }
 
 }  // namespace noonmark

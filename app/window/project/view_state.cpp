@@ -78,6 +78,8 @@ Json studyJson(const StudySettings& study) {
             {"cell_m", study.receivers.cellM},
             {"receivers_on", nameOf(study.receivers.places)},
             {"period", periodJson(study.period)},
+            {"pressure_hpa", study.pressureHPa},
+            {"temperature_c", study.temperatureC},
             {"engine", study.engine},
             {"options", std::move(options)},
             {"by_month", study.byMonth},
@@ -92,11 +94,15 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     if (json.contains("receivers_on"))
         study.receivers.places = parsePlaces(json.at("receivers_on").get<std::string>()).value();
     study.period = periodFrom(json.at("period"));
+    study.pressureHPa = json.value("pressure_hpa", study.pressureHPa);
+    study.temperatureC = json.value("temperature_c", study.temperatureC);
+    const bool isAir = study.pressureHPa >= 0 && study.pressureHPa <= 1200 && study.temperatureC >= -90 &&
+                       study.temperatureC <= 60;
     study.engine = json.at("engine");
     for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
     study.byMonth = json.at("by_month");
     study.contributions = json.at("contributions");
-    if (!validate(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
+    if (!validate(study.period) || !(study.receivers.cellM > 0) || !isAir) return std::nullopt;
     return study;
 } catch (const std::exception&) {  // unexpected JSON structure, a ring of two points, unnamed places
     return std::nullopt;

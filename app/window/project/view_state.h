@@ -31,7 +31,8 @@ struct ViewState {
 };
 
 /// Keys: "camera", "section", "mode", "measure", "change_scale", "scenario", "baseline", "answer",
-/// "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON).
+/// "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights", the
+/// chosen table, and "figures" (saved_figures.h).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from

@@ -4,6 +4,7 @@
 
 #include "app/report/maps/impact_legend.h"
 #include "app/report/maps/score_legend.h"
+#include "app/window/results/error_notes.h"
 #include "app/window/results/field_picture.h"
 #include "app/window/results/impact_picture.h"
 #include "app/window/results/score_picture.h"
@@ -33,14 +34,6 @@ ShadowMeasure chooseShownMeasure(const GroundAnswer& answer, ShadowMeasure wante
 
 QString nameOf(const std::string& name) { return QString::fromStdString(name); }
 
-// Beside the legend, so that nobody takes an approximate map for an exact one.
-QString describeError(const Study& study) {
-    if (!study.error) return {};
-    return QObject::tr("Measured error against rays: %1 % of the area, %2 % of the minutes of a cell")
-        .arg(groupDigits(study.error->areaPct, 2),
-             groupDigits(study.error->gross.percent(study.error->gross.meanMin), 2));
-}
-
 QString describeExactness(const LiveAnswer& live) {
     return noonmark::describeExactness(live.engine, live.counted, live.steps, live.runs);
 }
@@ -50,8 +43,10 @@ QString notCounted() { return QObject::tr("Continuous shadow was not counted"); 
 }  // namespace
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
-    return runsLookedFor({std::shared_ptr<const ShadowField>(study, &study->field),
-                          std::shared_ptr<const Receivers>(study, &study->receivers), describeError(*study)});
+    return runsLookedFor({.map = std::shared_ptr<const ShadowField>(study, &study->field),
+                          .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
+                          .note = describeError(study->error, ShadowMeasure::gross),
+                          .runNote = describeError(study->error, ShadowMeasure::continuous)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
@@ -89,9 +84,15 @@ GroundAnswer makeChangeAnswer(const std::shared_ptr<const LiveAnswer>& live, con
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison) {
-    return runsLookedFor(
-        {std::shared_ptr<const Impact>(comparison, &comparison->study.total), nullptr,
-         QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from))});
+    const QString names =
+        QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from));
+    const auto noteOf = [&](ShadowMeasure measure) {
+        const QString error = describeError(comparison->study.error, measure);
+        return error.isEmpty() ? names : QObject::tr("%1. %2").arg(names, error);
+    };
+    return runsLookedFor({.map = std::shared_ptr<const Impact>(comparison, &comparison->study.total),
+                          .note = noteOf(ShadowMeasure::gross),
+                          .runNote = noteOf(ShadowMeasure::continuous)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
@@ -100,7 +101,9 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure) {
-    if (chooseShownMeasure(answer, measure) == measure || answer.whyGross.isEmpty()) return answer.note;
+    const ShadowMeasure shown = chooseShownMeasure(answer, measure);
+    if (shown == ShadowMeasure::continuous && !answer.runNote.isEmpty()) return answer.runNote;
+    if (shown == measure || answer.whyGross.isEmpty()) return answer.note;
     return answer.note.isEmpty() ? answer.whyGross : QObject::tr("%1. %2").arg(answer.note, answer.whyGross);
 }
 

@@ -28,6 +28,8 @@ struct GroundAnswer {
     bool grossOnly = false;  ///< no continuous shadow: gross is shown for both measures
     /// Added to the note if gross is shown instead of continuous.
     QString whyGross{};
+    /// Instead of the note while continuous shadow is shown; empty: the note holds for both measures.
+    QString runNote{};
 };
 
 /// Each shares the data of the answer that it is made from.

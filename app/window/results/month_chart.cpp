@@ -128,9 +128,10 @@ void MonthChart::show(const std::vector<MonthFigures>& months) {
     for (const MonthFigures& month : months) names << describeMonth(month.month);
     const Bars area{tr("Shadow area by month, m²"), getValues(months, &MonthFigures::shadowAreaM2),
                     shadowColour(0.6), shadowColour(0.6)};
-    const Bars score{tr("Score by month, m²"), getValues(months, &MonthFigures::scoreM2), impactColour(-0.8),
-                     impactColour(0.8)};
-    for (const Bars& bars : {area, score}) layout()->addWidget(viewOf(bars, names, font()));
+    const Bars weighted{tr("Weighted shade by month, m² h"),
+                        getValues(months, &MonthFigures::weightedShadeM2h), impactColour(-0.8),
+                        impactColour(0.8)};
+    for (const Bars& bars : {area, weighted}) layout()->addWidget(viewOf(bars, names, font()));
 }
 
 }  // namespace noonmark

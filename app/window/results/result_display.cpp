@@ -4,6 +4,7 @@
 #include "app/window/elements/element_rows.h"
 #include "app/window/elements/elements_dock.h"
 #include "app/window/results/comparison_rows.h"
+#include "app/window/results/error_notes.h"
 #include "app/window/results/result_layer.h"
 #include "app/window/results/results_dock.h"
 #include "app/window/results/score_rows.h"
@@ -91,14 +92,14 @@ void ResultDisplay::showPast() {
     if (!past.any()) return places_.figures.show({});
     const QString outdated = tr("Outdated: buildings have changed");
     if (past.elements) {
-        showPoints(past.elements, outdated, true);
+        showPoints(past.elements, {.note = outdated, .marked = true});
         return showOutdated();
     }
     GroundAnswer answer = past.score        ? makeGroundAnswer(past.score)
                           : past.comparison ? makeGroundAnswer(past.comparison)
                                             : makeGroundAnswer(past.study);
-    answer.note =
-        answer.note.isEmpty() ? outdated : tr("%1. Outdated: buildings have changed").arg(answer.note);
+    for (QString* note : {&answer.note, &answer.runNote})
+        *note = note->isEmpty() ? outdated : tr("%1. Outdated: buildings have changed").arg(*note);
     answer.marked = true;
     places_.layer.setInFront(answer);
     if (past.score)
@@ -138,21 +139,20 @@ void ResultDisplay::showElements() {
     settings_ = answer->study.settings;
     elements_ = answer->study.elements;
     anyShown_ = true;
-    const QString error = answer->study.error ? tr("Measured error against rays: %1 % of the time in the sun")
-                                                    .arg(groupDigits(answer->study.error->grossMeanPct, 3))
-                                              : QString();
-    showPoints(answer, error, false);
+    const auto errorOf = [&](ShadowMeasure measure) { return describeError(answer->study, measure); };
+    showPoints(answer,
+               {.note = errorOf(ShadowMeasure::gross), .runNote = errorOf(ShadowMeasure::continuous)});
     places_.warnings.show(answer->study.warnings);
     update();
     Q_EMIT elementsShown();
 }
 
-void ResultDisplay::showPoints(const std::shared_ptr<const ElementAnswer>& answer, const QString& note,
-                               bool marked) {
-    const std::shared_ptr<const ElementMap> map(answer, &answer->map);
-    places_.elements.show(map);
+// `view`: without its map.
+void ResultDisplay::showPoints(const std::shared_ptr<const ElementAnswer>& answer, ElementView view) {
+    view.map = std::shared_ptr<const ElementMap>(answer, &answer->map);
+    places_.elements.show(view.map);
     places_.layer.setInFront(std::nullopt);
-    places_.layer.setElements(ElementView{map, note, marked});
+    places_.layer.setElements(view);
     places_.figures.show(makeElementRows(answer->study));
 }
 

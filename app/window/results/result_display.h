@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include "app/window/elements/element_picture.h"
 #include "app/window/frame/workbench.h"
 
 namespace noonmark {
@@ -57,7 +58,7 @@ private:
     void showComparison();
     void showScore();
     void showElements();
-    void showPoints(const std::shared_ptr<const ElementAnswer>& answer, const QString& note, bool marked);
+    void showPoints(const std::shared_ptr<const ElementAnswer>& answer, ElementView view);
     void showSaved();
     void hideOthers();
     void update();

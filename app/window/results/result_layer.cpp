@@ -164,7 +164,8 @@ void ResultLayer::showElements() {
     const Legend legend = makeLegend(*elements_->map, strip_.measure());
     view_.tiles().show(makeTiles(*elements_->map, strip_.measure(), legend.scale.top));
     strip_.setLegend(legend);
-    strip_.setNote(elements_->note, elements_->marked);
+    const bool ofRuns = strip_.measure() == ShadowMeasure::continuous && !elements_->runNote.isEmpty();
+    strip_.setNote(ofRuns ? elements_->runNote : elements_->note, elements_->marked);
 }
 
 bool ResultLayer::showsTiles() const { return tiles_ && !live_ && moment_.isEmpty(); }

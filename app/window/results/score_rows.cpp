@@ -16,17 +16,27 @@ QString signedArea(double areaM2) {
     return (areaM2 > 0 ? QStringLiteral("+") : QString()) + formatAmount(areaM2, 0) + QStringLiteral(" m²");
 }
 
-QString areaAndScore(double areaM2, double scoreM2) {
-    return QObject::tr("%1 m² shadow, score %2").arg(formatAmount(areaM2, 0), signedArea(scoreM2));
+QString signedShade(double shadeM2h) {
+    if (std::isnan(shadeM2h)) return QObject::tr("not counted");
+    return (shadeM2h > 0 ? QStringLiteral("+") : QString()) + formatAmount(shadeM2h, 0) +
+           QStringLiteral(" m² h");
+}
+
+// Of a month or an interval.
+template <class Figures>
+QString listFigures(const Figures& figures) {
+    return QObject::tr("%1 weighted, %2 m² shadow, score %3")
+        .arg(signedShade(figures.weightedShadeM2h), formatAmount(figures.shadowAreaM2, 0),
+             signedArea(figures.scoreM2));
 }
 
 void addMonths(std::vector<ResultRow>& rows, const Score& score) {
     for (const MonthFigures& month : score.months)
-        rows.push_back(
-            {describeMonth(month.month), areaAndScore(month.shadowAreaM2, month.scoreM2),
-             QObject::tr("Shadow area over %1 sunlit minute(s), and the month's contribution to the score",
-                         "", pluralNumber(quint64(std::round(month.sunlitMinutes))))
-                 .arg(formatAmount(month.sunlitMinutes, 0))});
+        rows.push_back({describeMonth(month.month), listFigures(month),
+                        QObject::tr("Weighted shade, shadow area over %1 sunlit minute(s), and the month's "
+                                    "contribution to the score",
+                                    "", pluralNumber(quint64(std::round(month.sunlitMinutes))))
+                            .arg(formatAmount(month.sunlitMinutes, 0))});
 }
 
 // Intervals without steps of the sun have neither shadow area nor score.
@@ -35,9 +45,10 @@ void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
         if (interval.shadowAreaM2 > 0)
             rows.push_back(
                 {QObject::tr("%1 × %2").arg(QString::fromStdString(interval.name)).arg(interval.weight),
-                 areaAndScore(interval.shadowAreaM2, interval.scoreM2),
-                 QObject::tr("Interval of the table and its weight: shadow area in its sunlit time, and "
-                             "weight times shadow area")});
+                 listFigures(interval),
+                 QObject::tr(
+                     "Interval of the table and its weight: weighted shade, shadow area in its sunlit time, "
+                     "and weight times shadow area")});
 }
 
 }  // namespace
@@ -50,16 +61,21 @@ QString describeMonth(std::chrono::year_month month) {
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period) {
     const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
-    std::vector<ResultRow> rows{{QObject::tr("Shadow score"), signedArea(score.scoreM2),
-                                 QObject::tr("Sum over intervals of weight × share of the interval's sunlit "
-                                             "time in shadow × cell area. Above "
-                                             "0, wanted shade outweighs unwanted shadow")},
-                                {QObject::tr("per m² of ground"), groupDigits(perArea, 3),
-                                 QObject::tr("Score divided by the area of all receivers")},
-                                {QObject::tr("Scored"),
-                                 QObject::tr("%1\nwith the weights %2")
-                                     .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
-                                 {}}};
+    std::vector<ResultRow> rows{
+        {QObject::tr("Weighted shade"), signedShade(score.weightedShadeM2h),
+         QObject::tr("Sum over the steps of weight × hours in shadow × cell area. Above 0, "
+                     "wanted shade outweighs unwanted shadow. How the table is cut into "
+                     "intervals does not change it")},
+        {QObject::tr("Shadow score"), signedArea(score.scoreM2),
+         QObject::tr("Sum over intervals of weight × share of the interval's sunlit "
+                     "time in shadow × cell area, as in the paper. "
+                     "An interval that is cut in two counts twice")},
+        {QObject::tr("per m² of ground"), groupDigits(perArea, 3),
+         QObject::tr("Score divided by the area of all receivers")},
+        {QObject::tr("Scored"),
+         QObject::tr("%1\nwith the weights %2")
+             .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
+         {}}};
     addMonths(rows, score);
     addIntervals(rows, score);
     rows.push_back({QObject::tr("Receivers"), formatAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²"),

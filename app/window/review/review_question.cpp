@@ -77,9 +77,6 @@ Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progre
     const auto sun = computeRuleSun(
         rule, {observerOfPlaces(*question.before), question.settings.zone, question.settings.year}, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->sun.steps.empty())
-        return failure("The sun is below the horizon in all hours of the rule", rule.key,
-                       "Check place and year");
     return screenPlaces(*question.before, *question.after, question.places, sun->sun, {}, AutoEngine(),
                         progress, std::move(stop));
 }

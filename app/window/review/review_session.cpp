@@ -246,6 +246,7 @@ void ReviewSession::follow() {
                             std::move(places->places),
                             {1, study.period.zone, int(study.period.start.year())},
                             std::move(places->moved)};
+    question.settings.refinesSpots = false;  // as fast as a hand drags; their error includes the cell
     followed_.start<ReviewAnswer>(
         tr("Live review"),
         [question = std::move(question)](Progress& progress, std::stop_token stop) {

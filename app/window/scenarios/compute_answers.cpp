@@ -4,6 +4,7 @@
 #include "app/window/scenarios/latest_answers.h"
 #include "app/window/weights/weights_model.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/study_hash.h"
 #include "scenarios/scenario_list.h"
 
 // The jobs of LatestAnswers: impacts from studies at hand, scores, and saved results.
@@ -17,10 +18,10 @@ ImpactFigures compare(const Study& before, const Study& after) {
 }
 
 // Studies of the same cells by the same engine give the same difference as a comparison, on the receivers of
-// both.
+// both. The engine's words also state counts, which differ from city to city.
 bool areComparable(const Study& before, const Study& after) {
     return before.settings == after.settings && before.field.grid == after.field.grid &&
-           before.field.engine == after.field.engine;
+           before.field.engineKey == after.field.engineKey;
 }
 
 }  // namespace
@@ -50,7 +51,9 @@ void LatestAnswers::compareStudies() {
         [this, before, lacking](const Result<Made>& made) {
             if (!made) return Q_EMIT failed(made.error());
             for (std::size_t i = 0; i < lacking.size(); ++i)
-                add(KnownImpact{before, lacking[i].first, sameAs(lacking[i].second->settings), (*made)[i]});
+                add({lacking[i].first,
+                     before,
+                     {.question = hashQuestion(lacking[i].second->settings), .impact = (*made)[i]}});
             update();
         });
 }
@@ -61,21 +64,24 @@ void LatestAnswers::scoreAll() {
     std::vector<CityPointer> lacking;
     for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
         if (const CityPointer city = cityOf(name); city && !scoreOf(city)) lacking.push_back(city);
-    using Made = ComputedAnswers<double>;
+    using Made = ComputedAnswers<ScoreTotals>;
     scoring_.start<Made>(
         tr("All scores"),
         [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
             const auto compute = [&](const CityPointer& city, Progress& share,
                                      const std::stop_token& stopped) {
                 return runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine))
-                    .map([](const Score& score) { return score.scoreM2; });
+                    .map(totalsOf);
             };
-            return computeEach<double>(lacking, compute, progress, stop);
+            return computeEach<ScoreTotals>(lacking, compute, progress, stop);
         },
         [this, lacking, settings, weights](const Result<Made>& scores) {
             if (!scores) return isCancelled(scores.error()) ? void() : Q_EMIT failed(scores.error());
             for (std::size_t i = 0; i < scores->made.size(); ++i)
-                add(KnownScore{lacking[i], sameAs(settings), weights, scores->made[i]});
+                add({lacking[i],
+                     nullptr,
+                     {.question = hashQuestion(settings), .weights = weights, .score = scores->made[i]}});
+            if (!scores->made.empty()) from_.workbench.session().noteFigures();
             update();
             if (scores->error && !isCancelled(*scores->error)) Q_EMIT failed(*scores->error);
         });
@@ -108,15 +114,45 @@ void LatestAnswers::readSaved() {
         [this, cities](const Result<Read>& read) {
             if (!read) return;
             for (std::size_t i = 0; i < cities.size(); ++i)
-                if ((*read)[i]) takeSaved(*(*read)[i], cities[i].first, cities[i].second);
+                if ((*read)[i]) add({cities[i].first, cities[i].second, *(*read)[i]});
             update();
         });
 }
 
-void LatestAnswers::takeSaved(const SavedFigures& saved, const CityPointer& city, const CityPointer& before) {
-    const Fits fits = [saved](const StudySettings& now) { return haveSettings(saved, now); };
-    if (saved.impact) add(KnownImpact{before, city, fits, *saved.impact});
-    if (saved.weights) add(KnownScore{city, fits, *saved.weights, saved.scoreM2});
+// Figures count for the cities of today's scenarios that have the hashes they were saved with.
+void LatestAnswers::readViewFigures() {
+    auto saved = parseViewFigures(figuresInView());
+    if (saved.empty()) return;
+    using Hashes = std::map<CityPointer, std::string>;
+    hashing_.start<Hashes>(
+        tr("Comparing buildings"),
+        [cities = cities()](Progress&, const std::stop_token& stop) -> Result<Hashes> {
+            Hashes hashes;
+            for (const CityPointer& city : cities) {
+                if (stop.stop_requested()) return cancelled();
+                hashes[city] = hashCity(*city);
+            }
+            return hashes;
+        },
+        [this, saved = std::move(saved)](const Result<Hashes>& hashes) {
+            if (!hashes) return;
+            hashes_.insert(hashes->begin(), hashes->end());
+            addViewFigures(saved);
+        });
+}
+
+void LatestAnswers::addViewFigures(const std::vector<ViewFigures>& saved) {
+    std::vector<Known> read;
+    for (const ViewFigures& one : saved)
+        for (const auto& [city, hash] : hashes_) {
+            if (hash != one.citySha256) continue;
+            if (!one.figures.impact) read.push_back({city, nullptr, one.figures});
+            for (const auto& [before, other] : hashes_)
+                if (one.figures.impact && other == one.baselineSha256)
+                    read.push_back({city, before, one.figures});
+        }
+    known_.insert(known_.begin(), read.begin(), read.end());  // older than what was computed meanwhile
+    update();
 }
 
 }  // namespace noonmark

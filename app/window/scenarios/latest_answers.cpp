@@ -1,29 +1,20 @@
 #include "app/window/scenarios/latest_answers.h"
 
+#include <algorithm>
+
 #include "app/window/frame/workbench.h"
 #include "app/window/review/windows/window_session.h"
 #include "app/window/scenarios/scenario_table.h"
 #include "app/window/weights/weights_model.h"
+#include "core/study/provenance/study_hash.h"
 #include "scenarios/scenario_list.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostKnown = 64;  // figures; each holds the list of its city's buildings
-
-template <class Known>
-void keep(std::vector<Known>& all, Known one) {
-    all.push_back(std::move(one));
-    if (all.size() > mostKnown) all.erase(all.begin());
-}
-
-template <class Known, class Holds>
-const Known* findNewest(const std::vector<Known>& all, const Holds& holds) {
-    for (auto one = all.rbegin(); one != all.rend(); ++one)
-        if (holds(*one)) return &*one;
-    return nullptr;
-}
+constexpr std::size_t mostKnown =
+    192;  // figures, of three kinds; each holds the list of its city's buildings
 
 ScenarioVerdicts countVerdicts(const ReviewAnswer& answer) {
     ScenarioVerdicts verdicts{answer.question.rule.name, answer.question.from, {}};
@@ -40,6 +31,15 @@ std::map<std::string, ScenarioVerdicts> countEach(const Answers& answers) {
     std::map<std::string, ScenarioVerdicts> all;
     for (const auto& [scenario, answer] : answers) all[scenario] = countVerdicts(*answer);
     return all;
+}
+
+// Whether figures answer the same question of the same buildings as older ones.
+bool replaces(const ViewFigures& newer, const ViewFigures& older) {
+    const SavedFigures &now = newer.figures, &then = older.figures;
+    return newer.citySha256 == older.citySha256 && newer.baselineSha256 == older.baselineSha256 &&
+           now.question == then.question && now.weights == then.weights &&
+           now.measured.has_value() == then.measured.has_value() &&
+           now.impact.has_value() == then.impact.has_value();
 }
 
 }  // namespace
@@ -63,22 +63,30 @@ LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObje
     connect(&from_.weights, &WeightsModel::chosen, this, &LatestAnswers::update);
 }
 
-LatestAnswers::Fits LatestAnswers::sameAs(const StudySettings& settings) {
-    return [settings](const StudySettings& now) { return now == settings; };
+void LatestAnswers::add(Known known) {
+    known_.push_back(std::move(known));
+    if (known_.size() > mostKnown) known_.erase(known_.begin());
 }
 
-void LatestAnswers::add(KnownImpact impact) { keep(impacts_, std::move(impact)); }
-void LatestAnswers::add(KnownScore score) { keep(scores_, std::move(score)); }
+template <class Holds>
+const SavedFigures* LatestAnswers::find(const Holds& holds) const {
+    const StudySettings& settings = from_.workbench.document().settings();
+    for (auto one = known_.rbegin(); one != known_.rend(); ++one)
+        if (holds(*one) && haveSettings(one->figures, settings, question_)) return &one->figures;
+    return nullptr;
+}
 
 void LatestAnswers::forget() {
-    for (JobSlot* slot : {&scoring_, &comparing_, &reading_}) slot->drop();
-    impacts_.clear();
-    scores_.clear();
+    for (JobSlot* slot : {&scoring_, &comparing_, &reading_, &hashing_}) slot->drop();
+    known_.clear();
+    hashes_.clear();
     read_.clear();
     update();
+    readViewFigures();
 }
 
 void LatestAnswers::update() {
+    question_ = hashQuestion(from_.workbench.document().settings());
     const auto rule = from_.review.rule();
     table_.setAnswers(all(), {baseline(), from_.weights.table().name, rule ? rule->name : std::string()});
     compareStudies();
@@ -101,7 +109,7 @@ std::map<std::string, ScenarioAnswers> LatestAnswers::all() {
         const CityPointer city = cityOf(name);
         if (!city) continue;
         ScenarioAnswers& answers = all[name];
-        answers = {impactOf(city), scoreOf(city), std::nullopt};
+        answers = {impactOf(city), scoreOf(city), std::nullopt, measuredOf(city)};
         if (const auto found = verdicts.find(name); found != verdicts.end()) answers.verdicts = found->second;
     }
     return all;
@@ -109,21 +117,24 @@ std::map<std::string, ScenarioAnswers> LatestAnswers::all() {
 
 std::optional<ScenarioImpact> LatestAnswers::impactOf(const CityPointer& city) {
     const CityPointer before = cityOf(baseline());
-    const auto* known = findNewest(impacts_, [&](const KnownImpact& one) {
-        return one.before == before && one.after == city && one.fits(from_.workbench.document().settings());
-    });
-    if (!known) return std::nullopt;
-    return ScenarioImpact{baseline(), known->figures};
+    const auto* found = find(
+        [&](const Known& one) { return one.figures.impact && one.before == before && one.city == city; });
+    if (!found) return std::nullopt;
+    return ScenarioImpact{baseline(), *found->impact};
 }
 
-std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) {
+std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) const {
     const TimeWeights& weights = from_.weights.table();
-    const auto* known = findNewest(scores_, [&](const KnownScore& one) {
-        return one.city == city && one.weights.intervals == weights.intervals &&
-               one.fits(from_.workbench.document().settings());
+    const auto* found = find([&](const Known& one) {
+        return one.city == city && one.figures.weights && one.figures.weights->intervals == weights.intervals;
     });
-    if (!known) return std::nullopt;
-    return ScenarioScore{weights.name, known->scoreM2};
+    if (!found) return std::nullopt;
+    return ScenarioScore{weights.name, found->score};
+}
+
+std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& city) const {
+    const auto* found = find([&](const Known& one) { return one.city == city && one.figures.measured; });
+    return found ? found->measured : std::nullopt;
 }
 
 std::map<std::string, ScenarioVerdicts> LatestAnswers::verdicts() {
@@ -133,16 +144,71 @@ std::map<std::string, ScenarioVerdicts> LatestAnswers::verdicts() {
 // The workbench emits a comparison only while the cities are those that it compared.
 void LatestAnswers::takeComparison() {
     if (const auto comparison = from_.workbench.comparison())
-        add(KnownImpact{cityOf(comparison->from), cityOf(comparison->to), sameAs(comparison->settings.study),
-                        computeFigures(comparison->study.total, comparison->thresholdsMin.front())});
+        add({cityOf(comparison->to),
+             cityOf(comparison->from),
+             {.question = hashQuestion(comparison->settings.study),
+              .impact = computeFigures(comparison->study.total, comparison->thresholdsMin.front())}});
     update();
 }
 
 void LatestAnswers::takeScore() {
     if (const auto score = from_.workbench.score())
-        add(KnownScore{cityOf(score->scenario), sameAs(score->settings), score->weights,
-                       score->score.scoreM2});
+        add({cityOf(score->scenario),
+             nullptr,
+             {.question = hashQuestion(score->settings),
+              .weights = score->weights,
+              .score = totalsOf(score->score)}});
     update();
+}
+
+std::vector<LatestAnswers::CityPointer> LatestAnswers::cities() {
+    std::vector<CityPointer> cities;
+    for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
+        if (CityPointer city = cityOf(name)) cities.push_back(std::move(city));
+    return cities;
+}
+
+std::string LatestAnswers::hashOf(const CityPointer& city) {
+    std::string& hash = hashes_[city];
+    if (hash.empty()) hash = hashCity(*city);
+    return hash;
+}
+
+// Figures of the studies at hand.
+std::vector<LatestAnswers::Known> LatestAnswers::ofStudies() {
+    std::vector<Known> known;
+    for (const auto& [name, study] : from_.workbench.studies())
+        known.push_back({cityOf(name),
+                         nullptr,
+                         {.question = hashQuestion(study->settings), .measured = study->statistics}});
+    return known;
+}
+
+std::string LatestAnswers::figuresInView() const {
+    const auto& view = from_.workbench.session().project().view;
+    const auto text = view.find(viewFiguresKey);
+    return text == view.end() ? std::string() : text->second;
+}
+
+// Of the cities of scenarios as they are now; the others cannot come back in another session. The newest of
+// each kind.
+std::string LatestAnswers::figuresToSave() {
+    if (hashing_.busy()) return figuresInView();
+    std::vector<Known> all = known_;
+    for (Known& one : ofStudies()) all.push_back(std::move(one));
+    const std::vector<CityPointer> now = cities();
+    const auto isNow = [&](const CityPointer& city) { return std::ranges::find(now, city) != now.end(); };
+    std::erase_if(hashes_, [&](const auto& one) { return !isNow(one.first); });
+    std::vector<ViewFigures> saved;
+    for (auto one = all.rbegin(); one != all.rend(); ++one) {
+        if (one->figures.question.empty() || !isNow(one->city) || (one->before && !isNow(one->before)))
+            continue;
+        ViewFigures next{hashOf(one->city), one->before ? hashOf(one->before) : std::string(), one->figures};
+        if (std::ranges::none_of(saved, [&](const ViewFigures& newer) { return replaces(newer, next); }))
+            saved.push_back(std::move(next));
+    }
+    std::ranges::reverse(saved);
+    return saved.empty() ? std::string() : formatText(saved);
 }
 
 void LatestAnswers::reviewAll() { from_.windows.applies() ? from_.windows.runAll() : from_.review.runAll(); }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <set>
 
@@ -16,9 +15,9 @@ class WeightsModel;
 class WindowSession;
 class Workbench;
 
-/// The latest impact, score and verdicts of each scenario, from what the window computed and from the
-/// project's saved results. Only those count whose buildings, settings, weights, rule and places are as they
-/// are now. Fills a ScenarioTable.
+/// The latest figures, impact, score and verdicts of each scenario, from what the window computed, from the
+/// project's saved results, and from the figures that were saved with its view. Only those count whose
+/// buildings, settings, weights, rule and places are as they are now. Fills a ScenarioTable.
 class LatestAnswers final : public QObject {
     Q_OBJECT
 public:
@@ -33,55 +32,63 @@ public:
 
     [[nodiscard]] std::map<std::string, ScenarioAnswers> all();
 
+    /// The figures of the present scenarios as text, to be saved with the project's view (viewFiguresKey);
+    /// empty if there are none. Costs a hash of each city whose figures are new.
+    [[nodiscard]] std::string figuresToSave();
+
     /// Computes the scores that all() lacks, with the chosen weights.
     void scoreAll();
     /// Reviews, by the chosen rule, the scenarios whose verdicts all() lacks.
     void reviewAll();
 
     [[nodiscard]] JobSlot& scoring() { return scoring_; }
-    [[nodiscard]] bool busy() const { return scoring_.busy() || comparing_.busy() || reading_.busy(); }
+    [[nodiscard]] bool busy() const {
+        return scoring_.busy() || comparing_.busy() || reading_.busy() || hashing_.busy();
+    }
 
 Q_SIGNALS:
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
 
 private:
     using CityPointer = std::shared_ptr<const City>;
-    using Fits = std::function<bool(const StudySettings&)>;
-    struct KnownImpact {
-        CityPointer before, after;
-        Fits fits;
-        ImpactFigures figures;
-    };
-    struct KnownScore {
+    struct Known {
         CityPointer city;
-        Fits fits;
-        TimeWeights weights;
-        double scoreM2 = 0;
+        CityPointer before;  ///< of a comparison
+        SavedFigures figures;
     };
-    static Fits sameAs(const StudySettings& settings);
     void update();
     void forget();
     void takeComparison();
     void takeScore();
     void compareStudies();
     void readSaved();
-    void takeSaved(const SavedFigures& saved, const CityPointer& city, const CityPointer& before);
-    void add(KnownImpact impact);
-    void add(KnownScore score);
+    [[nodiscard]] std::string figuresInView() const;
+    void readViewFigures();
+    void addViewFigures(const std::vector<ViewFigures>& saved);
+    void add(Known known);
+    /// The newest that fits the settings as they are now.
+    template <class Holds>
+    [[nodiscard]] const SavedFigures* find(const Holds& holds) const;
+    [[nodiscard]] std::vector<CityPointer> cities();
+    [[nodiscard]] std::string hashOf(const CityPointer& city);
+    [[nodiscard]] std::vector<Known> ofStudies();
+    [[nodiscard]] std::optional<ShadowStatistics> measuredOf(const CityPointer& city) const;
     [[nodiscard]] CityPointer cityOf(const std::string& scenario);
     [[nodiscard]] std::string baseline() const;
     [[nodiscard]] std::optional<ScenarioImpact> impactOf(const CityPointer& city);
-    [[nodiscard]] std::optional<ScenarioScore> scoreOf(const CityPointer& city);
+    [[nodiscard]] std::optional<ScenarioScore> scoreOf(const CityPointer& city) const;
     [[nodiscard]] std::map<std::string, ScenarioVerdicts> verdicts();
 
     Sources from_;
     ScenarioTable& table_;
-    std::vector<KnownImpact> impacts_;  // oldest first
-    std::vector<KnownScore> scores_;    // likewise
+    std::vector<Known> known_;                   // oldest first
+    std::map<CityPointer, std::string> hashes_;  // hashCity()
+    std::string question_;                       // hash of the settings as they are now
     std::set<std::shared_ptr<const SavedResult>> read_;
     JobSlot scoring_;
     JobSlot comparing_;
     JobSlot reading_;
+    JobSlot hashing_;
 };
 
 }  // namespace noonmark

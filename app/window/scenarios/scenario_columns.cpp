@@ -40,10 +40,16 @@ constexpr Heading headings[] = {
      QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
                        "Change of the shadow area from the chosen baseline, else from the existing city, on "
                        "the receivers of both")},
+    {"weighted_shade", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Weighted shade, m² h"),
+     QT_TRANSLATE_NOOP(
+         "noonmark::ScenarioTable",
+         "Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted "
+         "shade outweighs unwanted shadow. How the table is cut does not change it")},
     {"score", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Score, %1"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Shadow weighted by the table that the dock Weights shows: above 0, wanted shade "
-                       "outweighs unwanted shadow")},
+     QT_TRANSLATE_NOOP(
+         "noonmark::ScenarioTable",
+         "The paper's score: the sum of weight × share of each interval's sunlit time in shadow × "
+         "area. An interval that is cut in two counts twice")},
     {"verdicts", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Verdicts"),
      QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
                        "By the rule and the baseline that the dock Review shows; sorted by the number that "
@@ -79,6 +85,8 @@ QString numberText(double value, ScenarioTable::Column column) {
         case ScenarioTable::impact:
         case ScenarioTable::score:
             return signedAreaNumber(value);
+        case ScenarioTable::weightedShade:
+            return (value > 0 ? QStringLiteral("+") : QString()) + formatAmount(value, 0);
         default:
             return formatAmount(value, column == ScenarioTable::changes ? 0 : 1);
     }

@@ -2,6 +2,7 @@
 
 #include <QFont>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "app/window/project/project_session.h"
@@ -103,7 +104,9 @@ int ScenarioTable::columnCount(const QModelIndex& parent) const { return parent.
 QVariant ScenarioTable::answerAt(const Row& row, int column) const {
     const ScenarioAnswers answers = answersOf(row);
     if (column == impact && answers.impact) return answers.impact->figures.shadowAreaChangeM2;
-    if (column == score && answers.score) return answers.score->scoreM2;
+    if (column == score && answers.score) return answers.score->totals.scoreM2;
+    if (column == weightedShade && answers.score && !std::isnan(answers.score->totals.weightedShadeM2h))
+        return answers.score->totals.weightedShadeM2h;
     if (column == verdicts && answers.verdicts) return rankOf(answers.verdicts->counts);
     return {};
 }
@@ -114,16 +117,21 @@ QVariant ScenarioTable::valueAt(const Row& row, int column) const {
     if (column == height) return orNone(row.heightM);
     if (column == floorArea || column == uses) return orNone(sumFloorAreaM2(row.uses));
     if (isOfAnswers(column)) return answerAt(row, column);
+    const auto measured = measuredOf(row);
+    return measured ? figureAt(*measured, column) : QVariant();
+}
+
+// Of the study at hand, or else of an earlier one.
+std::optional<ShadowStatistics> ScenarioTable::measuredOf(const Row& row) const {
     const auto study = studies_.find(row.scenario);
-    return study == studies_.end() ? QVariant() : figureAt(study->second->statistics, column);
+    return study == studies_.end() ? answersOf(row).measured : study->second->statistics;
 }
 
 QString ScenarioTable::textAt(const Row& row, int column) const {
     const QVariant value = valueAt(row, column);
     if (column == scenario) return value.toString();
     if (column == uses) return describeUses(row.uses);
-    if (column == continuous && !value.isValid() && studies_.contains(row.scenario))
-        return QObject::tr("not counted");
+    if (column == continuous && !value.isValid() && measuredOf(row)) return QObject::tr("not counted");
     if (!value.isValid()) return {};
     if (column == verdicts) return describeCounts(answersOf(row).verdicts->counts);
     return numberText(value.toDouble(), Column(column));
@@ -132,15 +140,17 @@ QString ScenarioTable::textAt(const Row& row, int column) const {
 QString ScenarioTable::tipAt(const Row& row, int column) const {
     if (column == floorArea || column == uses) return describeUseLines(row.uses);
     if (column == height && !row.heightM) return tr("The scenario adds no building");
-    if (isOfStudy(column) && !studies_.contains(row.scenario))
+    if (isOfStudy(column) && !measuredOf(row))
         return tr("Not computed with the current settings: press Measure all");
+    if (isOfStudy(column) && !studies_.contains(row.scenario))
+        return tr("Measured earlier and saved with the project: press Measure all for the maps");
     return isOfAnswers(column) ? tipOfAnswer(row, column) : QString();
 }
 
 // What the figure belongs to or, where there is none for the scenario as it is now, how to get it.
 QString ScenarioTable::tipOfAnswer(const Row& row, int column) const {
     const ScenarioAnswers answers = answersOf(row);
-    if (column == score)
+    if (column == score || column == weightedShade)
         return answers.score
                    ? tr("With the weights %1").arg(named(answers.score->weights))
                    : tr("Not computed with these settings and the weights %1 since buildings last changed: "

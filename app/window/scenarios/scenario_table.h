@@ -29,6 +29,7 @@ public:
         gross,
         continuous,
         impact,
+        weightedShade,
         score,
         verdicts,
         uses,
@@ -47,7 +48,7 @@ public:
     struct Basis {
         std::string baseline, weights, rule;
     };
-    /// By scenario. Only what is up to date.
+    /// By scenario. Only what is up to date; figures of earlier studies count where setStudies() gave none.
     void setAnswers(std::map<std::string, ScenarioAnswers> answers, const Basis& basis);
 
     [[nodiscard]] std::string scenarioAt(int row) const;
@@ -73,6 +74,7 @@ private:
     [[nodiscard]] QString tipAt(const Row& row, int column) const;
     [[nodiscard]] QString tipOfAnswer(const Row& row, int column) const;
     [[nodiscard]] ScenarioAnswers answersOf(const Row& row) const;
+    [[nodiscard]] std::optional<ShadowStatistics> measuredOf(const Row& row) const;
     void showAgain();
 
     ProjectSession& session_;

@@ -28,12 +28,15 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
       refusal_(new QLabel),
       score_(pushButton(tr("Compute score"), "score",
                         tr("Shadow of the displayed scenario over the study's region and period, weighted by "
-                           "this table: by month and as a map"))) {
+                           "this table: by month and as a map"))),
+      note_(new QLabel(tr("Cutting an interval in two changes the score, but not the weighted shade."))) {
     tables_->setObjectName(QStringLiteral("weightTables"));
     tables_->setToolTip(
         tr("The weight table to edit and to compute scores with; rename it with F2 in the project tree"));
     refusal_->setObjectName(QStringLiteral("refusal"));
     refusal_->setWordWrap(true);
+    note_->setWordWrap(true);
+    note_->setEnabled(false);  // in the quiet colour of the theme
     showAsError(*refusal_);
     makeView();
     auto* column = new QVBoxLayout(this);
@@ -41,6 +44,7 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     column->addWidget(tables_);
     column->addWidget(view_, 1);
     column->addWidget(refusal_);
+    column->addWidget(note_);
     column->addWidget(makeButtons());
     column->addWidget(score_);
     connect(tables_, &QComboBox::currentTextChanged, this,

@@ -45,6 +45,7 @@ private:
     QTableView* view_;
     QLabel* refusal_;
     QPushButton* score_;
+    QLabel* note_;
 };
 
 }  // namespace noonmark

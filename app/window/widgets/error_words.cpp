@@ -36,7 +36,6 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Build it, then run the review"),
     QT_TRANSLATE_NOOP("Error", "There is no review to export"),
     QT_TRANSLATE_NOOP("Error", "Press Run review first"),
-    QT_TRANSLATE_NOOP("Error", "The sun is below the horizon in all hours of the rule"),
     QT_TRANSLATE_NOOP("Error", "Check place and year"),
     QT_TRANSLATE_NOOP("Error", "The sides of the lot cross each other"),
     QT_TRANSLATE_NOOP("Error", "Draw the corners in order around the lot"),

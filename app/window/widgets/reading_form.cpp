@@ -57,6 +57,15 @@ void ReadingForm::makeFields() {
     terrainFromBases_->addItem(tr("if neighbours' ground heights differ"), int(TerrainFromBases::automatic));
     terrainFromBases_->addItem(tr("always"), int(TerrainFromBases::always));
     terrainFromBases_->addItem(tr("never (flat ground)"), int(TerrainFromBases::never));
+    stand_ = new QComboBox;
+    stand_->addItem(tr("as their bases fit the terrain"), int(Stand::automatic));
+    stand_->addItem(tr("each set down on the terrain"), int(Stand::terrain));
+    stand_->addItem(tr("at the elevations in the file"), int(Stand::absolute));
+    terrainShows_ = new QComboBox;
+    terrainShows_->addItem(tr("found by its steps at outlines"), int(TerrainShows::automatic));
+    terrainShows_->addItem(tr("the bare ground"), int(TerrainShows::ground));
+    terrainShows_->addItem(tr("a surface with buildings"), int(TerrainShows::surface));
+    heightsFromSurface_ = new QCheckBox(tr("Missing heights from the surface model"));
     upAxis_ = upAxisField();
     meshUnit_ = meshUnitField();
     meshNorth_ = numberField(-360, 360, 4, 1, tr("°"));
@@ -86,6 +95,9 @@ QGroupBox* ReadingForm::makeData() {
     form->addRow(tr("Level of detail"), lod_);
     form->addRow(tr("Maximum distance"), farAway_);
     form->addRow(tr("Terrain from building bases"), terrainFromBases_);
+    form->addRow(tr("Buildings stand"), stand_);
+    form->addRow(tr("Terrain shows"), terrainShows_);
+    form->addRow(QString(), heightsFromSurface_);
     return group;
 }
 
@@ -129,6 +141,15 @@ void ReadingForm::tell() {
     add(terrainFromBases_, "terrainFromBases",
         tr("If no terrain is read: derive it from the buildings' ground elevations.\nDefault: if more than "
            "one in twenty pairs of neighbours differ by more than 1 m in height."));
+    add(stand_, "stand",
+        tr("Where buildings stand whose file states their elevations.\nDefault: they are shifted by a gap "
+           "that "
+           "is the same for all, or set down where their bases do not follow the terrain."));
+    add(terrainShows_, "terrainShows",
+        tr("A surface model shows the roofs of buildings, which would count twice: the ground around them is "
+           "used instead."));
+    add(heightsFromSurface_, "heightsFromSurface",
+        tr("Buildings without a height get that of the surface model above the ground."));
     add(metresPerLevel_, "metresPerLevel",
         tr("For buildings with known storeys but no height, metres, 2 to 6"));
     add(defaultHeight_, "defaultHeight",
@@ -176,6 +197,9 @@ ReadSettings ReadingForm::settings() const {
     settings.lod = textIn(*lod_);
     settings.farAwayM = farAway_->value();
     settings.terrainFromBases = TerrainFromBases(terrainFromBases_->currentData().toInt());
+    settings.stand = Stand(stand_->currentData().toInt());
+    settings.terrainShows = TerrainShows(terrainShows_->currentData().toInt());
+    settings.heightsFromSurface = heightsFromSurface_->isChecked();
     settings.upAxis = UpAxis(upAxis_->currentData().toInt());
     settings.meshUnit = LengthUnit(meshUnit_->currentData().toInt());
     settings.meshNorthDeg = meshNorth_->value();
@@ -194,6 +218,9 @@ void ReadingForm::show(const ReadSettings& settings) {
     showText(*lod_, settings.lod);
     farAway_->setValue(settings.farAwayM);
     choose(*terrainFromBases_, int(settings.terrainFromBases));
+    choose(*stand_, int(settings.stand));
+    choose(*terrainShows_, int(settings.terrainShows));
+    heightsFromSurface_->setChecked(settings.heightsFromSurface);
     choose(*upAxis_, int(settings.upAxis));
     choose(*meshUnit_, int(settings.meshUnit));
     meshNorth_->setValue(settings.meshNorthDeg);

@@ -42,6 +42,9 @@ private:
     QLineEdit* lod_;
     QDoubleSpinBox* farAway_;
     QComboBox* terrainFromBases_;
+    QComboBox* stand_;
+    QComboBox* terrainShows_;
+    QCheckBox* heightsFromSurface_;
     QComboBox* upAxis_;
     QComboBox* meshUnit_;
     QDoubleSpinBox* meshNorth_;

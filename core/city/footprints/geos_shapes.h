@@ -13,7 +13,8 @@ struct GEOSContextHandle_HS;
 
 namespace noonmark {
 
-/// A GEOS context that suppresses messages; failures are null pointers. Cheap to make; not thread-safe.
+/// A GEOS context that suppresses messages; failures are null pointers, also after a stop request to this
+/// thread's StopScope. Cheap to make; not thread-safe.
 /// Backend of this whole file: geos_shapes_geos.cpp.
 class Geos {
 public:
@@ -54,16 +55,18 @@ Geos::Geometry uniteGeometry(const Geos& geos, const Geos::Geometry& polygons);
 /// `whole` minus `cover`; null if GEOS fails even on a grid of 1 mm, or if an argument is null.
 Geos::Geometry subtractGeometry(const Geos& geos, const Geos::Geometry& whole, const Geos::Geometry& cover);
 
+/// Smaller polygons are not pieces of a building, m2.
+inline constexpr double sliverAreaM2 = 0.01;
+
 /// Every polygon in a geometry, oriented. Points that coincide in float32 are merged. Polygons and holes
-/// under 0.01 m2 are dropped; `sliver`, if given, is then set to true.
-std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver = nullptr);
+/// under `leastM2` are dropped; `sliver`, if given, is then set to true.
+std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver = nullptr,
+                                  double leastM2 = sliverAreaM2);
 
 /// Square metres; 0 for null.
 double computeArea(const Geos& geos, const Geos::Geometry& geometry);
 
 /// Precision grid of overlays, metres: finer than any survey, coarse enough to remove rounding errors.
 inline constexpr double overlayGridM = 0.001;
-/// Smaller polygons are not pieces of a building, m2.
-inline constexpr double sliverAreaM2 = 0.01;
 
 }  // namespace noonmark

@@ -3,12 +3,34 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/geos_shapes.h"
 
 namespace noonmark {
 
-Geos::Geos() : context_(GEOS_init_r()) {}
+namespace {
+
+struct GeosStopped : std::runtime_error {
+    GeosStopped() : std::runtime_error("stopped") {}
+};
+
+// GEOS calls this in its long loops. Its own way to interrupt is a flag of the whole process, which another
+// thread could answer; an exception ends the operation of this thread, and GEOS returns a null pointer.
+void throwIfStopped() {
+    if (StopScope::isStopped()) throw GeosStopped();
+}
+
+GEOSContextHandle_t makeContext() {
+    static const auto before = GEOS_interruptRegisterCallback(throwIfStopped);
+    (void)before;
+    return GEOS_init_r();
+}
+
+}  // namespace
+
+Geos::Geos() : context_(makeContext()) {}
 Geos::~Geos() { GEOS_finish_r(context_); }
 void Geos::Destroy::operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
 
@@ -49,7 +71,7 @@ Ring parseRing(const Geos& geos, const GEOSGeometry* geometry, bool counterClock
 /// Collects the polygons of a geometry.
 class PolygonCollector {
 public:
-    explicit PolygonCollector(const Geos& geos) : geos_(geos) {}
+    PolygonCollector(const Geos& geos, double leastM2) : geos_(geos), leastM2_(leastM2) {}
 
     void collect(const GEOSGeometry* geometry) {
         if (geometry == nullptr) return;
@@ -74,12 +96,13 @@ private:
     }
 
     bool left(const Ring& ring) {
-        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < sliverAreaM2;
+        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < leastM2_;
         sliver = sliver || small;
         return small;
     }
 
     const Geos& geos_;
+    double leastM2_;
 };
 
 }  // namespace
@@ -131,8 +154,9 @@ Geos::Geometry subtractGeometry(const Geos& geos, const Geos::Geometry& whole, c
                 : geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM));
 }
 
-std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver) {
-    PolygonCollector collector(geos);
+std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver,
+                                  double leastM2) {
+    PolygonCollector collector(geos, leastM2);
     collector.collect(geometry.get());
     if (sliver != nullptr) *sliver = collector.sliver;
     return std::move(collector.footprints);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@ namespace noonmark {
 
 /// A ring as read from a file, local metres, closed or not.
 using RawRing = std::vector<glm::dvec2>;
+
+/// No building, place or region has an outline of more points, holes included; readers refuse it, since its
+/// repair would take seconds to minutes.
+inline constexpr std::size_t mostOutlinePoints = 100'000;
 
 /// The outcome of repairing a polygon.
 struct RepairedFootprint {

@@ -3,12 +3,15 @@
 #include <geos_c.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <memory>
 #include <numeric>
+#include <set>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/plan_lines.h"
 #include "core/city/footprints/plan_overlay.h"
@@ -20,15 +23,33 @@ namespace {
 
 using Geometry = Geos::Geometry;
 
+// Of large meshes: triangles that come again add nothing to a union, but GEOS would take minutes for a
+// million.
+class RepeatedTriangles {
+public:
+    explicit RepeatedTriangles(std::size_t triangles) : isLarge_(triangles > 10'000) {}
+    bool holds(const Ring& ring) {
+        return isLarge_ &&
+               !known_.insert({ring[0].x, ring[0].y, ring[1].x, ring[1].y, ring[2].x, ring[2].y}).second;
+    }
+
+private:
+    bool isLarge_;
+    std::set<std::array<float, 6>> known_;
+};
+
 // The projections of the relevant triangles, as polygons in plan.
 std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpward) {
     constexpr double leastTriangleM2 = 1e-6;
     std::vector<Footprint> triangles;
+    RepeatedTriangles repeated(mesh.triangles.size());
     for (const glm::uvec3 t : mesh.triangles) {
+        if (StopScope::isStopped()) return {};
         Ring ring{glm::vec2(mesh.vertices[t.x]), glm::vec2(mesh.vertices[t.y]),
                   glm::vec2(mesh.vertices[t.z])};
         const double area = signedArea(ring);
         if (area < (onlyUpward ? leastTriangleM2 : -1e30) || std::abs(area) < leastTriangleM2) continue;
+        if (repeated.holds(ring)) continue;
         triangles.push_back({std::move(ring), {}});
     }
     return triangles;
@@ -65,9 +86,13 @@ std::vector<WallTrace> lowWallTraces(const TriangleMesh& mesh, float aboveM) {
     return traces;
 }
 
+// Each line once: equal walls above one another are one in plan.
 std::vector<PlanLine> linesOf(const std::vector<WallTrace>& traces) {
     std::vector<PlanLine> lines;
-    for (const WallTrace& trace : traces) lines.push_back({trace.a, trace.b});
+    std::set<std::array<double, 4>> known;
+    for (const WallTrace& trace : traces)
+        if (known.insert({trace.a.x, trace.a.y, trace.b.x, trace.b.y}).second)
+            lines.push_back({trace.a, trace.b});
     return lines;
 }
 

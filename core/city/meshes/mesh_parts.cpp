@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "core/base/stop_scope.h"
+#include "core/city/meshes/mesh_eaves.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
@@ -68,7 +70,6 @@ Part cutInterval(TriangleMesh mesh, Footprint footprint, const std::string& sour
     Part part{
         .sourceId = sourceId, .footprint = std::move(footprint), .bottomM = box.low.z, .topM = box.high.z};
     part.heightSource = HeightSource::mesh;
-    part.isOverhanging = hasOpenAirBelow(mesh);
     part.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
     return part;
 }
@@ -148,6 +149,7 @@ public:
 
     MeshParts make(const TriangleMesh& raw) {
         TriangleMesh mesh = cleaned(raw);
+        if (StopScope::isStopped()) return std::move(made_);
         if (mesh.triangles.empty()) {
             warn(WarningKind::dropped, "has no area, so it casts no shadow");
             return std::move(made_);
@@ -183,6 +185,7 @@ private:
             warn(WarningKind::repaired, "its surface is not closed; it is used unchanged");
         if (turnOutward(mesh) > 0) warn(WarningKind::repaired, "its faces pointed inward and were turned");
         MeshOutline outline = computeOutline(mesh, closed_);
+        if (StopScope::isStopped()) return;
         if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
         if (outline.wallsOnly && area(outline.pieces.front()) > 1)
             warn(WarningKind::assumed, "walls without a roof; the ground that they enclose counts as inside");
@@ -195,11 +198,37 @@ private:
     void addPiece(TriangleMesh mesh, Footprint footprint, float lowM) {
         if (mesh.triangles.empty()) return;
         if (!isLevel(mesh))
-            made_.parts.push_back(cutInterval(std::move(mesh), std::move(footprint), sourceId_));
+            addUneven(std::move(mesh), std::move(footprint));
         else if (computeBox(mesh).high.z > lowM + levelSheetM)
             made_.parts.push_back(slabOf(mesh, std::move(footprint), sourceId_));
         else
             warn(WarningKind::leftOut, "a level piece at its foot was taken as ground");
+    }
+
+    // Eaves let the sun in below them; the house that they belong to does not.
+    void addUneven(TriangleMesh mesh, Footprint footprint) {
+        const bool isOverhanging = hasOpenAirBelow(mesh);
+        auto cut = closed_ || isOverhanging ? std::nullopt : cutEaves(mesh);
+        if (!cut) return addInterval(std::move(mesh), std::move(footprint), isOverhanging);
+        addPieces(std::move(cut->body), false);
+        addPieces(std::move(cut->eaves), true);
+    }
+
+    void addPieces(TriangleMesh mesh, bool isOverhanging) {
+        std::vector<Footprint> pieces = computeOutline(mesh, false).pieces;
+        if (pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
+        std::vector<TriangleMesh> meshes = splitByPiece(std::move(mesh), pieces);
+        for (std::size_t i = 0; i < meshes.size(); ++i)
+            if (!meshes[i].triangles.empty())
+                addInterval(std::move(meshes[i]), std::move(pieces[i]), isOverhanging);
+    }
+
+    void addInterval(TriangleMesh mesh, Footprint footprint, bool isOverhanging) {
+        if (isLevel(mesh))
+            made_.parts.push_back(slabOf(mesh, std::move(footprint), sourceId_));
+        else
+            made_.parts.push_back(cutInterval(std::move(mesh), std::move(footprint), sourceId_));
+        made_.parts.back().isOverhanging = isOverhanging;
     }
 
     const std::string& sourceId_;

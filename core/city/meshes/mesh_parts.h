@@ -32,8 +32,9 @@ struct MeshParts {
 /// dropped, faces turned outward, and the outline computed. A mesh that is not closed is used, with a
 /// warning. `where` names the mesh in warnings. A level sheet becomes a slab, levelSheetM thick, and casts a
 /// shadow like every other part; an upright sheet keeps its faces, and its footprint is a strip. A level
-/// piece at the foot of others is their ground and is left out. Whether a whole part is an overhang: see
-/// markOverhangs.
+/// piece at the foot of others is their ground and is left out. A roof that overhangs its walls as a sheet is
+/// cut along them (mesh_eaves.h): what is outside becomes parts of its own, which are overhangs. Whether a
+/// whole part is an overhang: see markOverhangs.
 MeshParts partsOf(const TriangleMesh& mesh, const std::string& sourceId, const std::string& where);
 
 /// Marks a part as an overhang if its whole underside is more than openAirM above `groundM(x, y)` and lower

@@ -23,10 +23,14 @@ void addIfUnderside(const TriangleMesh& mesh, glm::uvec3 triangle, float highest
 
 }  // namespace
 
+bool reachesGround(const Part& part, float groundM) {
+    return !part.isOverhanging || (part.mesh != nullptr && part.bottomM <= groundM + nearGroundM);
+}
+
 std::vector<Footprint> findGroundContact(const Part& part, float groundM) {
     if (!part.isOverhanging) return {part.footprint};
+    if (!reachesGround(part, groundM)) return {};
     const float highestM = groundM + nearGroundM;
-    if (!part.mesh || part.bottomM > highestM) return {};
     std::vector<Footprint> contact;
     for (const glm::uvec3 triangle : part.mesh->triangles)
         addIfUnderside(*part.mesh, triangle, highestM, contact);

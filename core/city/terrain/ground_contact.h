@@ -14,4 +14,8 @@ namespace noonmark {
 /// wall of a shelter); else the whole footprint. `groundM`: local z.
 std::vector<Footprint> findGroundContact(const Part& part, float groundM);
 
+/// Whether a part stands on the ground: it is no overhang, or a mesh with open air below some of it (eaves, a
+/// twisted volume) that reaches down to within 0.5 m of the ground. O(1).
+bool reachesGround(const Part& part, float groundM);
+
 }  // namespace noonmark

@@ -32,7 +32,9 @@ struct TerrainSource {
     double heightMaxM = 0;
     std::size_t filled = 0;      ///< posts without elevation in the source, filled from the nearest post
     std::size_t impossible = 0;  ///< how many of them had an impossible elevation
-    bool cut = false;            ///< areas far from the city were left out
+    /// Posts of a surface model that showed buildings or trees and got the elevation of the ground around
+    std::size_t underBuildings = 0;
+    bool cut = false;  ///< areas far from the city were left out
 
     bool operator==(const TerrainSource&) const = default;
 };

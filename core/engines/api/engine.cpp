@@ -53,6 +53,13 @@ std::optional<EngineChoice> Engine::chooseInstead(const EngineChoice& /*failed*/
     return std::nullopt;
 }
 
+std::optional<EngineChoice> Engine::chooseCloser(const EngineChoice& /*used*/, const SampledOff& /*off*/,
+                                                 std::span<const City* const> /*cities*/,
+                                                 const Receivers& /*receivers*/,
+                                                 const SunSteps& /*sun*/) const {
+    return std::nullopt;
+}
+
 Result<ShadowBreakdown> Engine::computeBreakdown(const City& /*city*/, const Receivers& /*receivers*/,
                                                  const SunSteps& /*sun*/, const StepSets& /*sets*/,
                                                  bool /*byBuilding*/, Progress& /*progress*/,

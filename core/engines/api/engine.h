@@ -22,6 +22,12 @@ namespace noonmark {
 
 struct EngineChoice;
 
+/// How far a sample of a field's cells is off from the ray reference, percent of the period.
+struct SampledOff {
+    double meanPct = 0;
+    double standardErrorPct = 0;  ///< of the mean, from the spread of the sample
+};
+
 /// Takes the masks of one day, one entry a city, which it may move away. `day`: index in SunSteps::days. An
 /// error ends the computation and is returned from it.
 using TakeDay = std::function<Result<void>(std::size_t day, std::span<StepMasks> ofCities)>;
@@ -75,6 +81,12 @@ public:
     /// What is chosen where the choice failed with this error; none: the error stands.
     [[nodiscard]] virtual std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
                                                                     const Error& error) const;
+    /// What is chosen where a sample of the choice's field is so far off; none: that is what it aims at.
+    [[nodiscard]] virtual std::optional<EngineChoice> chooseCloser(const EngineChoice& used,
+                                                                   const SampledOff& off,
+                                                                   std::span<const City* const> cities,
+                                                                   const Receivers& receivers,
+                                                                   const SunSteps& sun) const;
 
 protected:
     [[nodiscard]] virtual Result<ShadowField> compute(const City& city, const Receivers& receivers,

@@ -45,10 +45,8 @@ EngineOption checkOption() {
         .usual = 0,
         .kind = OptionKind::yesNo,
         .about =
-            "Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few "
-            "minutes too, in several times the time; without it, rays decide only what neighbouring bins "
-            "leave "
-            "in doubt"};
+            "Rays look at every step of every longest run, so that a gap between two walls in one line is "
+            "found too; without it, they look at what neighbouring bins leave in doubt"};
 }
 
 double valueOf(const EngineSettings& settings, const EngineOption& option) {

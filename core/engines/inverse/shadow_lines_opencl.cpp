@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/base/private_folder.h"
+#include "core/base/process.h"
 #include "generated/shadow_lines_cl.h"
 
 namespace noonmark {
@@ -33,9 +35,10 @@ bool isGpu(const cl::Device& device) { return device.getInfo<CL_DEVICE_TYPE>() =
 void giveKernelCacheAHome() {
     if (std::getenv("POCL_CACHE_DIR") != nullptr) return;
     std::error_code error;
-    const auto folder = std::filesystem::temp_directory_path(error) / "noonmark-kernels";
-    if (!error) std::filesystem::create_directories(folder, error);
-    if (!error) ::setenv("POCL_CACHE_DIR", folder.c_str(), 0);
+    const auto folder =
+        std::filesystem::temp_directory_path(error) / fmt::format("noonmark-kernels-{}", userId());
+    // Kernels are programs: nobody else may put one there.
+    if (!error && makeOwnFolder(folder)) ::setenv("POCL_CACHE_DIR", folder.c_str(), 0);
 }
 
 std::vector<cl::Device> allDevices() {

@@ -6,11 +6,46 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
 #include "core/base/stopwatch.h"
 #include "core/engines/points/horizons/horizon_of_point.h"
+#include "core/engines/points/horizons/point_runs.h"
 
 namespace noonmark {
+
+namespace {
+
+/// The horizons of one thread's points, and the rays that decide their runs.
+class PointSweep {
+public:
+    PointSweep(const HorizonScene& scene, const std::optional<RayScene>& rays, const SunSteps& sun)
+        : horizon_(scene), rays_(rays), sun_(sun) {
+        if (rays) search_.emplace(*scene.track, scene.suns);
+    }
+
+    [[nodiscard]] SunBins::Months sweep(glm::vec3 position, glm::vec3 normal) {
+        horizon_.sweep(position, normal);
+        return horizon_.countSunlit();
+    }
+
+    /// Of the point that was swept last. Adds to the number of rays.
+    [[nodiscard]] PointRuns runs(glm::vec3 position, glm::vec3 normal, std::atomic<std::uint64_t>& rays) {
+        if (!rays_) return horizon_.countRuns();
+        const PointRunRays own(*rays_, sun_, position, normal);
+        const PointRuns runs = search_->decide(horizon_.horizon(), own);
+        rays += own.rays();
+        return runs;
+    }
+
+private:
+    HorizonOfPoint horizon_;
+    const std::optional<RayScene>& rays_;
+    const SunSteps& sun_;
+    std::optional<PointRunSearch> search_;
+};
+
+}  // namespace
 
 Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop,
@@ -26,25 +61,32 @@ Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, c
     const HorizonScene scene(city, sun, settings.runs);
     if (settings.runs)
         result.longestShadowMin.resize(points.size()), result.longestSunMin.resize(points.size());
+    std::optional<RayScene> rayScene;
+    if (settings.runs && settings.decidesRuns) {
+        auto made = RayScene::over(city, stop);
+        if (!made) return tl::make_unexpected(made.error());
+        rayScene = *std::move(made);
+    }
     result.cost.seconds["build"] = build.seconds();
-    const Stopwatch sweep;
+    const Stopwatch watch;
     std::atomic<std::size_t> done{0};
+    std::atomic<std::uint64_t> rays{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
-        HorizonOfPoint horizon(scene);
+        PointSweep sweep(scene, rayScene, sun);
         for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i) {
-            horizon.sweep(points.positions[i], points.normals[i]);
-            const SunBins::Months months = horizon.countSunlit();
+            const SunBins::Months months = sweep.sweep(points.positions[i], points.normals[i]);
             for (std::size_t month = 0; month < 12; ++month)
                 result.sunlitMin[i][month] = float(double(months[month]) * sun.stepMinutes);
             if (!settings.runs) continue;
-            const PointRuns runs = horizon.countRuns();
+            const PointRuns runs = sweep.runs(points.positions[i], points.normals[i], rays);
             result.longestShadowMin[i] = float(runs.shadow * sun.stepMinutes);
             result.longestSunMin[i] = float(runs.sun * sun.stepMinutes);
         }
         progress.report(double(done += range.size()) / double(points.size()), "sweeping horizons of points");
     });
     if (stop.stop_requested()) return cancelled();
-    result.cost.seconds["sweep"] = sweep.seconds();
+    result.cost.seconds["sweep"] = watch.seconds();
+    result.cost.rays = rays;
     result.cost.buildingsUsed = std::uint32_t(city.buildings.size());
     return result;
 }

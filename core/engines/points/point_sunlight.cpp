@@ -13,9 +13,20 @@ namespace noonmark {
 
 namespace {
 
-Instant endOf(const SunStep& step, const SunSteps& sun) {
-    return step.at + std::chrono::round<std::chrono::milliseconds>(
-                         std::chrono::duration<double, std::ratio<60>>(sun.stepMinutes));
+std::chrono::milliseconds lengthOf(double stepMinutes) {
+    return std::chrono::round<std::chrono::milliseconds>(
+        std::chrono::duration<double, std::ratio<60>>(stepMinutes));
+}
+
+Instant endOf(const SunStep& step, const SunSteps& sun) { return step.at + lengthOf(sun.stepMinutes); }
+
+// The first instant in the dark between a lit and a dark one, in either order of time.
+Instant findChange(Instant lit, Instant dark, const std::function<bool(Instant)>& isLit) {
+    while (std::chrono::abs(lit - dark) > std::chrono::milliseconds(100)) {
+        const Instant middle = lit + (dark - lit) / 2;
+        (isLit(middle) ? lit : dark) = middle;
+    }
+    return lit;
 }
 
 }  // namespace
@@ -56,6 +67,15 @@ std::vector<SunBand> findSunBands(const ShadedSteps& shaded, const SunSteps& sun
         slotBefore = step.slot;
     }
     return bands;
+}
+
+void refineSunBands(std::vector<SunBand>& bands, double stepMinutes,
+                    const std::function<bool(Instant)>& isLit) {
+    const auto step = lengthOf(stepMinutes);
+    for (SunBand& band : bands) {
+        if (!isLit(band.from - step)) band.from = findChange(band.from, band.from - step, isLit);
+        if (!isLit(band.to)) band.to = findChange(band.to - step, band.to, isLit);
+    }
 }
 
 PointShadow countShadow(const ShadedSteps& shaded, const SunSteps& sun) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct SunBand {
 /// The times of one day (index in SunSteps::days) in which the point is lit. A step stands for `stepMinutes`
 /// from its beginning.
 std::vector<SunBand> findSunBands(const ShadedSteps& shaded, const SunSteps& sun, std::size_t day);
+
+/// Moves the ends of the bands from the beginnings of steps to where `isLit` changes within the step, to 0.1
+/// s. `isLit` agrees with the steps at their beginnings. Ends where it does not change, as at the end of the
+/// hours, stay.
+void refineSunBands(std::vector<SunBand>& bands, double stepMinutes,
+                    const std::function<bool(Instant)>& isLit);
 
 /// Gross and continuous shadow, as SurfaceShadow states them.
 struct PointShadow {

@@ -25,6 +25,12 @@ public:
 
     /// By horizons some 0.1 ms a point in Midtown, and a few ns a step.
     [[nodiscard]] ShadedSteps find(const SkyPoint& point) const;
+    /// By rays, whatever it was made for.
+    [[nodiscard]] ShadedSteps trace(const SkyPoint& point) const {
+        return traceShadedSteps(rays_, point, *sun_);
+    }
+    /// From now on find() is by rays.
+    void goOnByRays() { horizons_.reset(); }
 
 private:
     ShadedStepFinder(RayScene rays, const SunSteps& sun) : rays_(std::move(rays)), sun_(&sun) {}

@@ -33,6 +33,8 @@ struct OverhangFace {
 /// not an overhang is solid down to the ground.
 struct SkyObstacles {
     static constexpr std::uint32_t terrain = 0xFFFFFFFF;
+    static constexpr std::uint32_t ownWall =
+        0xFFFFFFFE;  ///< the surface of the point faces away from the sun
     std::vector<TopEdge> edges;
     std::vector<OverhangFace> faces;
 };

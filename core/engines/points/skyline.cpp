@@ -195,6 +195,19 @@ bool Skyline::hides(glm::vec3 direction) const {
     });
 }
 
+std::optional<std::uint32_t> Skyline::findHider(glm::vec3 direction) const {
+    if (glm::dot(direction, normal_) <= 0) return SkyObstacles::ownWall;
+    const double azimuth = azimuthOf(glm::dvec3(direction));
+    const double tan = double(direction.z) / std::hypot(double(direction.x), double(direction.y));
+    const SeenEdge* piece = pieceAt(azimuth);
+    if (piece != nullptr && tan <= std::max(0.0, piece->tanAt(azimuth))) return piece->building;
+    for (const std::uint32_t index : facesNear(azimuth)) {
+        const auto hidden = hiddenBy(faces_[index], eye_, azimuth);
+        if (hidden && tan >= hidden->lowTan && tan <= hidden->highTan) return faces_[index].building;
+    }
+    return std::nullopt;
+}
+
 std::vector<double> Skyline::breaks() const {
     std::vector<double> azimuths{0, fullTurn};
     for (const SeenEdge& piece : pieces_) azimuths.insert(azimuths.end(), {piece.from, piece.to});

@@ -49,6 +49,9 @@ public:
     /// Whether the sun in this direction does not reach the point: something hides it, or the surface faces
     /// away.
     [[nodiscard]] bool hides(glm::vec3 direction) const;
+    /// What hides it: the building on the skyline, else that of an overhang, as an index in City::buildings
+    /// or a constant of SkyObstacles; none where the sun reaches the point.
+    [[nodiscard]] std::optional<std::uint32_t> findHider(glm::vec3 direction) const;
 
     /// Azimuths between which all that hides the sky is smooth but for crossings of overhangs: 0, 2 pi, the
     /// ends of pieces and the corners of overhangs. Ascending.

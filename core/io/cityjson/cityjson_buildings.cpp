@@ -9,6 +9,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "core/base/stop_scope.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_parts.h"
 #include "core/city/meshes/mesh_topology.h"
@@ -87,6 +88,7 @@ private:
         std::size_t repaired = 0;
         std::size_t tangled = 0;
         for (const Surface& surface : shell) {
+            if (StopScope::isStopped()) break;
             const auto outcome = mesher.add(surface);
             degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
             repaired += outcome == SurfaceMesher::Outcome::repaired ? 1 : 0;
@@ -205,6 +207,7 @@ bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const 
     std::atomic<std::size_t> done = 0;
     tbb::parallel_for(std::size_t(0), groups.size(), [&](std::size_t i) {
         if (stop.stop_requested()) return;
+        const StopScope scope(stop);
         BuildingMaker maker(groups[i], settings, piece.terrain.get(), file);
         buildings[i] = maker.make();
         warnings[i] = std::move(maker.warnings);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/io/cityjson/cityjson_geometry.h"
+#include "core/io/files/stoppable_stream.h"
 
 namespace noonmark {
 
@@ -79,8 +79,8 @@ std::string firstOf(const Json& list) {
 
 class Loader {
 public:
-    Loader(std::string file, const ReadSettings& settings, LodChoice choice)
-        : file_(std::move(file)), settings_(settings), choice_(choice) {}
+    Loader(std::string file, const ReadSettings& settings, LodChoice choice, std::stop_token stop)
+        : file_(std::move(file)), settings_(settings), choice_(choice), stop_(std::move(stop)) {}
     CityJsonData data;
 
     Result<void> addHeader(const Json& root) {
@@ -118,7 +118,10 @@ private:
         CityJsonBlock block{verticesOf(root, transform_), {}};
         const Json& objects = member(root, "CityObjects");
         if (!objects.is_object() || objects.empty()) return;
-        for (const auto& [id, object] : objects.items()) addObject(id, object, block);
+        for (const auto& [id, object] : objects.items()) {
+            if (stop_.stop_requested()) return;
+            addObject(id, object, block);
+        }
         if (!block.objects.empty()) data.blocks.push_back(std::move(block));
     }
 
@@ -181,6 +184,7 @@ private:
     std::string file_;
     const ReadSettings& settings_;
     LodChoice choice_;
+    std::stop_token stop_;
     Transform transform_;
 };
 
@@ -196,15 +200,14 @@ Result<LodChoice> lodChoice(const std::string& lod) {
 bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r\n") == line.npos; }
 
 // Reads what follows the first value: the features of a sequence. False when stopped.
-bool readSequence(std::istream& stream, double bytes, Loader& loader, Progress& progress,
-                  const std::stop_token& stop) {
+bool readSequence(StoppableStream& stream, Loader& loader, Progress& progress, const std::stop_token& stop) {
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number) {
         if (stop.stop_requested()) return false;
         if (isBlank(line)) continue;
         loader.data.sequence = true;
         loader.addFeature(Json::parse(line, nullptr, false), number);
-        if (number % 256 == 0) progress.report(double(stream.tellg()) / bytes, "reading the features");
+        if (number % 256 == 0) progress.report(stream.share(), "reading the features");
     }
     return true;
 }
@@ -224,20 +227,20 @@ Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadS
                                   Progress& progress, const std::stop_token& stop) {
     const Result<LodChoice> choice = lodChoice(settings.lod);
     if (!choice) return tl::make_unexpected(choice.error());
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
+    StoppableStream stream(file, stop);
+    if (!stream.opened())
         return failure("The file cannot be opened", file.string(),
                        "Check that it is there and that you may read it");
-    std::error_code ignored;
-    const double bytes = double(std::filesystem::file_size(file, ignored));
     progress.report(0, "reading the city");
     const Json first = firstValue(stream);
+    if (stop.stop_requested()) return cancelled();
     if (first.is_discarded())
         return failure("The file is not valid JSON; it may be incomplete", file.string(),
                        "Export or download it again");
-    Loader loader(file.filename().string(), settings, *choice);
+    Loader loader(file.filename().string(), settings, *choice, stop);
     if (const auto header = loader.addHeader(first); !header) return tl::make_unexpected(header.error());
-    if (!readSequence(stream, bytes, loader, progress, stop)) return cancelled();
+    if (stop.stop_requested()) return cancelled();
+    if (!readSequence(stream, loader, progress, stop)) return cancelled();
     return std::move(loader.data);
 }
 

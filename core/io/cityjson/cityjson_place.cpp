@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
+#include <span>
 
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/distance.h"
@@ -52,17 +53,27 @@ PlaceBox computeBox(const CityJsonObject& object, const std::vector<glm::dvec3>&
 
 // Transforms the file's coordinates to longitude, latitude and metres. All longitudes are taken near the
 // first, so that a city on both sides of 180 degrees stays together.
-void toPlaces(CityJsonData& data, const CrsToLonLat& crs) {
-    std::optional<double> nearDeg;
-    for (CityJsonBlock& block : data.blocks) {
-        std::vector<glm::dvec2> points(block.vertices.begin(), block.vertices.end());
-        const std::vector<LonLat> places = crs.lonLat(points);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (!nearDeg && std::isfinite(places[i].lonDeg)) nearDeg = places[i].lonDeg;
-            block.vertices[i] = {wrapLongitudeNear(places[i].lonDeg, nearDeg.value_or(0)), places[i].latDeg,
-                                 block.vertices[i].z * crs.metresPerElevationUnit()};
-        }
+void toPlaces(std::span<glm::dvec3> vertices, const CrsToLonLat& crs, std::optional<double>& nearDeg) {
+    const std::vector<glm::dvec2> points(vertices.begin(), vertices.end());
+    const std::vector<LonLat> places = crs.lonLat(points);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!nearDeg && std::isfinite(places[i].lonDeg)) nearDeg = places[i].lonDeg;
+        vertices[i] = {wrapLongitudeNear(places[i].lonDeg, nearDeg.value_or(0)), places[i].latDeg,
+                       vertices[i].z * crs.metresPerElevationUnit()};
     }
+}
+
+// False when stopped.
+bool toPlaces(CityJsonData& data, const CrsToLonLat& crs, const std::stop_token& stop) {
+    constexpr std::size_t atOnce = 1U << 16U;  // some 0.1 s
+    std::optional<double> nearDeg;
+    for (CityJsonBlock& block : data.blocks)
+        for (std::size_t first = 0; first < block.vertices.size(); first += atOnce) {
+            if (stop.stop_requested()) return false;
+            const std::span all(block.vertices);
+            toPlaces(all.subspan(first, std::min(atOnce, all.size() - first)), crs, nearDeg);
+        }
+    return true;
 }
 
 // The box of every object, in order, including empty boxes.
@@ -138,7 +149,8 @@ void toLocal(CityJsonData& data, const Frame& frame) {
 
 }  // namespace
 
-Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file) {
+Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file,
+                        const std::stop_token& stop) {
     const std::string text = data.crs.empty() ? settings.crs.value_or("") : data.crs;
     if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice);
     const Result<CrsToLonLat> crs = CrsToLonLat::of(text);
@@ -146,7 +158,7 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)
         data.warnings.push_back(
             {WarningKind::assumed, "elevations have no unit; the unit of the map is assumed", file});
-    toPlaces(data, *crs);
+    if (!toPlaces(data, *crs, stop)) return cancelled();
     std::vector<PlaceBox> boxes = boxesOf(data);
     const std::optional<LonLat> median = medianOf(boxes);
     if (!median && boxes.empty())

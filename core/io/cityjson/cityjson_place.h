@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "core/geo/frame.h"
 #include "core/io/cityjson/cityjson_model.h"
 #include "core/io/read_city.h"
@@ -10,7 +12,8 @@ namespace noonmark {
 /// `settings.farAwayM` from the middle of the data (the median of the objects), with a warning. Returns the
 /// frame: the given one, or one with its origin in the middle of the remaining objects and z = 0 at the level
 /// below which 5 % of the buildings begin (for terrain alone: its lowest point). Error: no coordinate
-/// reference system, or coordinates that cannot belong to it.
-Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file);
+/// reference system, or coordinates that cannot belong to it; cancelled().
+Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file,
+                        const std::stop_token& stop);
 
 }  // namespace noonmark

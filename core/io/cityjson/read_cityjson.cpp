@@ -14,7 +14,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     Result<CityJsonData> data = loadCityJson(file, settings, progress, stop);
     if (!data) return tl::make_unexpected(data.error());
     const std::string name = file.filename().string();
-    const Result<Frame> frame = placeCity(*data, settings, name);
+    const Result<Frame> frame = placeCity(*data, settings, name, stop);
     if (!frame) return tl::make_unexpected(frame.error());
     FilePiece piece{
         .warnings = std::move(data->warnings), .features = data->features, .attribution = data->attribution};

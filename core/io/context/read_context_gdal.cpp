@@ -242,7 +242,7 @@ Result<DatasetPointer> openMap(const std::filesystem::path& file, Progress& prog
 
 Result<ContextRead> readContext(const std::filesystem::path& file, const ContextSettings& settings,
                                 const Frame& frame, Progress& progress, const std::stop_token& stop) try {
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     const auto dataset = openMap(file, progress, stop);
     if (!dataset) return tl::make_unexpected(dataset.error());
     return readLayers(**dataset, file.filename().string(), settings, frame, calls, progress, stop);

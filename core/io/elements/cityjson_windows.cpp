@@ -6,13 +6,15 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/distance.h"
 #include "core/geo/earth_drop.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/files/stoppable_stream.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/receivers/place_names.h"
 
@@ -173,9 +175,11 @@ private:
 /// The file's objects: one, or one a line of a sequence.
 Result<void> parseInto(OpeningFinder& finder, const std::filesystem::path& file,
                        const std::stop_token& stop) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return failure("The file cannot be read", file.string());
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    StoppableStream stream(file, stop);
+    if (!stream.opened()) return failure("The file cannot be read", file.string());
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (stop.stop_requested()) return cancelled();
     bool isFirst = true;
     for (std::size_t at = 0; at < text.size();) {
         if (stop.stop_requested()) return cancelled();

@@ -255,9 +255,9 @@ Result<WindowsRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
 
 Result<WindowsRead> readWindows(const Path& file, const WindowFileSettings& settings, const City& city,
                                 Progress& progress, const std::stop_token& stop) try {
+    const GdalCalls calls(stop);
     if (const auto kind = detectFileKind(file); kind && *kind == FileKind::cityJson)
         return readCityJsonWindows(file, settings, city, stop);
-    const GdalCalls calls;
     const auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return tl::make_unexpected(dataset.error());
     return readLayers(**dataset, calls, file.filename().string(), settings, city, progress, stop);

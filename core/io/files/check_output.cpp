@@ -81,12 +81,11 @@ Result<void> checkNoJournal(const fs::path& file, OutputKind kind) {
     const bool database = kind == OutputKind::geoPackage || kind == OutputKind::project;
     if (!database || !isBeingWritten(file)) return {};
     return failure("Another program is writing to this file, or was stopped while it did", file.string(),
-                   "Close the file in that program, or name another file");
+                   "Close the file in that program, remove the journal beside it, or name another file");
 }
 
 Result<void> checkReplaceable(const fs::path& file, OutputKind kind, const OutputRules& rules) {
     return checkNoInput(file, rules.inputs)
-        .and_then([&] { return checkNoJournal(file, kind); })
         .and_then([&] { return checkNoProject(file, kind); })
         .and_then([&] { return checkKind(file, kind); });
 }
@@ -105,6 +104,8 @@ Result<void> areThere(const fs::path& folder, const std::vector<std::string>& na
 Result<void> checkOutput(const fs::path& file, OutputKind kind, const OutputRules& rules) {
     const auto there = isPlainFileThere(file);
     if (!there) return tl::make_unexpected(there.error());
+    // Also where the old file is gone and only its journal was left behind.
+    if (auto free = checkNoJournal(file, kind); !free) return free;
     if (!*there) return {};
     if (auto may = checkReplaceable(file, kind, rules); !may || rules.overwrite) return may;
     return failure("There is a file of this name already", file.string(),

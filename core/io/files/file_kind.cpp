@@ -10,6 +10,7 @@
 #include "core/io/files/foreign_format.h"
 #include "core/io/files/json_kind.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/files/stoppable_stream.h"
 #include "core/io/meshes/stated_axes.h"
 
 namespace noonmark {
@@ -93,7 +94,7 @@ Head kindFromHead(std::string_view head) {
 
 // The kind of a JSON file; nothing if GDAL must decide (TopoJSON, ESRI JSON).
 Head kindFromJson(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    StoppableStream stream(file);
     switch (detectJsonKind(stream)) {
         case JsonKind::cityJson:
             return FileKind::cityJson;

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <array>
 #include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "core/base/stop_scope.h"
 #include "core/io/files/geopackage_check.h"
+#include "core/io/files/own_files.h"
 
 namespace noonmark {
 
@@ -18,7 +21,11 @@ struct CloseDatabase {
 struct EndStatement {
     void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
-using OpenFile = std::unique_ptr<sqlite3, CloseDatabase>;
+/// Closed before the files it may reach are forgotten.
+struct OpenFile {
+    std::unique_ptr<OwnFiles> files = std::make_unique<OwnFiles>();
+    std::unique_ptr<sqlite3, CloseDatabase> database;
+};
 using Query = std::unique_ptr<sqlite3_stmt, EndStatement>;
 
 bool isDatabase(const std::filesystem::path& file) {
@@ -39,23 +46,29 @@ std::string escaped(const std::string& path) {
 }
 
 // Opens without a lock and leaves no file beside the database, unless another program is writing to it.
-OpenFile openFile(const std::filesystem::path& file) {
+Result<OpenFile> openFile(const std::filesystem::path& file) {
+    if (auto harmless = checkBeside(file); !harmless) return tl::make_unexpected(harmless.error());
     const std::string uri = fmt::format("file:{}{}", escaped(std::filesystem::absolute(file).string()),
                                         isBeingWritten(file) ? "" : "?immutable=1");
+    OpenFile open;
     sqlite3* database = nullptr;
-    const int code = sqlite3_open_v2(uri.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
-    OpenFile open(database);
-    if (code != SQLITE_OK) return nullptr;
+    const int code =
+        sqlite3_open_v2(uri.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, open.files->name());
+    open.database.reset(database);
+    if (code != SQLITE_OK)
+        return failure("The database cannot be opened", file.string(),
+                       "Close it in other programs, or export it again");
     sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    sqlite3_limit(database, SQLITE_LIMIT_LENGTH, longestValue(file));
     return open;
 }
 
-Query prepareQuery(const OpenFile& database, const char* sql) {
+Query prepareQuery(const OpenFile& open, const std::string& sql) {
     sqlite3_stmt* statement = nullptr;
-    sqlite3_prepare_v2(database.get(), sql, -1, &statement, nullptr);
+    sqlite3_prepare_v2(open.database.get(), sql.c_str(), -1, &statement, nullptr);
     return Query(statement);
 }
 
@@ -64,18 +77,74 @@ std::string firstText(const Query& query) {
     return text != nullptr ? text : "";
 }
 
-// The standard's own tables are checked first: the list of layers is read from them only if they are tables.
-// Views and virtual tables have no root page.
-constexpr const char* standardTables =
-    "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
-    "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
-    "AND (name LIKE 'gpkg%' OR name LIKE 'sqlite%' OR name LIKE 'ogr%')";
 constexpr const char* projectTable =
     "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'noonmark' COLLATE NOCASE";
-constexpr const char* listedTables =
-    "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
-    "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
-    "AND name COLLATE NOCASE IN (SELECT table_name FROM gpkg_contents)";
+
+/// What a GeoPackage may not hold, since reading it would run SQL of the file or fill the memory.
+struct Forbidden {
+    const char* sql;  ///< gives the name of each table that has it
+    const char* what;
+    const char* needs = nullptr;  ///< the table that the SQL reads; without it there is nothing to find
+    const char* advice = "Export the layer into a new GeoPackage";
+};
+
+// The standard's own tables are checked first: the list of layers is read from them only if they are tables.
+// Views and virtual tables have no root page. Spatial indexes are virtual tables of a kind that SQLite itself
+// brings; a view of that name is none.
+constexpr const char* runsSql =
+    "A layer of the GeoPackage is a view or a virtual table, whose SQL is not run";
+constexpr std::array forbidden{
+    Forbidden{"SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
+              "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
+              "AND (name LIKE 'gpkg%' OR name LIKE 'sqlite%' OR name LIKE 'ogr%')",
+              runsSql},
+    Forbidden{
+        "SELECT name FROM sqlite_master WHERE name LIKE 'rtree%' AND (type = 'view' OR "
+        "(sql LIKE 'create virtual%' AND substr(sql, instr(lower(sql), 'using')) NOT LIKE 'using rtree%'))",
+        runsSql},
+    Forbidden{"SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
+              "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
+              "AND name COLLATE NOCASE IN (SELECT table_name FROM gpkg_contents)",
+              runsSql},
+    Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // mostLayers
+              "The GeoPackage has more than 1,000 layers", "gpkg_contents",
+              "Export the layers of buildings alone"},
+    Forbidden{"SELECT t.name || '.' || c.name FROM sqlite_master t, pragma_table_xinfo(t.name) c "
+              "WHERE t.type = 'table' AND t.rootpage > 0 AND c.hidden IN (2, 3)",
+              "A column of the GeoPackage is computed by SQL of the file, which is not run"},
+    // GDAL takes 16 bytes for each pixel of a tile.
+    Forbidden{"SELECT table_name FROM gpkg_tile_matrix WHERE NOT ifnull(tile_width BETWEEN 1 AND 4096 "
+              "AND tile_height BETWEEN 1 AND 4096, 0)",
+              "The tiles of a layer are larger than 4,096 x 4,096, or have no size", "gpkg_tile_matrix"},
+};
+static_assert(mostLayers == 1000);
+
+Error unreadable(const OpenFile& open, const std::filesystem::path& file) {
+    // Only a connection that writes can undo what a stopped program left in a journal.
+    if ((sqlite3_errcode(open.database.get()) & 0xff) == SQLITE_READONLY)
+        return {"Another program was stopped while it wrote the GeoPackage, and left a journal beside it",
+                file.string(), "Open and close it in that program, or export it again"};
+    return {fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(open.database.get())), file.string(),
+            "Export it again"};
+}
+
+bool holdsTable(const OpenFile& open, const char* name) {
+    const Query query =
+        prepareQuery(open, fmt::format("SELECT 1 FROM sqlite_master WHERE name = '{}' COLLATE NOCASE", name));
+    return query && sqlite3_step(query.get()) == SQLITE_ROW;
+}
+
+Result<void> checkFor(const Forbidden& one, const OpenFile& open, const std::filesystem::path& file) {
+    if (one.needs != nullptr && !holdsTable(open, one.needs)) return {};
+    const Query query = prepareQuery(open, one.sql);
+    const int step = query ? sqlite3_step(query.get()) : SQLITE_ERROR;
+    if (step == SQLITE_ROW)
+        return failure(one.what, fmt::format("{}, '{}'", file.string(), firstText(query)), one.advice);
+    if (step != SQLITE_DONE) return tl::make_unexpected(unreadable(open, file));
+    return {};
+}
+
+int isStopRequested(void*) { return StopScope::isStopped() ? 1 : 0; }
 
 }  // namespace
 
@@ -90,33 +159,30 @@ bool isBeingWritten(const std::filesystem::path& database) {
 
 Result<bool> holdsProject(const std::filesystem::path& file) {
     if (!isDatabase(file)) return false;
-    const OpenFile database = openFile(file);
-    const Query query = database ? prepareQuery(database, projectTable) : Query();
+    const auto open = openFile(file);
+    if (!open) return tl::make_unexpected(open.error());
+    const Query query = prepareQuery(*open, projectTable);
     const int step = query ? sqlite3_step(query.get()) : SQLITE_CANTOPEN;
     if (step == SQLITE_ROW || step == SQLITE_DONE) return step == SQLITE_ROW;
     return failure(fmt::format("Whether this is a Noonmark project could not be determined ({})",
-                               database ? sqlite3_errmsg(database.get()) : "the database cannot be opened"),
+                               sqlite3_errmsg(open->database.get())),
                    file.string(), "Close it in other programs, or name another file");
 }
 
 Result<void> checkGeoPackage(const std::filesystem::path& file) {
-    const OpenFile database = openFile(file);
-    if (!database) return failure("The GeoPackage cannot be opened", file.string(), "Export it again");
-    for (const char* tables : {standardTables, listedTables}) {
-        const Query query = prepareQuery(database, tables);
-        if (!query)
-            return failure(fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(database.get())),
-                           file.string(), "Export it again");
-        const int step = sqlite3_step(query.get());
-        if (step == SQLITE_ROW)
-            return failure("A layer of the GeoPackage is a view or a virtual table, whose SQL is not run",
-                           fmt::format("{}, '{}'", file.string(), firstText(query)),
-                           "Export the layer into a new GeoPackage");
-        if (step != SQLITE_DONE)
-            return failure(fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(database.get())),
-                           file.string(), "Export it again");
-    }
+    const auto open = openFile(file);
+    if (!open) return tl::make_unexpected(open.error());
+    for (const Forbidden& one : forbidden)
+        if (auto free = checkFor(one, *open, file); !free) return free;
     return {};
+}
+
+void limitGeoPackage(void* database) {
+    constexpr int mostBytes = 100'000'000;  // of a text or a geometry: a ring of 6 million points
+    constexpr int instructions = 10'000;    // about 0.1 ms
+    auto* const sqlite = static_cast<sqlite3*>(database);
+    sqlite3_limit(sqlite, SQLITE_LIMIT_LENGTH, mostBytes);
+    sqlite3_progress_handler(sqlite, instructions, isStopRequested, nullptr);
 }
 
 }  // namespace noonmark

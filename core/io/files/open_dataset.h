@@ -25,9 +25,11 @@ using DatasetPointer = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>
 
 /// Opens an untrusted file. No other code in this program gives a file to GDAL. GDAL may try only the drivers
 /// of the given content's formats, whatever the file holds or is called; it opens the file for reading,
-/// writes nothing beside it and fetches nothing. Hold a GdalCalls. Never returns a null pointer. Error: not a
-/// plain file (or a folder of Shapefiles or of a file geodatabase), not one of these formats, or a virtual
-/// dataset, which names other files, databases or addresses. Backend: open_dataset_gdal.cpp.
+/// opens files in its folder only, writes nothing beside it and fetches nothing. Hold a GdalCalls. Never
+/// returns a null pointer. Error: not a plain file (or a folder of Shapefiles or of a file geodatabase), not
+/// one of these formats, a virtual dataset, which names other files, databases or addresses, or beyond a
+/// limit: 1,000 layers or bands, 256 MB for a block of a raster, 100 MB for a text or a geometry of a
+/// GeoPackage; cancelled() where the GdalCalls was stopped. Backend: open_dataset_gdal.cpp.
 Result<DatasetPointer> openDataset(const std::filesystem::path& file, DatasetContent content);
 
 /// Whether openDataset() failed because the content has another format.

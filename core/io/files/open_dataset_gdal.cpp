@@ -6,6 +6,8 @@
 #include <array>
 #include <fstream>
 
+#include "core/base/gdal_files.h"
+#include "core/base/stop_scope.h"
 #include "core/io/files/foreign_format.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/open_dataset.h"
@@ -120,6 +122,8 @@ bool isVirtual(const fs::path& file) {
     return std::ranges::any_of(roots, [&](const char* root) { return head.find(root) != head.npos; });
 }
 
+bool isGeoPackage(GDALDataset& dataset) { return dataset.GetDriverName() == std::string_view("GPKG"); }
+
 tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, const std::string& why) {
     if (isVirtual(file))
         return failure("It is a virtual dataset: it holds no data, and names files, databases or addresses",
@@ -128,6 +132,53 @@ tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, co
         return unsupported("It is of no format that is read here", file.string(), adviceOf(content));
     return failure(fmt::format("It cannot be read ({})", why), file.string(),
                    "Check that it is complete, or export it again");
+}
+
+// A block is read whole, and its memory taken before GDAL sees that the file ends.
+Result<void> checkBlock(GDALRasterBand& band, int bandsTogether, const std::string& file) {
+    constexpr double mostBytes = 256.0 * (1 << 20);
+    int columns = 0, rows = 0;
+    band.GetBlockSize(&columns, &rows);
+    const double bytes = double(columns) * rows * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
+    if (bytes * bandsTogether <= mostBytes) return {};
+    return limitReached(fmt::format("The raster is stored in blocks of {} x {} cells, more than {:g} MB each",
+                                    columns, rows, mostBytes / (1 << 20)),
+                        file, "Export it with tiles of 256 x 256 or 512 x 512 cells");
+}
+
+// The band itself, its overviews and its mask.
+Result<void> checkBlocks(GDALRasterBand& band, int bandsTogether, const std::string& file) {
+    auto checked = checkBlock(band, bandsTogether, file);
+    for (int i = 0; checked && i < band.GetOverviewCount(); ++i)
+        if (GDALRasterBand* overview = band.GetOverview(i))
+            checked = checkBlock(*overview, bandsTogether, file);
+    if (checked && (band.GetMaskFlags() & GMF_ALL_VALID) == 0)
+        checked = checkBlock(*band.GetMaskBand(), 1, file);
+    return checked;
+}
+
+Result<void> checkRaster(GDALDataset& dataset, const std::string& file) {
+    constexpr int mostBands = 1000;
+    const int bands = dataset.GetRasterCount();
+    if (bands > mostBands)
+        return limitReached(fmt::format("The raster has {} bands, more than {}", bands, mostBands), file,
+                            "Export the band of elevations alone");
+    const char* order = dataset.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
+    const int together = order != nullptr && order == std::string_view("PIXEL") ? bands : 1;
+    for (int i = 1; i <= bands; ++i)
+        if (auto checked = checkBlocks(*dataset.GetRasterBand(i), together, file); !checked) return checked;
+    return {};
+}
+
+// Limits that are checked before the memory or the time is spent.
+Result<void> checkLimits(GDALDataset& dataset, DatasetContent content, const std::string& file) {
+    if (void* database = dataset.GetInternalHandle("SQLITE_HANDLE");
+        isGeoPackage(dataset) && database != nullptr)
+        limitGeoPackage(database);
+    if (content != DatasetContent::vectors) return checkRaster(dataset, file);
+    if (dataset.GetLayerCount() <= mostLayers) return {};
+    return limitReached(fmt::format("It has {} layers, more than {}", dataset.GetLayerCount(), mostLayers),
+                        file, "Export the layers of buildings alone");
 }
 
 // Options so that nothing is written or fetched, no code from the file runs, and a file that nobody is
@@ -156,8 +207,10 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
         return failure("It is not a file that can be opened", given.string());
     if (auto plain = checkOnDisk(file, content); !plain) return tl::make_unexpected(plain.error());
     if (auto known = refuseForeignFormat(file); !known) return tl::make_unexpected(known.error());
+    const FolderOfGdal folder(fs::is_directory(file, error) ? file : file.parent_path());
     CPLErrorReset();
     GDALDriverH found = GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content), nullptr);
+    if (StopScope::isStopped()) return cancelled();
     if (found == nullptr) return notOpened(given, content, CPLGetLastErrorMsg());
     const char* const driver[] = {GDALGetDescription(found), nullptr};
     if (driver[0] == std::string_view("GPKG"))
@@ -165,8 +218,9 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
     const CPLStringList options = optionsFor(driver[0], file);
     DatasetPointer dataset(GDALDataset::Open(
         file.c_str(), flagsOf(content) | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, driver, options.List()));
+    if (StopScope::isStopped()) return cancelled();
     if (!dataset) return notOpened(given, content, CPLGetLastErrorMsg());
-    return dataset;
+    return checkLimits(*dataset, content, given.string()).map([&] { return std::move(dataset); });
 }
 
 bool isUnknownFormat(const Error& error) { return error.kind == ErrorKind::unsupported; }

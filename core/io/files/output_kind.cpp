@@ -23,10 +23,10 @@ struct KindOfEnding {
 constexpr std::array kindsOfEndings{
     KindOfEnding{".gpkg", OutputKind::geoPackage}, KindOfEnding{".geojson", OutputKind::geoJson},
     KindOfEnding{".tif", OutputKind::geoTiff},     KindOfEnding{".png", OutputKind::picture},
-    KindOfEnding{".pdf", OutputKind::pdf},         KindOfEnding{".json", OutputKind::json},
-    KindOfEnding{".dxf", OutputKind::dxf},         KindOfEnding{".svg", OutputKind::svg},
-    KindOfEnding{".mp4", OutputKind::movie},       KindOfEnding{".gif", OutputKind::movie},
-    KindOfEnding{".glb", OutputKind::glb},
+    KindOfEnding{".pdf", OutputKind::pdf},         KindOfEnding{".city.json", OutputKind::cityJson},
+    KindOfEnding{".json", OutputKind::json},       KindOfEnding{".dxf", OutputKind::dxf},
+    KindOfEnding{".svg", OutputKind::svg},         KindOfEnding{".mp4", OutputKind::movie},
+    KindOfEnding{".gif", OutputKind::movie},       KindOfEnding{".glb", OutputKind::glb},
 };
 
 bool beginsWithOneOf(std::string_view head, std::initializer_list<std::string_view> magics) {
@@ -76,6 +76,7 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
             return beginsGeoPackage(head);
         case OutputKind::geoJson:
         case OutputKind::json:
+        case OutputKind::cityJson:
             return beginsWithBracket(head);
         case OutputKind::geoTiff:
             return beginsWithOneOf(head, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv});
@@ -101,6 +102,7 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
 bool holdsWhatFollows(const std::filesystem::path& file, OutputKind kind) {
     if (kind == OutputKind::geoJson) return jsonKindOf(file) == JsonKind::geoJson;
     if (kind == OutputKind::json) return jsonKindOf(file) == JsonKind::other;
+    if (kind == OutputKind::cityJson) return jsonKindOf(file) == JsonKind::cityJson;
     if (kind == OutputKind::geoPackage) return !holdsProject(file).value_or(true);
     if (kind == OutputKind::project) return holdsProject(file).value_or(false);
     return true;
@@ -124,6 +126,8 @@ std::string_view describe(OutputKind kind) {
             return "a CSV table";
         case OutputKind::json:
             return "JSON with figures";
+        case OutputKind::cityJson:
+            return "CityJSON";
         case OutputKind::dxf:
             return "a DXF drawing";
         case OutputKind::svg:
@@ -139,8 +143,9 @@ std::string_view describe(OutputKind kind) {
 }
 
 OutputKind detectOutputKind(const std::filesystem::path& name) {
-    const auto* const found =
-        std::ranges::find(kindsOfEndings, name.extension().string(), &KindOfEnding::ending);
+    const std::string text = name.filename().string();  // ".city.json" stands before ".json" in the list
+    const auto* const found = std::ranges::find_if(
+        kindsOfEndings, [&](const KindOfEnding& one) { return text.ends_with(one.ending); });
     return found == kindsOfEndings.end() ? OutputKind::table : found->kind;
 }
 

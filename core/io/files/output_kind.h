@@ -14,7 +14,8 @@ enum class OutputKind {
     pdf,
     table,  ///< CSV
     json,   ///< numbers; neither GeoJSON nor CityJSON nor glTF
-    dxf,    ///< text DXF, not the binary form
+    cityJson,
+    dxf,  ///< text DXF, not the binary form
     svg,
     movie,    ///< MP4 or GIF
     glb,      ///< binary glTF

@@ -1,30 +1,16 @@
 #include "core/io/files/pending_file.h"
 
-#include <fmt/format.h>
-
-#include <atomic>
 #include <system_error>
-
-#include "core/base/process.h"
+#include <utility>
 
 namespace noonmark {
 
-namespace {
-std::filesystem::path pendingName(const std::filesystem::path& target) {
-    static std::atomic<unsigned> made{0};
-    const std::string name =
-        fmt::format(".{}.{}-{}{}", target.stem().string(), processId(), made++, target.extension().string());
-    return target.parent_path() / name;
-}
-}  // namespace
-
+// Where no folder can be made, the path is in none either, and whoever opens it learns the reason.
 PendingFile::PendingFile(std::filesystem::path target)
-    : target_(std::move(target)), path_(pendingName(target_)) {}
-
-PendingFile::~PendingFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-}
+    : target_(std::move(target)),
+      folder_(target_.parent_path()),
+      path_((folder_.path().empty() ? target_.parent_path() / ".none" : folder_.path()) /
+            target_.filename()) {}
 
 Result<void> PendingFile::commit() {
     std::error_code error;

@@ -15,4 +15,14 @@ Result<void> checkPlainFile(const std::filesystem::path& file) {
                    "Save its output to a file, and name that file");
 }
 
+Result<void> checkNoLink(const std::filesystem::path& fileOrFolder) {
+    std::error_code ignored;
+    const auto status = std::filesystem::symlink_status(fileOrFolder, ignored);
+    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+        std::filesystem::is_directory(status))
+        return {};
+    return failure("This is a link, a pipe or a device, which Noonmark never makes here",
+                   fileOrFolder.string(), "Remove it if you do not know where it leads");
+}
+
 }  // namespace noonmark

@@ -11,4 +11,8 @@ namespace noonmark {
 /// else.
 Result<void> checkPlainFile(const std::filesystem::path& file);
 
+/// Checks that what the program writes by itself, in a folder that a stranger may have packed, does not lead
+/// elsewhere: it is a plain file or folder and no link, or is not there yet.
+Result<void> checkNoLink(const std::filesystem::path& fileOrFolder);
+
 }  // namespace noonmark

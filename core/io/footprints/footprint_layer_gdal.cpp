@@ -45,17 +45,6 @@ std::string tellingName(const OGRFeatureDefn& definition, const LayerSource& sou
     return chosen;
 }
 
-// The system to use: the user's, else the layer's.
-OGRSpatialReference systemOf(OGRLayer& layer, const ReadSettings& settings) {
-    OGRSpatialReference system;
-    if (settings.crs)
-        system.SetFromUserInput(settings.crs->c_str(),
-                                OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
-    else if (layer.GetSpatialRef() != nullptr)
-        system = *layer.GetSpatialRef();
-    return system;
-}
-
 bool isInFeet(const OGRSpatialReference& system) {
     return system.IsProjected() != 0 && std::abs(system.GetLinearUnits() - 0.3048) < 1e-5;
 }
@@ -219,7 +208,7 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
 // What the values of the first features say about the fields.
 void FootprintLayer::learn(OGRLayer& layer, const ReadSettings& settings, Warnings& warnings) {
     const LayerSample sample = sampleLayer(layer);
-    const OGRSpatialReference system = systemOf(layer, settings);
+    const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
     publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
     if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
     settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);

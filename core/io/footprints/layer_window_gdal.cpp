@@ -3,23 +3,9 @@
 #include <memory>
 
 #include "core/io/footprints/layer_window.h"
+#include "core/io/layers/feature_stream.h"
 
 namespace noonmark {
-
-namespace {
-
-OGRSpatialReference windowSystemOf(OGRLayer& layer, const ReadSettings& settings) {
-    OGRSpatialReference system;
-    if (settings.crs)
-        system.SetFromUserInput(settings.crs->c_str(),
-                                OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
-    else if (layer.GetSpatialRef() != nullptr)
-        system = *layer.GetSpatialRef();
-    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return system;
-}
-
-}  // namespace
 
 bool isIndexed(OGRLayer& layer) { return layer.TestCapability(OLCFastSpatialFilter) != FALSE; }
 
@@ -28,7 +14,7 @@ bool limitToWindow(OGRLayer& layer, const LonLatBox& box, const ReadSettings& se
     OGRSpatialReference degrees;
     degrees.SetWellKnownGeogCS("WGS84");
     degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const OGRSpatialReference system = windowSystemOf(layer, settings);
+    const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
     const std::unique_ptr<OGRCoordinateTransformation> there(
         OGRCreateCoordinateTransformation(&degrees, &system));
     if (!there) return false;

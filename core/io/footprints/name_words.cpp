@@ -94,7 +94,9 @@ constexpr std::array vocabularies{
         "insee phone tel mat material materials materiau population pop units dwellings logements logts "
         "rooms beds far gfa slope azimuth "
         "orientation rotation rank class type typ category status usage use source width breite depth "
-        "tiefe age reject valid pw snapping layer 面積 用途 番号 면적"},
+        "tiefe age reject valid pw snapping layer mat material materials materiau materiaux materialien 面積 "
+        "用途 "
+        "番号 면적"},
     Vocabulary{
         NameWord::otherLayer,
         "plot plots parcel parcels parcelle parcelles lot lots flurstueck flurstuecke tessellation "

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/geo/distance.h"
@@ -104,8 +105,20 @@ std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame
     return pieces.size() > 1 ? disjoint(std::move(pieces), feature.facts.id, warnings) : pieces;
 }
 
+bool isTooLarge(const UnplacedFeature& feature) {
+    std::size_t points = 0;
+    for (const LonLatPolygon& polygon : feature.polygons)
+        for (const auto& ring : polygon) points += ring.size();
+    return points > mostOutlinePoints;
+}
+
 // Without pieces if it cannot be used.
 PlacedFeature place(UnplacedFeature& feature, const Frame& frame, double farAwayM, Warnings& warnings) {
+    if (isTooLarge(feature)) {
+        warnings.push_back({WarningKind::dropped, fmt::format("has more than {} points", mostOutlinePoints),
+                            feature.facts.id});
+        return {};
+    }
     if (isNear(feature, frame.origin(), farAwayM)) {
         auto pieces = repair(feature, frame, warnings);
         feature.polygons = {};  // here, on all threads: freeing them together takes as long as reading them
@@ -156,6 +169,7 @@ std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, 
     std::vector<PlacedFeature> placed(features.size());
     std::vector<Warnings> remarks(features.size());
     tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+        const StopScope scope(stop);
         if (!stop.stop_requested()) placed[i] = place(features[i], frame, farAwayM, remarks[i]);
     });
     for (Warnings& some : remarks) std::ranges::move(some, std::back_inserter(warnings));

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/city/footprints/repair_footprint.h"
+#include "core/geo/crs_definition.h"
 #include "core/geo/distance.h"
 #include "core/geo/longitude.h"
 
@@ -22,6 +23,12 @@ constexpr double metresPerDegree = 111320;
 std::vector<glm::dvec2> pointsOf(const OGRLinearRing& ring) {
     std::vector<glm::dvec2> points;
     for (const OGRPoint& point : ring) points.emplace_back(point.getX(), point.getY());
+    return points;
+}
+
+std::size_t countPoints(const OGRPolygon& polygon) {
+    std::size_t points = 0;
+    for (const OGRLinearRing* ring : polygon) points += std::size_t(ring->getNumPoints());
     return points;
 }
 
@@ -52,11 +59,8 @@ PolygonLayer::PolygonLayer(CrsToLonLat toLonLat, double longestSide, const Frame
 
 Result<PolygonLayer> PolygonLayer::of(const OGRSpatialReference* crs, const Frame& frame,
                                       const std::string& where) {
-    char* text = nullptr;
-    const bool said = crs != nullptr && crs->exportToWkt(&text) == OGRERR_NONE;
-    const std::string wkt = said ? text : "";
-    CPLFree(text);
-    if (!said)
+    const std::string wkt = wktOf(crs);
+    if (wkt.empty())
         return failure("The file does not state its coordinate reference system", where,
                        "Save it with its CRS, or as GeoJSON");
     auto toLonLat = CrsToLonLat::of(wkt);
@@ -82,6 +86,9 @@ Result<void> PolygonLayer::add(const OGRGeometry& geometry, std::vector<Footprin
     }
     if (type != wkbPolygon) return {};
     OGRPolygon& polygon = *straight->toPolygon();
+    if (const std::size_t points = countPoints(polygon); points > mostOutlinePoints)
+        return limitReached(fmt::format("A polygon has {} points, more than {}", points, mostOutlinePoints),
+                            where_, "Simplify it");
     if (inDegrees_) unwrap(polygon, frame_.origin().lonDeg);
     // Checked before its sides are divided: a distant point would give millions of pieces.
     for (const OGRLinearRing* ring : polygon)

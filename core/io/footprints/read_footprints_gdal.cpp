@@ -106,6 +106,7 @@ public:
 
 private:
     void interpret(const OgrFeatures& chunk, FootprintLayer& reader) {
+        const StopScope scope(stop_);
         for (const OGRFeatureUniquePtr& feature : chunk) reader.read(*feature, warnings);
         features += chunk.size();
         reader.moveStored(found_, warnings);
@@ -226,7 +227,7 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                                  std::stop_token stop, const LonLatBox* window) try {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     if (const auto osm = findOsmFormat(file)) return readOsmFootprints(file, *osm, settings, progress, stop);
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
@@ -254,7 +255,7 @@ Result<FootprintScan> scanFootprints(const Path& file, const ReadSettings& setti
                                      std::stop_token stop) try {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     if (const auto osm = findOsmFormat(file)) return scanOsmFootprints(file, *osm, settings, progress, stop);
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
     FileReader reader(*open, file, settings, progress, std::move(stop));

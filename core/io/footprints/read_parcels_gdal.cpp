@@ -131,7 +131,7 @@ Result<std::vector<OGRLayer*>> layersOf(GDALDataset& dataset, const std::string&
 
 Result<std::vector<Parcel>> readParcels(const std::filesystem::path& file, const ParcelSettings& settings,
                                         const Frame& frame, const std::stop_token& stop) {
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     const auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return tl::make_unexpected(dataset.error());
     const auto layers = layersOf(**dataset, settings.layer, file.string());
@@ -139,6 +139,7 @@ Result<std::vector<Parcel>> readParcels(const std::filesystem::path& file, const
     ParcelReader reader(settings, frame, file.string(), stop);
     for (OGRLayer* layer : *layers)
         if (auto read = reader.read(*layer); !read) return tl::make_unexpected(read.error());
+    if (stop.stop_requested()) return cancelled();
     return std::move(reader).finish();
 }
 

@@ -2,7 +2,48 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace noonmark {
+
+namespace {
+
+constexpr std::array standRules{StandRule::asStated, StandRule::shifted, StandRule::setDown};
+
+const char* describeRule(StandRule rule) {
+    switch (rule) {
+        case StandRule::asStated:
+            return "they stand where the file states";
+        case StandRule::shifted:
+            return "all were shifted onto it";
+        case StandRule::setDown:
+            return "each building was set down on it";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string_view nameOf(StandRule rule) {
+    switch (rule) {
+        case StandRule::asStated:
+            return "as stated";
+        case StandRule::shifted:
+            return "shifted";
+        case StandRule::setDown:
+            return "set down";
+    }
+    return "unknown";
+}
+
+std::optional<StandRule> parseStandRule(std::string_view name) {
+    const auto* const found =
+        std::ranges::find(standRules, name, [](StandRule rule) { return nameOf(rule); });
+    if (found == standRules.end()) return std::nullopt;
+    return *found;
+}
 
 std::string formatThousands(std::size_t count) {
     const std::string digits = fmt::to_string(count);
@@ -18,6 +59,21 @@ std::string describe(const UnknownField& field) {
     const char* const datum = field.kind == FieldKind::elevations ? " above the datum, not the ground" : "";
     return fmt::format("{} ({:g} to {:g}{} in {} features)", field.field, field.low, field.high, datum,
                        formatThousands(field.features));
+}
+
+bool BaseFit::fits() const {
+    constexpr double sillM = 1;  // smaller gaps are those of sills and of slopes
+    return std::abs(gapM) <= std::max(sillM, spreadM);
+}
+
+std::string describe(const BaseFit& fit) {
+    std::string text = fmt::format("{}: bases {:.1f} m {} the terrain (median of {}, spread {:.1f} m); {}",
+                                   fit.file, std::abs(fit.gapM), fit.gapM < 0 ? "below" : "above",
+                                   formatThousands(fit.buildings), fit.spreadM, describeRule(fit.rule));
+    if (fit.apart > 0)
+        text += fmt::format("; {} far from that gap were set down by themselves", formatThousands(fit.apart));
+    if (fit.aloft > 0) text += fmt::format("; {} stay above the ground", formatThousands(fit.aloft));
+    return text;
 }
 
 std::string selectingOptions(const UnknownField& field) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace noonmark {
@@ -37,10 +39,37 @@ struct UnknownField {
     bool operator==(const UnknownField&) const = default;
 };
 
-/// The fields that the heights of a city's files come from.
+/// How the buildings of a file were placed on the terrain.
+enum class StandRule {
+    asStated,  ///< at the elevations that the file states
+    shifted,   ///< all by the same height: the median gap
+    setDown,   ///< each by the gap below it
+};
+/// "as stated", "shifted", "set down": the names used in files.
+std::string_view nameOf(StandRule rule);
+/// The rule of that name; nothing for any other text.
+std::optional<StandRule> parseStandRule(std::string_view name);
+
+/// The bases of a file's buildings, held against the terrain. The gap of a building is its base minus the
+/// lowest ground under its outline.
+struct BaseFit {
+    std::string file;
+    std::size_t buildings = 0;  ///< that state a base and do not stand on others
+    double gapM = 0;            ///< median of the gaps, metres
+    double spreadM = 0;         ///< of the gaps, between their quartiles
+    StandRule rule = StandRule::asStated;
+    std::size_t aloft = 0;  ///< buildings that stay above the ground: bridges, and what others carry
+    std::size_t apart = 0;  ///< set down by themselves: their gap is far from that of the others
+    /// Whether the median gap is within 1 m, or within the spread.
+    [[nodiscard]] bool fits() const;
+    bool operator==(const BaseFit&) const = default;
+};
+
+/// Where the heights and bases of a city's files come from.
 struct HeightFacts {
     std::vector<HeightField> fields;    ///< fields that gave heights, those with the most features first
     std::vector<UnknownField> unknown;  ///< candidates in files where features have no height
+    std::vector<BaseFit> bases;         ///< of each file that states bases, if there is a terrain
     bool operator==(const HeightFacts&) const = default;
 };
 
@@ -53,6 +82,9 @@ std::string selectingOptions(const UnknownField& field);
 
 /// "RelH2 (base of the roof), m: 1,204 features"
 std::string describe(const HeightField& field);
+
+/// "town.city.json: bases 20.0 m above the terrain (median of 120, spread 0.1 m); all were shifted"
+std::string describe(const BaseFit& fit);
 
 /// Formats 22133 as "22,133".
 std::string formatThousands(std::size_t count);

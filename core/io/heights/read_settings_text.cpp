@@ -22,6 +22,11 @@ void takeStated(const Json& json, const char* key, T& value) {
     if (json.contains(key)) json.at(key).get_to(value);
 }
 
+template <class Choice>
+void takeChoice(const Json& json, const char* key, Choice& choice, Choice last) {
+    if (json.contains(key)) choice = Choice(std::clamp(wholeNumberFrom<int>(json.at(key)), 0, int(last)));
+}
+
 LengthUnit lengthUnitOf(const Json& json) {
     const int unit = wholeNumberFrom<int>(json);
     if (unit < 0 || unit >= int(listLengthUnits().size())) throw std::out_of_range("unit");
@@ -63,6 +68,9 @@ std::string formatText(const ReadSettings& reading) {
     putUnusual(json, "lod", reading.lod, usual.lod);
     putUnusual(json, "far_away_m", reading.farAwayM, usual.farAwayM);
     putUnusual(json, "terrain_from_bases", int(reading.terrainFromBases), int(usual.terrainFromBases));
+    putUnusual(json, "stand", int(reading.stand), int(usual.stand));
+    putUnusual(json, "terrain_shows", int(reading.terrainShows), int(usual.terrainShows));
+    putUnusual(json, "heights_from_surface", reading.heightsFromSurface, usual.heightsFromSurface);
     return json.empty() ? std::string() : json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -81,9 +89,10 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
     if (json.contains("crs")) reading.crs = json.at("crs").get<std::string>();
     takeStated(json, "lod", reading.lod);
     takeStated(json, "far_away_m", reading.farAwayM);
-    if (json.contains("terrain_from_bases"))
-        reading.terrainFromBases = TerrainFromBases(
-            std::clamp(wholeNumberFrom<int>(json.at("terrain_from_bases")), 0, int(TerrainFromBases::never)));
+    takeChoice(json, "terrain_from_bases", reading.terrainFromBases, TerrainFromBases::never);
+    takeChoice(json, "stand", reading.stand, Stand::absolute);
+    takeChoice(json, "terrain_shows", reading.terrainShows, TerrainShows::surface);
+    takeStated(json, "heights_from_surface", reading.heightsFromSurface);
     return reading;
 } catch (const std::exception&) {  // not JSON, or of another structure
     return std::nullopt;

@@ -18,6 +18,7 @@
 class GDALDataset;
 class OGRFeature;
 class OGRLayer;
+class OGRSpatialReference;
 
 namespace noonmark {
 
@@ -42,9 +43,12 @@ Result<std::size_t> readFeatures(const std::vector<OGRLayer*>& layers, const Fea
 inline constexpr const char* osmCredit = "(c) OpenStreetMap contributors, ODbL";
 
 /// The transformation from a layer's coordinates; `crs` in place of what the layer states. Error: it states
-/// none, or one that is not known.
+/// none, one that is not known, or one that names a file.
 Result<CrsToLonLat> findLayerCrs(OGRLayer& layer, const std::optional<std::string>& crs,
                                  const std::string& file);
+
+/// The system itself, in the order of findLayerCrs(), which must have accepted it. Empty if there is none.
+OGRSpatialReference findLayerSystem(OGRLayer& layer, const std::optional<std::string>& crs);
 
 /// The index of the field that the user named, in any case. Error: there is none; it lists the fields.
 Result<int> findNamedField(OGRLayer& layer, const std::string& name, const std::string& file);

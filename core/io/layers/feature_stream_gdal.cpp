@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/geo/crs_definition.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/io/layers/feature_stream.h"
 
@@ -67,15 +68,23 @@ Result<CrsToLonLat> findLayerCrs(OGRLayer& layer, const std::optional<std::strin
                        !std::string_view(system->GetName()).starts_with("Undefined");
     // GeoPackage defines systems that mean "unknown".
     if (!known) return failure("It does not state its coordinate reference system", file, crsAdvice);
-    char* text = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-    system->exportToWkt(&text, options);
-    const std::string wkt = text != nullptr ? text : "";
-    CPLFree(text);
+    const std::string wkt = wktOf(system);
+    if (auto harmless = checkNamesNoFile(wkt); !harmless)
+        return failure(harmless.error().what, file, crsAdvice);
     auto transform = CrsToLonLat::of(wkt);
     if (transform) return transform;
     return failure(fmt::format("Its coordinate reference system, {}, is not known", system->GetName()), file,
                    crsAdvice);
+}
+
+OGRSpatialReference findLayerSystem(OGRLayer& layer, const std::optional<std::string>& crs) {
+    OGRSpatialReference system;
+    if (crs)
+        system = parseCrs(*crs).value_or(system);
+    else if (layer.GetSpatialRef() != nullptr)
+        system = *layer.GetSpatialRef();
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
 }
 
 Result<int> findNamedField(OGRLayer& layer, const std::string& name, const std::string& file) {

@@ -56,16 +56,11 @@ private:
     FilePiece& piece_;
 };
 
-// Warns if the whole mesh is above z = 0, as with elevations above sea level: its shadows would start in the
-// air.
-void warnIfAloft(const std::string& file, FilePiece& piece) {
-    float lowest = 1e30F;
+// The lowest point of each building is its base.
+void stateBases(FilePiece& piece) {
+    piece.ownZero = true;
     for (const auto& building : piece.buildings)
-        for (const Part& part : building->parts) lowest = std::min(lowest, part.bottomM);
-    if (piece.buildings.empty() || lowest <= openAirM) return;
-    piece.warnings.push_back({WarningKind::assumed,
-                              "the whole mesh is above the ground, which is at its zero height",
-                              fmt::format("{} ({:.1f} m)", file, lowest)});
+        piece.groundM.emplace_back(std::ranges::min_element(building->parts, {}, &Part::bottomM)->bottomM);
 }
 
 }  // namespace
@@ -76,7 +71,7 @@ bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file
     const std::vector<NamedMesh> joined = joinSurfaces(objects);
     BuildingAdder adder(joined, file, piece);
     adder.add(detectUnits(joined, file, piece.warnings, stop), progress, stop);
-    warnIfAloft(file, piece);
+    stateBases(piece);
     return !stop.stop_requested();
 }
 

@@ -4,9 +4,11 @@
 #include <ogr_geometry.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 
 #include "core/io/footprints/ogr_polygons.h"
 
@@ -27,6 +29,41 @@ bool isClosed(const OGRLinearRing& ring) {
     return last >= 3 && ring.getX(0) == ring.getX(last) && ring.getY(0) == ring.getY(last);
 }
 
+// Ways joined at equal ends, each continued by the first way that begins or ends where it does. GDAL joins
+// lines too, but compares each with every other: it would take seconds for the many thousands of a hostile
+// relation.
+std::vector<std::vector<OsmPoint>> joinEnds(const std::vector<const OsmWay*>& ways) {
+    const auto key = [](OsmPoint point) { return std::pair(point.lon, point.lat); };
+    std::multimap<std::pair<std::int32_t, std::int32_t>, std::size_t> ends;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        ends.emplace(key(ways[i]->points.front()), i);
+        ends.emplace(key(ways[i]->points.back()), i);
+    }
+    std::vector<bool> used(ways.size(), false);
+    std::vector<std::vector<OsmPoint>> chains;
+    const auto takeUnused = [&](OsmPoint end) -> const OsmWay* {
+        auto [place, last] = ends.equal_range(key(end));
+        while (place != last && used[place->second]) place = ends.erase(place);
+        if (place == last) return nullptr;
+        used[place->second] = true;
+        return ways[place->second];
+    };
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (used[i]) continue;
+        used[i] = true;
+        std::vector<OsmPoint>& chain = chains.emplace_back(ways[i]->points);
+        while (chain.front() != chain.back()) {
+            const OsmWay* next = takeUnused(chain.back());
+            if (next == nullptr) break;
+            if (next->points.front() == chain.back())
+                chain.insert(chain.end(), next->points.begin() + 1, next->points.end());
+            else
+                chain.insert(chain.end(), next->points.rbegin() + 1, next->points.rend());
+        }
+    }
+    return chains;
+}
+
 /// Rings of one relation, given to GDAL as polygons.
 class Rings {
 public:
@@ -36,9 +73,7 @@ public:
             setPoints(*ring, way.points);
             addRing(std::move(ring));
         } else {
-            auto line = std::make_unique<OGRLineString>();
-            setPoints(*line, way.points);
-            lines_.addGeometryDirectly(line.release());
+            open_.push_back(&way);
         }
     }
 
@@ -64,8 +99,19 @@ private:
         polygons_.push_back(std::move(polygon));
     }
 
+    void addLine(const std::vector<OsmPoint>& points) {
+        auto line = std::make_unique<OGRLineString>();
+        setPoints(*line, points);
+        lines_.addGeometryDirectly(line.release());
+    }
+
     // Ways that are not closed are joined to rings at their ends.
     void joinLines() {
+        constexpr std::size_t few = 1000;  // GDAL joins them within milliseconds
+        if (open_.size() > few)
+            for (const auto& chain : joinEnds(open_)) addLine(chain);
+        else
+            for (const OsmWay* way : open_) addLine(way->points);
         if (lines_.getNumGeometries() == 0) return;
         const std::unique_ptr<OGRGeometry> joined(OGRGeometry::FromHandle(
             OGRBuildPolygonFromEdges(OGRGeometry::ToHandle(&lines_), TRUE, FALSE, 0, nullptr)));
@@ -84,6 +130,7 @@ private:
         return all;
     }
 
+    std::vector<const OsmWay*> open_;
     OGRMultiLineString lines_;
     std::vector<std::unique_ptr<OGRPolygon>> polygons_;
 };

@@ -71,7 +71,8 @@ struct OsmMap {
 /// Reads the file three times: relations, ways, and the nodes of the ways that are kept, so that memory grows
 /// with what is selected and not with its nodes. Nodes and ways may be in any order; entities and references
 /// to other files are refused. Error: it is incomplete or damaged; a way or a node that is needed comes
-/// twice. Stops with cancelled() after a block of the file. Backend: read_osm_map_osmium.cpp.
+/// twice; a way of more than 2,000 nodes or a relation of more than 32,000 members, which are OpenStreetMap's
+/// own limits. Stops with cancelled() within 0.1 s. Backend: read_osm_map_osmium.cpp.
 Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
                           Progress& progress, const std::stop_token& stop);
 

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <osmium/io/compression.hpp>
 #include <osmium/io/pbf_input.hpp>
 #include <osmium/io/reader.hpp>
 #include <osmium/io/xml_input.hpp>
@@ -11,6 +15,7 @@
 #include <string_view>
 
 #include "core/io/osm/osm_map.h"
+#include "core/io/osm/pbf_pieces.h"
 
 namespace noonmark {
 
@@ -73,9 +78,16 @@ bool isSplit(const osmium::OSMObject& object) {
     return false;
 }
 
+struct Stopped {};
+
+// Of a million values a stop is noticed within 0.1 s.
 template <class Value>
-void sortUnique(std::vector<Value>& values) {
-    std::ranges::sort(values);
+void sortUnique(std::vector<Value>& values, const std::stop_token& stop) {
+    std::size_t compared = 0;
+    std::ranges::sort(values, [&](Value a, Value b) {
+        if (++compared % (1U << 16U) == 0 && stop.stop_requested()) throw Stopped();
+        return a < b;
+    });
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
@@ -84,8 +96,8 @@ constexpr OsmPoint nowhere{std::numeric_limits<std::int32_t>::min(), 0};
 /// The places of a fixed set of nodes. Files are mostly in order, so that the next node is near the last.
 class NodePlaces {
 public:
-    explicit NodePlaces(std::vector<std::int64_t> ids) : ids_(std::move(ids)) {
-        sortUnique(ids_);
+    explicit NodePlaces(std::vector<std::int64_t> ids, const std::stop_token& stop) : ids_(std::move(ids)) {
+        sortUnique(ids_, stop);
         places_.assign(ids_.size(), nowhere);
     }
 
@@ -106,12 +118,57 @@ private:
     std::size_t next_ = 0;
 };
 
+// Limits of OpenStreetMap's own database.
+constexpr std::size_t mostNodes = 2000;     // of a way
+constexpr std::size_t mostMembers = 32000;  // of a relation
+
+// XML that ends when the work is stopped; the parser then finds it damaged.
+class StoppableText final : public osmium::io::Decompressor {
+public:
+    StoppableText(const std::filesystem::path& file, std::stop_token stop)
+        : stream_(file, std::ios::binary), stop_(std::move(stop)) {}
+
+    std::string read() override {
+        constexpr std::size_t pieceBytes = 1U << 17U;  // the library reads some twenty pieces ahead
+        if (stop_.stop_requested()) return {};
+        std::string piece(pieceBytes, '\0');
+        stream_.read(piece.data(), std::streamsize(piece.size()));
+        piece.resize(std::size_t(stream_.gcount()));
+        set_offset(taken_ += piece.size());
+        return piece;
+    }
+    void close() override {}
+
+private:
+    std::ifstream stream_;
+    std::stop_token stop_;
+    std::size_t taken_ = 0;
+};
+
+// The library opens files by their kind of compression and passes nothing else on. No compressed text is read
+// here, so that the place of gzip is free for this one; the file is that of this thread.
+thread_local std::function<std::unique_ptr<StoppableText>()> openText;
+
+osmium::io::File stoppableText() {
+    static const bool registered = osmium::io::CompressionFactory::instance().register_compression(
+        osmium::io::file_compression::gzip,
+        [](int, osmium::io::fsync) -> osmium::io::Compressor* { return nullptr; },
+        [](int) -> osmium::io::Decompressor* { return nullptr; },
+        [](const char*, std::size_t) -> osmium::io::Decompressor* { return openText().release(); });
+    if (!registered) throw std::logic_error("another file reads compressed text");
+    constexpr const char* none = "";
+    osmium::io::File text(none, 1, "xml");
+    text.set_compression(osmium::io::file_compression::gzip);
+    return text;
+}
+
 class MapReader {
 public:
     MapReader(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
               Progress& progress, const std::stop_token& stop)
         : path_(file),
-          file_(file.string(), format == OsmFormat::pbf ? "pbf" : "xml"),
+          format_(format),
+          bytes_(double(std::max<std::uintmax_t>(1, std::filesystem::file_size(file)))),
           selection_(selection),
           progress_(progress),
           stop_(stop) {}
@@ -119,7 +176,7 @@ public:
     Result<OsmMap> read() {
         return readEach<osmium::Relation>(0, [&](const auto& relation) { return take(relation); })
             .and_then([&] {
-                sortUnique(members_);
+                sortUnique(members_, stop_);
                 return readEach<osmium::Way>(1, [&](const auto& way) { return take(way); });
             })
             .and_then([&] { return sortWays(); })
@@ -135,25 +192,45 @@ private:
 
     template <class Object, class Take>
     Taken readEach(std::size_t turn, Take take) {
-        constexpr std::size_t turns = 3;
-        osmium::io::Reader reader(file_, osmium::osm_entity_bits::from_item_type(Object::itemtype),
+        if (format_ == OsmFormat::xml) {
+            openText = [this] { return std::make_unique<StoppableText>(path_, stop_); };
+            return readPart<Object>(stoppableText(), take,
+                                    [&](double bytes) { report(turn, bytes / bytes_); });
+        }
+        PbfPieces pieces(path_);
+        for (std::string piece = pieces.next(); !piece.empty(); piece = pieces.next()) {
+            const osmium::io::File part(piece.data(), piece.size(), "pbf");
+            if (Taken taken = readPart<Object>(part, take, [](double) {}); !taken) return taken;
+            report(turn, pieces.share());
+        }
+        return {};
+    }
+
+    template <class Object, class Take, class Report>
+    Taken readPart(const osmium::io::File& part, Take& take, Report report) {
+        osmium::io::Reader reader(part, osmium::osm_entity_bits::from_item_type(Object::itemtype),
                                   osmium::io::read_meta::no, pool_);
         while (const osmium::memory::Buffer buffer = reader.read()) {
             if (stop_.stop_requested()) return cancelled();
             for (const auto& object : buffer.select<Object>())
                 if (Taken taken = take(object); !taken) return taken;
-            const double share =
-                double(reader.offset()) / double(std::max<std::size_t>(1, reader.file_size()));
-            progress_.report((double(turn) + share) / turns, "reading " + path_.filename().string());
+            report(double(reader.offset()));
         }
         reader.close();
-        return {};
+        return stop_.stop_requested() ? Taken(cancelled()) : Taken();
+    }
+
+    void report(std::size_t turn, double share) {
+        constexpr double turns = 3;
+        progress_.report((double(turn) + share) / turns, "reading " + path_.filename().string());
     }
 
     Taken take(const osmium::Relation& relation) {
         const RelationKind kind = kindOf(relation.tags());
         if (isSplit(relation)) return split("relation", relation.id());
         if (!kind.multipolygon) return {};
+        if (relation.members().size() > mostMembers)
+            return tooLarge("relation", relation.id(), relation.members().size(), "members", mostMembers);
         OsmRelation& kept = map_.relations.emplace_back(
             OsmRelation{relation.id(), kind.tagged, wantedTags(relation.tags(), selection_.keys), {}});
         for (const osmium::RelationMember& member : relation.members()) {
@@ -168,6 +245,8 @@ private:
     Taken take(const osmium::Way& way) {
         if (isSplit(way)) return split("way", way.id());
         if (way.nodes().size() < 2) return {};
+        if (way.nodes().size() > mostNodes)
+            return tooLarge("way", way.id(), way.nodes().size(), "nodes", mostNodes);
         const bool area = way.ends_have_same_id() && isWantedArea(way.tags());
         const bool line = !area && hasOneOf(way.tags(), selection_.lineKeys);
         if (!area && !line && !std::ranges::binary_search(members_, way.id())) return {};
@@ -192,7 +271,7 @@ private:
         std::ranges::stable_sort(kept_, {}, [](const Kept& kept) { return kept.way.id; });
         const auto same = std::ranges::adjacent_find(kept_, {}, [](const Kept& kept) { return kept.way.id; });
         if (same != kept_.end()) return twice("way", same->way.id);
-        places_ = NodePlaces(nodes_);
+        places_ = NodePlaces(nodes_, stop_);
         return {};
     }
 
@@ -213,6 +292,7 @@ private:
     // A way of which too few nodes are in the file is left out, as if the file did not have it.
     void placeWays() {
         for (Kept& kept : kept_) {
+            if (stop_.stop_requested()) throw Stopped();
             for (std::size_t i = 0; i < kept.count; ++i)
                 if (const OsmPoint* place = places_.find(nodes_[kept.first + i]);
                     place != nullptr && *place != nowhere)
@@ -227,6 +307,13 @@ private:
                        "Convert it: osmium cat OLD.osm -o NEW.osm.pbf");
     }
 
+    [[nodiscard]] Taken tooLarge(const char* what, std::int64_t id, std::size_t count, const char* parts,
+                                 std::size_t most) const {
+        return limitReached(
+            fmt::format("The {} {} has {} {}; OpenStreetMap has at most {}", what, id, count, parts, most),
+            path_.string(), "Download it again, or divide the way");
+    }
+
     [[nodiscard]] Taken twice(const char* what, std::int64_t id) const {
         return failure(fmt::format("It holds {} {} twice", what, id), path_.string(),
                        "Use an extract without history");
@@ -238,7 +325,8 @@ private:
     };
 
     const std::filesystem::path& path_;
-    osmium::io::File file_;
+    OsmFormat format_;
+    double bytes_;  // of the file
     const OsmSelection& selection_;
     Progress& progress_;
     const std::stop_token& stop_;
@@ -246,7 +334,7 @@ private:
     std::vector<std::int64_t> members_;  // ways that relations need
     std::vector<Kept> kept_;
     std::vector<std::int64_t> nodes_;  // of the ways kept, one after the other
-    NodePlaces places_{{}};
+    NodePlaces places_{{}, {}};
     OsmMap map_;
 };
 
@@ -255,9 +343,12 @@ private:
 Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
                           Progress& progress, const std::stop_token& stop) try {
     return MapReader(file, format, selection, progress, stop).read();
+} catch (const Stopped&) {
+    return cancelled();
 } catch (const std::bad_alloc&) {
     throw;  // the caller's guard reports it
 } catch (const std::exception& exception) {
+    if (stop.stop_requested()) return cancelled();
     return failure(fmt::format("It is incomplete or damaged ({})", exception.what()), file.string(),
                    "Download or export it again");
 }

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/gdal_calls.h"
+#include "core/geo/crs_definition.h"
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/warp_words.h"
@@ -34,16 +35,6 @@ struct Picture {
     RasterPlace place;
 };
 
-std::string crsOf(const GDALDataset& dataset) {
-    const OGRSpatialReference* system = dataset.GetSpatialRef();
-    char* text = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-    if (system != nullptr && !system->IsEmpty()) system->exportToWkt(&text, options);
-    std::string wkt = text != nullptr ? text : "";
-    CPLFree(text);
-    return wkt;
-}
-
 Result<void> checkBands(GDALDataset& dataset, const std::string& file) {
     constexpr double mostCells = 2e10;
     const int bands = dataset.GetRasterCount();
@@ -66,7 +57,7 @@ Result<Picture> openPicture(const std::filesystem::path& path) {
     if (!dataset) return tl::make_unexpected(dataset.error());
     picture.dataset = *std::move(dataset);
     if (auto bands = checkBands(*picture.dataset, file); !bands) return tl::make_unexpected(bands.error());
-    picture.crs = crsOf(*picture.dataset);
+    picture.crs = wktOf(picture.dataset->GetSpatialRef());
     if (picture.crs.empty())
         return failure("The raster has no coordinate reference system", file, exportAdvice);
     picture.place = {picture.dataset->GetRasterXSize(), picture.dataset->GetRasterYSize(), {}};
@@ -177,7 +168,7 @@ tl::unexpected<Error> farAway(const std::string& file) {
 
 Result<GroundRaster> read(const std::filesystem::path& path, const Frame& frame, const Box2& wanted,
                           const GroundRasterSettings& settings, Watch& watch) {
-    const GdalCalls gdal;
+    const GdalCalls gdal(watch.stop);
     const std::string file = path.string();
     const Result<Picture> picture = openPicture(path);
     if (!picture) return tl::make_unexpected(picture.error());

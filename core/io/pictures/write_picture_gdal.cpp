@@ -2,6 +2,7 @@
 #include <ogr_spatialref.h>
 
 #include "core/base/gdal_calls.h"
+#include "core/geo/crs_definition.h"
 #include "core/io/files/pending_file.h"
 #include "core/io/pictures/write_picture.h"
 
@@ -24,14 +25,13 @@ GDALDatasetUniquePtr createPicture(const std::filesystem::path& file, const Plac
 }
 
 bool fill(GDALDataset& dataset, const PlacedPicture& picture) {
-    OGRSpatialReference system;
-    if (system.SetFromUserInput(picture.crs.c_str()) != OGRERR_NONE) return false;
-    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const auto system = parseCrs(picture.crs);
+    if (!system) return false;
     auto place = picture.geoTransform;
     if (!picture.attribution.empty())
         dataset.SetMetadataItem("TIFFTAG_COPYRIGHT", picture.attribution.c_str());
     auto* pixels = const_cast<std::uint8_t*>(picture.rgba.data());  // GDAL only reads through this pointer
-    return dataset.SetSpatialRef(&system) == CE_None && dataset.SetGeoTransform(place.data()) == CE_None &&
+    return dataset.SetSpatialRef(&*system) == CE_None && dataset.SetGeoTransform(place.data()) == CE_None &&
            dataset.RasterIO(GF_Write, 0, 0, picture.columns, picture.rows, pixels, picture.columns,
                             picture.rows, GDT_Byte, 4, nullptr, 4, GSpacing(picture.columns) * 4, 1,
                             nullptr) == CE_None;

@@ -144,7 +144,7 @@ Result<DatasetPointer> openPlaces(const Path& file, const PlaceSettings& setting
 
 Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, const Frame& frame,
                               Progress& progress, const std::stop_token& stop) try {
-    const GdalCalls calls;
+    const GdalCalls calls(stop);
     const auto dataset = openPlaces(file, settings, progress, stop);
     if (!dataset) return tl::make_unexpected(dataset.error());
     PlaceFile reader(**dataset, file, settings, progress, stop);

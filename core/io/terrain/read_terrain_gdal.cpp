@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/base/gdal_calls.h"
+#include "core/geo/crs_definition.h"
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/earth_drop.h"
 #include "core/io/files/open_dataset.h"
@@ -42,18 +43,6 @@ struct Source {
     }
 };
 
-std::string wktOf(const GDALDataset& dataset) {
-    const OGRSpatialReference* system = dataset.GetSpatialRef();
-    char* text = nullptr;
-    if (system != nullptr && !system->IsEmpty()) {
-        const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-        system->exportToWkt(&text, options);
-    }
-    std::string wkt = text != nullptr ? text : "";
-    CPLFree(text);
-    return wkt;
-}
-
 void keepFirstBand(Source& source) {
     source.warn(WarningKind::assumed, "the first of several bands is used as the elevation");
     char** words = nullptr;
@@ -79,7 +68,7 @@ Result<Source> openSource(const std::filesystem::path& file, const ReadSettings&
                        "Choose the elevation model itself");
     if (source.dataset->GetRasterCount() > 1) keepFirstBand(source);
     if (!source.dataset) return failure("The terrain's first band cannot be read", source.file);
-    source.crs = wktOf(*source.dataset);
+    source.crs = wktOf(source.dataset->GetSpatialRef());
     if (source.crs.empty()) source.crs = settings.crs.value_or("");
     if (source.crs.empty())
         return failure("The terrain has no coordinate reference system", source.file, crsAdvice);
@@ -328,7 +317,7 @@ Result<std::vector<float>> elevationsOf(Source& source, const TerrainGrid& place
 
 Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
                        const std::stop_token& stop) {
-    const GdalCalls gdal;
+    const GdalCalls gdal(stop);
     Result<Source> source = openSource(file, settings);
     if (!source) return tl::make_unexpected(source.error());
     const Result<CrsToLonLat> crs = CrsToLonLat::of(source->crs);

@@ -36,6 +36,8 @@ std::shared_ptr<const TriangleMesh> liftMesh(const TriangleMesh& mesh, float byM
     return moved;
 }
 
+}  // namespace
+
 void lift(Building& building, float byM) {
     if (byM == 0) return;
     for (Part& part : building.parts) {
@@ -44,8 +46,6 @@ void lift(Building& building, float byM) {
         if (part.mesh) part.mesh = liftMesh(*part.mesh, byM);
     }
 }
-
-}  // namespace
 
 float findLowestGround(const Building& building, const Terrain& terrain) {
     float lowest = 1e30F;

@@ -7,6 +7,9 @@
 
 namespace noonmark {
 
+/// Moves a building up.
+void lift(Building& building, float byM);
+
 /// The lowest ground under a building's outline, local z: of its corners, and of up to 1,024 points inside
 /// each part.
 float findLowestGround(const Building& building, const Terrain& terrain);

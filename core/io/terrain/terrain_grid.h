@@ -2,8 +2,9 @@
 
 // The folder core/io/terrain makes the ground of a city. read_terrain_gdal.cpp reads rasters: raster_place.h
 // transforms pixels to local metres, terrain_grid.h (this file) chooses the posts and finishes the Terrain.
-// terrain_from_bases.h makes a terrain from the ground elevations that buildings state. stand_on_terrain.h
-// places buildings on the terrain.
+// ground_choice.h chooses among rasters and takes the ground from a model of the surface (surface_model.h).
+// terrain_from_bases.h makes a terrain from the ground elevations that buildings state. standing.h places the
+// buildings of files on the terrain, stand_on_terrain.h one of them.
 
 #include <optional>
 #include <string>

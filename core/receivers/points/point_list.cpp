@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/csv_field.h"
 #include "core/base/csv_rows.h"
+#include "core/base/csv_text.h"
 
 namespace noonmark {
 
@@ -141,9 +141,13 @@ Result<std::vector<ListedPoint>> parsePointList(std::string_view text, const std
 }
 
 std::string toCsv(const std::vector<ListedPoint>& points) {
-    std::string csv = "id,lon,lat,height,facing\n";
-    for (const ListedPoint& point : points) csv += quoteField(point.id) + "," + formatText(point) + "\n";
-    return csv;
+    CsvText csv({"id", "lon", "lat", "height", "facing"});
+    for (const ListedPoint& point : points) {
+        csv.text(point.id).number(point.at.lonDeg, 7).number(point.at.latDeg, 7);
+        for (const auto& value : {point.heightM, point.facingDeg}) value ? csv.number(*value) : csv.nothing();
+        csv.endRow();
+    }
+    return csv.take();
 }
 
 }  // namespace noonmark

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/city/meshes/mesh_sheets.h"
+
 namespace noonmark {
 
 namespace {
@@ -29,7 +31,8 @@ int windingAt(const TriangleMesh& mesh, glm::dvec3 place) {
 
 bool isInside(const Part& part, glm::dvec3 place) {
     if (place.z < double(part.bottomM) || place.z >= double(part.topM)) return false;
-    if (part.mesh) return windingAt(*part.mesh, place) > 0;
+    // Below a sheet that hangs there is air
+    if (part.mesh) return windingAt(*part.mesh, place) > 0 && !(part.isOverhanging && isSheet(*part.mesh));
     return contains(part.footprint, glm::dvec2(place));
 }
 

@@ -14,7 +14,8 @@
 
 namespace noonmark {
 
-/// Whether a place is inside a part; on its underside it is, on its top it is not. A mesh must be closed.
+/// Whether a place is inside a part; on its underside it is, on its top it is not. A mesh must be closed, or
+/// stand on the ground; nothing is inside an overhanging sheet.
 bool isInside(const Part& part, glm::dvec3 place);
 
 /// Finds the building that is solid at a place, from all parts of a city, by squares of the plan. The city

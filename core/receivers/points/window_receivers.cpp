@@ -82,9 +82,16 @@ private:
         placed_.warnings.push_back({kind, why, window.id});
     }
 
+    // A window in a wall along the region's edge, as around a city, counts: panes lie a little before or
+    // behind their wall.
     [[nodiscard]] bool isInRegion(glm::dvec3 place) const {
-        return std::ranges::any_of(
-            region_.polygons, [&](const Footprint& polygon) { return contains(polygon, glm::dvec2(place)); });
+        constexpr double edgeM = 0.05;
+        constexpr glm::dvec2 offsets[]{
+            {0, 0}, {edgeM, edgeM}, {edgeM, -edgeM}, {-edgeM, edgeM}, {-edgeM, -edgeM}};
+        return std::ranges::any_of(region_.polygons, [&](const Footprint& polygon) {
+            return std::ranges::any_of(
+                offsets, [&](glm::dvec2 offset) { return contains(polygon, glm::dvec2(place) + offset); });
+        });
     }
 
     void moveOnto(const NearWall& wall, const WindowShape& window, Pane& pane) {

@@ -1,6 +1,11 @@
 #include "core/review/criteria/criterion_days.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/measures/place_areas.h"
+#include "core/review/criteria/worst_spots.h"
 
 namespace noonmark {
 
@@ -58,54 +63,233 @@ StepCount countFullCover(const DayShadow& day, Quantity quantity, bool former) {
     });
 }
 
-std::uint32_t largestCells(const DayShadow& day, Quantity quantity, bool former) {
-    std::uint32_t largest = 0;
+double areaAt(const DayShadow& day, Quantity quantity, bool former, std::size_t step) {
+    const ShadedCells& cells = day.cells();
+    if (quantity == Quantity::incremental) return former ? 0 : cells.incrementalM2[step];
+    const double shaded = former ? cells.baselineM2[step] : cells.scenarioM2[step];
+    return quantity == Quantity::sun ? std::max(0.0, day.areaM2() - shaded) : shaded;
+}
+
+std::size_t edgesAt(const DayShadow& day, Quantity quantity, bool former, std::size_t step) {
+    const PlaceShadow& shadow = day.shadow();
+    const auto before = shadow.baseline.at(step), after = shadow.scenario.at(step);
+    if (quantity != Quantity::incremental) return countEdges(former ? before : after, shadow.neighbours);
+    std::vector<std::uint64_t> added(after.begin(), after.end());
+    for (std::size_t word = 0; word < added.size(); ++word) added[word] &= ~before[word];
+    return countEdges(added, shadow.neighbours);
+}
+
+/// Half of the cells that an edge passes through, at least one.
+double edgeErrorCells(std::size_t edges) { return std::max(1.0, double(edges) / 2); }
+
+/// How far the cells may miss an area: nothing, or the whole place, has no edge.
+double areaErrorM2(const DayShadow& day, Quantity quantity, bool former, std::size_t step) {
+    const double areaM2 = areaAt(day, quantity, former, step);
+    const bool isAll = cellsAt(day, quantity, former, step) == day.shadow().baseline.receivers;
+    if (areaM2 <= 0 || isAll) return 0;
+    return std::min(areaM2, edgeErrorCells(edgesAt(day, quantity, former, step)) * day.shadow().cellAreaM2);
+}
+
+Measured measureLargestArea(const DayShadow& day, Quantity quantity, bool former) {
+    double largest = 0;
+    std::size_t at = 0;
     for (std::size_t step = 0; step < day.shadow().steps.size(); ++step)
-        largest = std::max(largest, cellsAt(day, quantity, former, step));
-    return largest;
+        if (const double areaM2 = areaAt(day, quantity, former, step); areaM2 > largest)
+            largest = areaM2, at = step;
+    return largest > 0 ? around(largest, areaErrorM2(day, quantity, former, at)) : Measured{};
+}
+
+Measured measureLargestShare(const DayShadow& day, Quantity quantity, bool former) {
+    if (day.areaM2() <= 0) return {};
+    const Measured area = measureLargestArea(day, quantity, former);
+    const auto shareOf = [&](double areaM2) { return std::min(1.0, areaM2 / day.areaM2()); };
+    return {shareOf(area.value), shareOf(area.low), shareOf(area.high)};
+}
+
+/// What the steps may miss of an area x hours, in m2 x steps: between two steps the area lies between theirs.
+double timeErrorSteps(const std::vector<double>& areas) {
+    if (areas.size() < 2) return areas.empty() ? 0 : areas.front();
+    double changes = 0;
+    for (std::size_t step = 1; step < areas.size(); ++step)
+        changes += std::abs(areas[step] - areas[step - 1]);
+    const double last = std::abs(areas.back() - areas[areas.size() - 2]);
+    return (changes + std::abs(areas.back() - areas.front()) + last) / 2;
 }
 
 Measured measureAreaHours(const DayShadow& day, Quantity quantity, bool former) {
-    double cellSteps = 0;
-    for (std::size_t step = 0; step < day.shadow().steps.size(); ++step)
-        cellSteps += cellsAt(day, quantity, former, step);
-    const double hours = day.stepMin() / 60 * day.shadow().cellAreaM2;
-    return around(cellSteps * hours, largestCells(day, quantity, former) * hours);
+    std::vector<double> areas;
+    double sum = 0, error = 0;
+    for (std::size_t step = 0; step < day.shadow().steps.size(); ++step) {
+        areas.push_back(areaAt(day, quantity, former, step));
+        sum += areas.back();
+        error += areaErrorM2(day, quantity, former, step);
+    }
+    const double hours = day.stepMin() / 60;
+    return around(sum * hours, (error + timeErrorSteps(areas)) * hours);
 }
 
 RunCounts runsOf(const SpotRuns& runs, std::size_t cell) {
     return {runs.total[cell], runs.longest[cell], runs.longestRuns[cell], runs.count[cell]};
 }
 
-/// Minutes and runs of the worst spot: most shadow, or least sun.
-Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool former) {
+struct WorstSpot {
+    std::uint32_t steps = 0;
+    RunCounts runs;
+    double besideMin = 0;  ///< most minutes between its cell and those beside it; 0 of single points
+};
+
+/// Most minutes between a cell and its neighbours.
+double findSpreadMin(const PlaceShadow& shadow, const std::vector<std::uint32_t>& steps, std::uint32_t cell) {
+    double spread = 0;
+    const auto compare = [&](std::uint32_t other) {
+        const double apart = std::abs(double(steps[cell]) - double(steps[other])) * shadow.stepMinutes;
+        spread = std::max(spread, apart);
+    };
+    for (const NeighbourCells& pairs : shadow.neighbours) {
+        if (cell - pairs.first < pairs.count) compare(pairs.second + (cell - pairs.first));
+        if (cell - pairs.second < pairs.count) compare(pairs.first + (cell - pairs.second));
+    }
+    return spread;
+}
+
+/// Takes the worst of these spots, most shadow or least sun, if it is worse than `worst`.
+void takeWorse(const Criterion& criterion, const PlaceShadow& shadow, bool former,
+               std::optional<WorstSpot>& worst) {
     const SpotRuns runs =
-        countRuns(day.shadow(), criterion.quantity, former, {criterion.runs, criterion.dropShorterMin});
-    const auto& steps = criterion.measure == Measure::spotTotal        ? runs.total
-                        : criterion.measure == Measure::spotLongestRun ? runs.longest
-                                                                       : runs.longestRuns;
-    if (steps.empty()) return {};
-    const auto worst = criterion.quantity == Quantity::sun ? std::ranges::min_element(steps)
-                                                           : std::ranges::max_element(steps);
-    return measureSpot(criterion, runsOf(runs, std::size_t(worst - steps.begin())),
-                       {day.stepMin(), day.runErrorMin()});
+        countRuns(shadow, criterion.quantity, former, {criterion.runs, criterion.dropShorterMin});
+    const std::vector<std::uint32_t>& steps = stepsOf(runs, criterion.measure);
+    if (steps.empty()) return;
+    const bool least = criterion.quantity == Quantity::sun;
+    const auto found = least ? std::ranges::min_element(steps) : std::ranges::max_element(steps);
+    if (worst && (least ? *found >= worst->steps : *found <= worst->steps)) return;
+    const auto spot = std::uint32_t(found - steps.begin());
+    worst = WorstSpot{*found, runsOf(runs, spot), findSpreadMin(shadow, steps, spot)};
+}
+
+/// Minutes and runs of the worst spot. A spot near it may be worse: where only centres were looked at, by
+/// what lies between its cell and those beside it; else by as much as the nearest points were worse than all
+/// others.
+Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool former) {
+    std::optional<WorstSpot> worst;
+    takeWorse(criterion, day.shadow(), former, worst);
+    if (!worst) return {};
+    double besideMin = worst->besideMin;
+    for (const PlaceShadow& spots : day.spots()) {
+        const double before = worst->steps;
+        takeWorse(criterion, spots, former, worst);
+        besideMin = std::abs(before - double(worst->steps)) * day.stepMin();
+    }
+    Measured measured = measureSpot(criterion, worst->runs, {day.stepMin(), day.runErrorMin()});
+    if (criterion.quantity == Quantity::sun)
+        measured.low = std::max(0.0, measured.low - besideMin);
+    else
+        measured.high += besideMin;
+    return measured;
+}
+
+/// How many cells each cell of a place counts.
+std::vector<double> weightsOf(const PlaceShadow& shadow) {
+    std::vector<double> weights(shadow.baseline.receivers, 1.0);
+    for (const UnevenCell& cell : shadow.uneven) weights[cell.bit] += cell.extra;
+    return weights;
+}
+
+/// The spots of a place for which a condition holds: surely, as measured, and possibly.
+class MeetingSpots {
+public:
+    explicit MeetingSpots(const PlaceShadow& shadow)
+        : shadow_(shadow), weights_(weightsOf(shadow)), words_((weights_.size() + 63) / 64) {}
+
+    void take(std::size_t cell, bool surely, bool measured, bool possibly) {
+        const std::array<bool, 3> holds{surely, measured, possibly};
+        for (std::size_t bound = 0; bound < holds.size(); ++bound)
+            if (holds[bound]) cells_[bound] += 1, sums_[bound] += weights_[cell];
+        if (measured) words_[cell / 64] |= std::uint64_t{1} << cell % 64;
+    }
+    [[nodiscard]] bool isEverySpot() const { return cells_[0] == weights_.size(); }
+
+    /// In cells. A cell on the edge of these spots may be in or out; where all or none are in there is none.
+    [[nodiscard]] Measured count() const {
+        const double edge = edgeErrorCells(countEdges(words_, shadow_.neighbours));
+        return {sums_[1], isEverySpot() ? sums_[0] : std::max(0.0, sums_[0] - edge),
+                cells_[2] == 0 ? 0 : sums_[2] + edge};
+    }
+
+private:
+    const PlaceShadow& shadow_;
+    std::vector<double> weights_;
+    std::vector<std::uint64_t> words_;
+    std::array<std::size_t, 3> cells_{};
+    std::array<double, 3> sums_{};
+};
+
+RunSettings runSettingsOf(const Criterion& criterion) {
+    return {runsWanted(criterion), criterion.dropShorterMin};
 }
 
 Measured measureShare(const Criterion& criterion, const DayShadow& day, bool former) {
-    const SpotRuns runs = countRuns(day.shadow(), criterion.quantity, former, {1, criterion.dropShorterMin});
+    const PlaceShadow& shadow = day.shadow();
+    const SpotRuns runs = countRuns(shadow, criterion.quantity, former, runSettingsOf(criterion));
     const RunError error{day.stepMin(), day.runErrorMin()};
-    std::array<std::size_t, 3> meeting{};
-    const std::size_t cells = runs.total.size();
-    for (std::size_t cell = 0; cell < cells; ++cell)
-        for (std::size_t bound = 0; bound < meeting.size(); ++bound)
-            meeting[bound] += meets(criterion.spot, runsOf(runs, cell), error, int(bound) - 1) ? 1 : 0;
-    if (cells == 0) return {};
-    const auto share = [&](double count) { return std::clamp(count / double(cells), 0.0, 1.0); };
-    // A cell on the edge of the place may be in or out; where all or no cells meet the condition it changes
-    // nothing.
-    const double low = meeting[0] == cells ? double(cells) : double(meeting[0]) - 1;
-    const double high = meeting[2] == 0 ? 0 : double(meeting[2]) + 1;
-    return {share(double(meeting[1])), share(low), share(high)};
+    MeetingSpots spots(shadow);
+    for (std::size_t cell = 0; cell < runs.total.size(); ++cell) {
+        const auto met = [&](int sign) { return meets(criterion.spot, runsOf(runs, cell), error, sign); };
+        spots.take(cell, met(-1), met(0), met(1));
+    }
+    if (day.areaM2() <= 0) return {};
+    const Measured cells = spots.count();
+    const auto share = [&](double count) {
+        return std::clamp(count * shadow.cellAreaM2 / day.areaM2(), 0.0, 1.0);
+    };
+    // Exactly 1 where no spot is within its error: shares of cells leave a rounding error.
+    if (spots.isEverySpot()) return {1, 1, 1};
+    return {share(cells.value), share(cells.low), share(cells.high)};
+}
+
+/// Whether a spot has more minutes than the criterion's, and more than in the baseline: surely, as measured,
+/// and possibly.
+struct ExcessOfSpot {
+    bool surely = false, measured = false, possibly = false;
+};
+
+ExcessOfSpot findExcess(const Criterion& criterion, const RunCounts& now, const RunCounts& former,
+                        bool isMore, const RunError& error) {
+    const double limit = criterion.spot.minutes, minutes = now.total * error.stepMin,
+                 before = former.total * error.stepMin;
+    const double off = now.count * error.runErrorMin, formerOff = former.count * error.runErrorMin;
+    // Where nothing comes to what the baseline shades there is no more of it, whatever the steps miss.
+    return {isMore && minutes - off > limit && minutes - off > before + formerOff,
+            isMore && minutes > limit && minutes > before,
+            isMore && minutes + off >= limit && minutes + off > before - formerOff};
+}
+
+/// Calls `take(spot, excess)` for each spot.
+void findExcesses(const Criterion& criterion, const PlaceShadow& shadow, const RunError& error,
+                  const auto& take) {
+    const RunSettings settings = runSettingsOf(criterion);
+    const SpotRuns now = countRuns(shadow, criterion.quantity, false, settings),
+                   former = countRuns(shadow, criterion.quantity, true, settings);
+    const std::vector<bool> more = findSpotsWithMore(shadow, criterion.quantity);
+    for (std::size_t spot = 0; spot < now.total.size(); ++spot)
+        take(spot, findExcess(criterion, runsOf(now, spot), runsOf(former, spot), more[spot], error));
+}
+
+/// The area of the spots with more than the criterion's minutes. Points near the worst spots have no area;
+/// where one exceeds them and no cell does, a cell may.
+Measured measureAreaOver(const Criterion& criterion, const DayShadow& day) {
+    const RunError error{day.stepMin(), day.runErrorMin()};
+    const double cellM2 = day.shadow().cellAreaM2;
+    MeetingSpots cells(day.shadow());
+    findExcesses(criterion, day.shadow(), error, [&](std::size_t cell, const ExcessOfSpot& excess) {
+        cells.take(cell, excess.surely, excess.measured, excess.possibly);
+    });
+    const Measured count = cells.count();
+    bool anyPoint = false;
+    for (const PlaceShadow& points : day.spots())
+        findExcesses(criterion, points, error, [&](std::size_t, const ExcessOfSpot& excess) {
+            anyPoint = anyPoint || excess.possibly;
+        });
+    return {count.value * cellM2, count.low * cellM2, std::max(count.high, anyPoint ? 1.0 : 0.0) * cellM2};
 }
 
 Measured measureMinutes(const DayShadow& day, const StepCount& count) {
@@ -124,6 +308,14 @@ void addWeighted(Measured& sum, const Measured& value, double weight) {
 
 Measured divided(const Measured& sum, double by) { return {sum.value / by, sum.low / by, sum.high / by}; }
 
+/// Narrows the range of a sum over days to so much on both sides: the days' errors are independent of each
+/// other, as shadows fall anew on the cells and steps of each. Three standard deviations of errors that are
+/// spread evenly within the days' ranges.
+void narrow(Measured& sum, double error) {
+    sum.low = std::max(sum.low, sum.value - error);
+    sum.high = std::min(sum.high, sum.value + error);
+}
+
 /// Whether more of the value is worse: by the first limit, or by the quantity.
 bool moreIsWorse(const Criterion& criterion) {
     if (criterion.limits.empty())
@@ -136,7 +328,6 @@ bool moreIsWorse(const Criterion& criterion) {
 
 Measured measureDay(const Criterion& criterion, const DayShadow& day, bool former) {
     const Quantity quantity = criterion.quantity;
-    const double cellM2 = day.shadow().cellAreaM2, cells = double(day.shadow().baseline.receivers);
     switch (criterion.measure) {
         case Measure::spotTotal:
         case Measure::spotLongestRun:
@@ -153,11 +344,13 @@ Measured measureDay(const Criterion& criterion, const DayShadow& day, bool forme
         case Measure::fullCover:
             return measureMinutes(day, countFullCover(day, quantity, former));
         case Measure::largestArea:
-            return around(largestCells(day, quantity, former) * cellM2, cellM2);
+            return measureLargestArea(day, quantity, former);
         case Measure::largestShare:
-            return cells == 0 ? Measured{} : around(largestCells(day, quantity, former) / cells, 1 / cells);
+            return measureLargestShare(day, quantity, former);
         case Measure::areaHours:
             return measureAreaHours(day, quantity, former);
+        case Measure::areaOver:
+            return measureAreaOver(criterion, day);
         case Measure::skyComponent:  // of windows
         case Measure::probableSun:
             return {};
@@ -222,6 +415,8 @@ void CriterionDays::add(CivilDate day, const Measured& value, const std::optiona
     ++found_.days;
     weights_ += weight;
     addWeighted(sum_, value, weight);
+    const double half = weight * (value.high - value.low) / 2;
+    squaredErrors_ += half * half;
     if (former) {
         hasFormer_ = true;
         addWeighted(formerSum_, *former, weight);
@@ -236,6 +431,7 @@ CriterionResult CriterionDays::result() const {
     if (result.days == 0 || result.value) return result;
     const double by = combination_ == DayCombination::average ? weights_ : 1;
     result.value = divided(sum_, by);
+    if (criterion_->measure == Measure::areaHours) narrow(*result.value, std::sqrt(3 * squaredErrors_) / by);
     if (hasFormer_) result.former = divided(formerSum_, by);
     result.verdict = judgeLimits(*criterion_, *result.value, result.former, unchanged_);
     return result;

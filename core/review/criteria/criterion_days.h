@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/measures/place_shadow.h"
 #include "core/review/criteria/spot_measure.h"
@@ -20,23 +21,35 @@ struct CriterionResult {
 /// The measured value of a criterion on one day. `runs` counts the runs of a quantity once for all criteria.
 class DayShadow {
 public:
-    DayShadow(const PlaceShadow& shadow, double engineErrorMin)
-        : shadow_(shadow), cells_(countShadedCells(shadow)), engineErrorMin_(engineErrorMin) {}
+    /// `spots`: points near the worst spots (refineWorstSpots()); they count for figures of single spots
+    /// only, not for areas and shares. Without them the error of a worst spot includes its cell.
+    DayShadow(const PlaceShadow& shadow, double engineErrorMin, std::span<const PlaceShadow> spots = {})
+        : shadow_(shadow),
+          spots_(spots),
+          cells_(countShadedCells(shadow)),
+          areaM2_(shadow.areaM2()),
+          engineErrorMin_(engineErrorMin) {}
 
     [[nodiscard]] const PlaceShadow& shadow() const { return shadow_; }
+    [[nodiscard]] std::span<const PlaceShadow> spots() const { return spots_; }
     [[nodiscard]] const ShadedCells& cells() const { return cells_; }
+    [[nodiscard]] double areaM2() const { return areaM2_; }
     [[nodiscard]] double stepMin() const { return shadow_.stepMinutes; }
     /// Minutes of one step, and what the engine adds: the error of the length of one run.
     [[nodiscard]] double runErrorMin() const { return shadow_.stepMinutes + engineErrorMin_; }
 
 private:
     const PlaceShadow& shadow_;
+    std::span<const PlaceShadow> spots_;
     ShadedCells cells_;
+    double areaM2_;
     double engineErrorMin_;
 };
 
-/// The errors: each run is uncertain by a step and the engine's error, an area by a cell, a share by a cell
-/// and by the spots whose minutes are within their error of what they need.
+/// The errors: each run is uncertain by a step and the engine's error, an area by half of the cells that its
+/// edge passes through, at least by one, a share by these and by the spots whose minutes are within their
+/// error of what they need. Area x hours are uncertain by the areas' errors and by half of what the area
+/// changes from step to step.
 Measured measureDay(const Criterion& criterion, const DayShadow& day, bool former);
 
 /// Compares a value with the limits of a criterion, any one of which must hold. Not applicable: it has no
@@ -69,7 +82,7 @@ private:
     DayCombination combination_;
     CriterionResult found_;
     Measured sum_, formerSum_;
-    double weights_ = 0;
+    double weights_ = 0, squaredErrors_ = 0;
     bool hasFormer_ = false, unchanged_ = true;
 };
 

@@ -6,6 +6,11 @@
 
 namespace noonmark {
 
+int runsWanted(const Criterion& criterion) {
+    const bool inParts = criterion.measure == Measure::share && criterion.spot.mostParts > 0;
+    return inParts ? criterion.spot.mostParts : criterion.runs;
+}
+
 RunCounts countRuns(const Criterion& criterion, std::span<const std::uint32_t> lengths, double stepMin) {
     RunCounts runs;
     std::array<std::uint32_t, 8> top{};
@@ -17,7 +22,7 @@ RunCounts countRuns(const Criterion& criterion, std::span<const std::uint32_t> l
             if (length > place) std::swap(length, place);
     }
     runs.longest = top[0];
-    for (int i = 0; i < criterion.runs; ++i) runs.longestRuns += top[std::size_t(i)];
+    for (int i = 0; i < runsWanted(criterion); ++i) runs.longestRuns += top[std::size_t(i)];
     return runs;
 }
 
@@ -37,8 +42,10 @@ bool meets(const SpotCondition& spot, const RunCounts& runs, const RunError& err
     const double longest = runs.longest * error.stepMin + (runs.count > 0 ? off : 0) + rounding;
     const double total = runs.total * error.stepMin + runs.count * off + rounding;
     if ((spot.unbroken ? longest : total) >= spot.minutes) return true;
-    if (spot.brokenMinutes <= 0 || total < spot.brokenMinutes || longest < spot.partMinutes) return false;
-    return spot.mostParts == 0 || int(runs.count) <= spot.mostParts;
+    if (spot.brokenMinutes <= 0 || longest < spot.partMinutes) return false;
+    if (spot.mostParts == 0) return total >= spot.brokenMinutes;
+    const std::uint32_t parts = std::min(runs.count, std::uint32_t(spot.mostParts));
+    return runs.longestRuns * error.stepMin + parts * off + rounding >= spot.brokenMinutes;
 }
 
 }  // namespace noonmark

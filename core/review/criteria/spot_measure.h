@@ -21,6 +21,9 @@ struct RunError {
     double runErrorMin = 1;  ///< minutes; of n runs n times as much
 };
 
+/// Of how many longest runs the sum is wanted: a criterion's own number, or the parts of a broken total.
+int runsWanted(const Criterion& criterion);
+
 /// Counts runs by their lengths in steps; those shorter than the criterion's `dropShorterMin` are left out.
 RunCounts countRuns(const Criterion& criterion, std::span<const std::uint32_t> lengths, double stepMin);
 
@@ -29,7 +32,7 @@ RunCounts countRuns(const Criterion& criterion, std::span<const std::uint32_t> l
 Measured measureSpot(const Criterion& criterion, const RunCounts& runs, const RunError& error);
 
 /// Whether a spot has what the condition asks for, with the length of its runs changed by `sign` times their
-/// error.
+/// error. Of a broken total with a number of parts the longest parts count, whatever other sun follows.
 bool meets(const SpotCondition& spot, const RunCounts& runs, const RunError& error, int sign);
 
 }  // namespace noonmark

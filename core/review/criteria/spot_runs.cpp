@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "core/measures/place_areas.h"
+
 namespace noonmark {
 
 namespace {
@@ -97,6 +99,18 @@ SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former, co
     return runs;
 }
 
+std::vector<bool> findSpotsWithMore(const PlaceShadow& shadow, Quantity quantity) {
+    std::vector<bool> more(shadow.baseline.receivers);
+    for (std::size_t word = 0; word < shadow.baseline.wordsPerStep(); ++word) {
+        std::uint64_t any = 0;
+        for (std::size_t step = 0; step < shadow.steps.size(); ++step)
+            any |= quantityBits(shadow, quantity, false, step, word) &
+                   ~quantityBits(shadow, quantity, true, step, word);
+        for (; any != 0; any &= any - 1) more[word * 64 + std::size_t(std::countr_zero(any))] = true;
+    }
+    return more;
+}
+
 ShadedCells countShadedCells(const PlaceShadow& shadow) {
     ShadedCells cells;
     for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
@@ -107,6 +121,11 @@ ShadedCells countShadedCells(const PlaceShadow& shadow) {
             added +=
                 std::uint32_t(std::popcount(quantityBits(shadow, Quantity::incremental, false, step, word)));
         cells.incremental.push_back(added);
+        const StepAreas areas =
+            weighStep(shadow, step, {cells.baseline.back(), cells.scenario.back(), added});
+        cells.baselineM2.push_back(areas.baselineM2);
+        cells.scenarioM2.push_back(areas.scenarioM2);
+        cells.incrementalM2.push_back(areas.incrementalM2);
     }
     return cells;
 }

@@ -28,9 +28,13 @@ struct SpotRuns {
 SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former,
                    const RunSettings& settings = {});
 
-/// Cells in shadow at each step of the day.
+/// Whether each cell has the quantity at a step at which the baseline does not have it.
+std::vector<bool> findSpotsWithMore(const PlaceShadow& shadow, Quantity quantity);
+
+/// Cells in shadow at each step of the day, and their areas, each cell by its share of the place.
 struct ShadedCells {
     std::vector<std::uint32_t> baseline, scenario, incremental;
+    std::vector<double> baselineM2, scenarioM2, incrementalM2;
 };
 ShadedCells countShadedCells(const PlaceShadow& shadow);
 

@@ -13,7 +13,7 @@ double quotient(double value, double former) {
 }
 
 Verdict compareLow(double limit, const Measured& measured) {
-    if (measured.high < limit || (limit == 0 && measured.value == 0)) return Verdict::pass;
+    if (measured.high < limit || (limit == 0 && measured.high == 0)) return Verdict::pass;
     return measured.low > limit ? Verdict::fail : Verdict::borderline;
 }
 

@@ -16,7 +16,7 @@ SpotCondition readSpot(RuleFields fields) {
         RuleFields broken = fields.object("broken");
         spot.brokenMinutes = broken.number("minutes", 0, longestMinutes);
         spot.partMinutes = broken.numberOr("longest_part", 0, longestMinutes, 0);
-        spot.mostParts = broken.wholeOr("most_parts", 1, 100, 0);
+        spot.mostParts = broken.wholeOr("most_parts", 1, 8, 0);
         broken.finish();
         if (!spot.unbroken) fields.trouble("broken", "Only unbroken minutes have a broken alternative");
     }
@@ -79,6 +79,10 @@ void checkCriterion(RuleFields& fields, const Criterion& criterion) {
         if (limit.isLoss && criterion.quantity != Quantity::sun)
             fields.trouble("limit", "Only sun is lost", "Use the quantity sun");
     }
+    if (criterion.measure == Measure::areaOver &&
+        (criterion.quantity != Quantity::shadow || criterion.spot.unbroken))
+        fields.trouble("measure", "An area over so many minutes is about all shadow of its spots",
+                       "Use the quantity shadow, and a spot with minutes only");
     if (criterion.measure == Measure::fullCover && criterion.quantity == Quantity::sun)
         fields.trouble("measure", "Full cover is about shadow", "Use the quantity incremental");
     if (criterion.quantity == Quantity::sun && criterion.runs > 1 && criterion.measure == Measure::spotTotal)
@@ -99,7 +103,8 @@ Criterion readCriterion(RuleFields fields, std::string key, const std::string& s
     criterion.measure = fields.name("measure", measureNames());
     criterion.runs = fields.wholeOr("runs", 1, 8, 1);
     criterion.dropShorterMin = fields.numberOr("drop_shorter_min", 0, 600, 0);
-    if (criterion.measure == Measure::share) criterion.spot = readSpot(fields.object("spot"));
+    if (criterion.measure == Measure::share || criterion.measure == Measure::areaOver)
+        criterion.spot = readSpot(fields.object("spot"));
     readLimits(fields, criterion, source);
     criterion.advisory = fields.flagOr("advisory", false);
     if (fields.has("days")) criterion.combination = fields.name("days", combinationNames());

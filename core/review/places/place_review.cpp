@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/review/places/review_rows.h"
+#include "core/review/places/verdict_text.h"
 
 namespace noonmark {
 
@@ -34,8 +35,8 @@ PlaceEvaluation::PlaceEvaluation(const Rule& rule, const DayClock& clock, std::s
     }
 }
 
-void PlaceEvaluation::add(const PlaceShadow& shadow, double weight) {
-    const DayShadow day(shadow, engineErrorMin_);
+void PlaceEvaluation::add(const PlaceShadow& shadow, double weight, std::span<const PlaceShadow> spots) {
+    const DayShadow day(shadow, engineErrorMin_, spots);
     review_.areaM2 = shadow.areaM2();
     sunWasUp_ = sunWasUp_ || !shadow.steps.empty();
     ReviewRow row = computeReviewRow(day, *clock_);
@@ -84,7 +85,7 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
         return leaveUnjudged(Verdict::notApplicable, "The rule is about windows, not about places");
     if (review.areaM2 <= 0)
         return leaveUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
-    if (!sunWasUp_) return leaveUnjudged(Verdict::notChecked, "The sun is not up in the rule's hours");
+    if (!sunWasUp_) return leaveUnjudged(Verdict::notChecked, std::string(noSunInHours));
     for (std::size_t i = 0; i < review.results.size(); ++i) {
         if (!decides(review.criteria[i], review.results[i])) continue;
         if (review.deciding && review.results[i].verdict <= review.verdict) continue;

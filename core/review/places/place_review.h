@@ -66,8 +66,8 @@ public:
     PlaceEvaluation(const Rule& rule, const DayClock& clock, std::string name, PlaceKind kind,
                     double engineErrorMin = 0, LineBelt belt = LineBelt::none);
 
-    /// `weight`: days of the year that the day stands for (RuleSun::weights).
-    void add(const PlaceShadow& shadow, double weight = 1);
+    /// `weight`: days of the year that the day stands for (RuleSun::weights). `spots`: as of DayShadow.
+    void add(const PlaceShadow& shadow, double weight = 1, std::span<const PlaceShadow> spots = {});
     [[nodiscard]] PlaceReview finish() const;
 
 private:

@@ -21,8 +21,8 @@ std::vector<std::string_view> reviewColumnKeys();
 /// title states the unit. All other columns stay as they are.
 std::vector<RuleColumn> columnsIn(UnitSystem units, const std::vector<RuleColumn>& columns);
 
-/// The text of one field of a row in that column; "-" where there is no value. Numbers have a decimal point
-/// and no separators.
+/// The text of one field of a row in that column, for people: "-" where there is no value. Numbers have a
+/// decimal point and commas between thousands; tables that programs read take the row itself.
 std::string columnText(const PlaceReview& review, const ReviewRow& row, std::string_view key);
 
 }  // namespace noonmark

@@ -8,8 +8,30 @@ namespace noonmark {
 
 namespace {
 
-double mostOf(const std::vector<std::uint32_t>& steps, double stepMin) {
-    return steps.empty() ? 0 : *std::ranges::max_element(steps) * stepMin;
+std::uint32_t mostOf(const std::vector<std::uint32_t>& steps) {
+    return steps.empty() ? 0 : *std::ranges::max_element(steps);
+}
+
+/// Raises the most minutes of shadow at one spot to those of these spots.
+void takeMostShadow(ReviewRow& row, const PlaceShadow& spots) {
+    const double stepMin = spots.stepMinutes;
+    const SpotRuns added = countRuns(spots, Quantity::incremental, false);
+    row.maxPointMin = std::max(row.maxPointMin, mostOf(added.total) * stepMin);
+    row.maxPointRunMin = std::max(row.maxPointRunMin, mostOf(added.longest) * stepMin);
+    row.totalMaxPointMin =
+        std::max(row.totalMaxPointMin, mostOf(countRuns(spots, Quantity::shadow, false).total) * stepMin);
+}
+
+/// Takes the spot with least sun of these if it has less. `least`: steps of it so far.
+void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, std::optional<std::uint32_t>& least) {
+    const SpotRuns sun = countRuns(spots, Quantity::sun, false);
+    if (sun.total.empty()) return;
+    const auto spot = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
+    if (least && sun.total[spot] >= *least) return;
+    least = sun.total[spot];
+    row.leastSunMin = sun.total[spot] * spots.stepMinutes;
+    row.leastSunRunMin = sun.longest[spot] * spots.stepMinutes;
+    row.leastSunIntervals = int(sun.count[spot]);
 }
 
 /// Enters, exits, intervals, and the largest area.
@@ -28,16 +50,13 @@ void addTimes(ReviewRow& row, const DayTimeline& timeline, const DayClock& clock
 }
 
 void addSpots(ReviewRow& row, const DayShadow& day) {
-    const SpotRuns added = countRuns(day.shadow(), Quantity::incremental, false);
-    row.maxPointMin = mostOf(added.total, day.stepMin());
-    row.maxPointRunMin = mostOf(added.longest, day.stepMin());
-    row.totalMaxPointMin = mostOf(countRuns(day.shadow(), Quantity::shadow, false).total, day.stepMin());
-    const SpotRuns sun = countRuns(day.shadow(), Quantity::sun, false);
-    if (sun.total.empty()) return;
-    const auto least = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
-    row.leastSunMin = sun.total[least] * day.stepMin();
-    row.leastSunRunMin = sun.longest[least] * day.stepMin();
-    row.leastSunIntervals = int(sun.count[least]);
+    std::optional<std::uint32_t> least;
+    takeMostShadow(row, day.shadow());
+    takeLeastSun(row, day.shadow(), least);
+    for (const PlaceShadow& spots : day.spots()) {
+        takeMostShadow(row, spots);
+        takeLeastSun(row, spots, least);
+    }
 }
 
 }  // namespace
@@ -52,7 +71,9 @@ ReviewRow computeReviewRow(const DayShadow& day, const DayClock& clock) {
     row.incrementalM2h = timeline.incremental.areaHoursM2;
     row.gainedM2h = timeline.gained.areaHoursM2;
     row.fullCoverMin = timeline.allSunTakenMin;
-    row.totalDurationMin = timeline.scenario.minutes;
+    // Shadow that stays longest between the centres of cells is on the place as long.
+    row.durationMin = std::max(row.durationMin, row.maxPointMin);
+    row.totalDurationMin = std::max(timeline.scenario.minutes, row.totalMaxPointMin);
     row.totalMaxAreaM2 = timeline.scenario.largestM2;
     row.windowMin = timeline.sunlitMinutes;
     return row;

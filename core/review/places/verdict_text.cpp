@@ -28,6 +28,7 @@ std::string formatMeasured(Measure measure, double value, UnitSystem units) {
         case Measure::skyComponent:
         case Measure::probableSun:
             return fmt::format("{:.1f} %", value);
+        case Measure::areaOver:
         case Measure::largestArea:
             return formatSmallArea(value, units);
         case Measure::areaHours:

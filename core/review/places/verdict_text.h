@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/base/display_units.h"
 #include "core/review/places/place_review.h"
 
 namespace noonmark {
+
+/// Why nothing is judged where the sun is never up in a rule's hours: of places and windows alike.
+inline constexpr std::string_view noSunInHours = "No sun in these hours";
 
 /// "2 h 15 min", "62.0 %", "1,204 m²": a value of a criterion for people. Areas are not rounded to hectares
 /// or acres: a verdict may hang on them.

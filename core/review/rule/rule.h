@@ -130,6 +130,7 @@ enum class Measure {
     spotTotal,        ///< minutes at the worst spot
     spotLongestRun,   ///< longest unbroken minutes at the worst spot
     spotLongestRuns,  ///< the sum of the `runs` longest unbroken runs at the worst spot, min
+    areaOver,         ///< area whose spots have more minutes than `spot`, and more than in the baseline, m2
     share,            ///< share of the place whose spots meet `spot`, 0 to 1
     anywhere,         ///< minutes in which any spot of the place has it
     span,             ///< from its first to its last minute anywhere on the place, min
@@ -141,13 +142,14 @@ enum class Measure {
     probableSun,      ///< of a window: share of the year's probable sunlight hours, percent
 };
 
-/// What a spot needs so that it counts in Measure::share. A window is one spot: its share is 1 or 0.
+/// What a spot needs so that it counts in Measure::share; of Measure::areaOver only the minutes. A window is
+/// one spot: its share is 1 or 0.
 struct SpotCondition {
     bool unbroken = false;     ///< the longest run counts, else the total
     double minutes = 0;        ///< at least
     double brokenMinutes = 0;  ///< or at least this in total, if broken up; 0: no such alternative
     double partMinutes = 0;    ///< of a broken total: the longest part has at least this
-    int mostParts = 0;         ///< of a broken total: at most so many parts; 0: any number
+    int mostParts = 0;         ///< of a broken total: its longest parts, so many; 0: all of them; 0 to 8
 };
 
 enum class Comparison { atMost, below, atLeast, above };

@@ -113,6 +113,13 @@ private:
     const Ephemeris& sun_;
 };
 
+/// Each step counts the mean over the days, a hair beside the rule's step where days have no whole number of
+/// them: then 24 steps of 5 min are 119.999 min, which misses a limit of 2 h. They count the rule's minutes.
+void countWholeMinutes(SunSteps& sun, double stepMinutes) {
+    constexpr double hair = 0.002;
+    if (std::abs(sun.stepMinutes - stepMinutes) < hair * stepMinutes) sun.stepMinutes = stepMinutes;
+}
+
 }  // namespace
 
 Result<WeightedDates> datesOf(const RuleDays& days, int year) {
@@ -142,6 +149,7 @@ Result<RuleSun> computeRuleSun(const Rule& rule, const RuleSite& site, const std
     const StepRule steps{rule.sampling.stepMinutes, true, {rule.window.lowestSunDeg}};
     auto sun = computeSunSteps(windows, steps, site.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
+    countWholeMinutes(*sun, rule.sampling.stepMinutes);
     return RuleSun{*std::move(sun), std::move(weights), std::move(clock), year};
 }
 

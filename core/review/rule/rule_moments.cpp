@@ -106,7 +106,10 @@ std::vector<double> listLimitMinutes(const Rule& rule) {
     std::set<double> limits;
     for (const Criterion& criterion : rule.criteria)
         for (const Limit& limit : criterion.limits)
-            if (criterion.measure == Measure::spotTotal && !limit.ofFormer) limits.insert(limit.value);
+            if (criterion.measure == Measure::areaOver)
+                limits.insert(criterion.spot.minutes);
+            else if (criterion.measure == Measure::spotTotal && !limit.ofFormer)
+                limits.insert(limit.value);
     return {limits.begin(), limits.end()};
 }
 

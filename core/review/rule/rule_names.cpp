@@ -69,6 +69,7 @@ RuleNames<Measure> measureNames() {
     static constexpr std::array names{std::pair{spotTotal, std::string_view{"spot total"}},
                                       std::pair{spotLongestRun, std::string_view{"spot longest run"}},
                                       std::pair{spotLongestRuns, std::string_view{"spot longest runs"}},
+                                      std::pair{areaOver, std::string_view{"area over"}},
                                       std::pair{share, std::string_view{"share"}},
                                       std::pair{anywhere, std::string_view{"anywhere"}},
                                       std::pair{span, std::string_view{"span"}},
@@ -138,6 +139,7 @@ std::string_view unitOf(Measure measure) {
         case Measure::skyComponent:
         case Measure::probableSun:
             return "%";
+        case Measure::areaOver:
         case Measure::largestArea:
             return "m2";
         case Measure::areaHours:

@@ -51,6 +51,11 @@ BuildingReview reviewBuilding(const Rule& rule, const std::vector<const WindowRe
         worsen(building.formerVerdict, building.formerShares.back().verdict);
     }
     if (rule.shares.empty()) building.verdict = worst, building.formerVerdict = formerWorst;
+    const auto isUnchecked = [](const WindowReview* window) {
+        return window->verdict == Verdict::notChecked;
+    };
+    if (std::ranges::all_of(windows, isUnchecked))
+        building.verdict = building.formerVerdict = Verdict::notChecked;
     return building;
 }
 

@@ -213,6 +213,14 @@ void judge(const Rule& rule, WindowReview& review) {
         review.unjudged = "The rule has no limit for this window: it faces elsewhere, or has no former sun";
 }
 
+/// Nothing is judged where the sun is never up in the rule's hours.
+void leaveUnjudged(WindowReview& review) {
+    for (CriterionResult& result : review.results) result.verdict = Verdict::notChecked;
+    for (Verdict& verdict : review.formerVerdicts) verdict = Verdict::notChecked;
+    review.verdict = review.formerVerdict = Verdict::notChecked;
+    review.unjudged = noSunInHours;
+}
+
 void addBands(const RuleSun& sun, const WindowSunlight& light, WindowReview& review) {
     if (review.deciding) review.day = review.results[*review.deciding].day;
     if (!review.day && sun.sun.days.size() == 1) review.day = sun.sun.days.front().date;
@@ -244,6 +252,10 @@ WindowReview reviewWindow(const Rule& rule, const RuleSun& sun, const ReviewedWi
         review.formerVerdicts.push_back(criteria[i].formerVerdict(light));
         if (isAbout(rule.criteria[i], window)) continue;
         review.results.back().verdict = review.formerVerdicts.back() = Verdict::notApplicable;
+    }
+    if (sun.sun.steps.empty()) {
+        leaveUnjudged(review);
+        return review;
     }
     judge(rule, review);
     addBands(sun, light, review);

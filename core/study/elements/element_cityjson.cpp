@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -11,6 +11,8 @@
 #include "core/base/memory_guard.h"
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/earth_drop.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/files/stoppable_stream.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/study/elements/points_on_surfaces.h"
 
@@ -182,9 +184,11 @@ private:
 
 /// The parts of a file: itself, or the lines of a sequence.
 Result<std::vector<CityJson>> parseParts(const std::filesystem::path& file, const std::stop_token& stop) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return failure("The file cannot be read", file.string());
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    StoppableStream stream(file, stop);
+    if (!stream.opened()) return failure("The file cannot be read", file.string());
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (stop.stop_requested()) return cancelled();
     std::vector<CityJson> parts;
     CityJson whole = CityJson::parse(text, nullptr, false);
     if (!whole.is_discarded()) parts.push_back(std::move(whole));

@@ -2,8 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace noonmark {
+
+namespace {
+
+// `off`: minutes of each point.
+QuantityError quantityError(std::vector<double> off, double wholeMin) {
+    QuantityError error;
+    if (off.empty() || wholeMin <= 0) return error;
+    std::ranges::sort(off);
+    const double percent = 100 / wholeMin;
+    const auto rank = std::size_t(std::ceil(0.99 * double(off.size()))) - 1;  // nearest rank
+    error.meanPct = percent * std::accumulate(off.begin(), off.end(), 0.0) / double(off.size());
+    error.p99Pct = percent * off[rank];
+    error.largestPct = percent * off.back();
+    return error;
+}
+
+}  // namespace
 
 // The seed is spread over the fractions 0 to 1 by the golden ratio.
 std::vector<std::size_t> choosePoints(std::size_t all, std::size_t count, std::uint32_t seed) {
@@ -32,18 +50,20 @@ Result<ElementError> sampleElementError(const ElementStudy& study, Progress& pro
     const auto truth =
         tracePoints(study.city, pointsAt(study.receivers.points, chosen), study.sun, progress, stop);
     if (!truth) return tl::make_unexpected(truth.error());
+    const double whole = study.minutes.possibleMin, longest = longestDayMinutes(study.sun);
+    const PointMonths& swept = study.minutes;
+    const auto compare = [&](double wholeMin, const auto& minutesOf) {
+        std::vector<double> off;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            off.push_back(std::abs(minutesOf(swept, chosen[i]) - minutesOf(*truth, i)));
+        return quantityError(std::move(off), wholeMin);
+    };
     ElementError error{.points = chosen.size(), .rays = truth->cost.rays};
-    const double whole = study.minutes.possibleMin / 100, longest = longestDayMinutes(study.sun) / 100;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const double gross = std::abs(study.minutes.sunlitOf(chosen[i]) - truth->sunlitOf(i)) / whole;
-        const double run =
-            std::abs(double(study.minutes.longestShadowMin[chosen[i]] - truth->longestShadowMin[i])) /
-            longest;
-        error.grossMeanPct += gross / double(chosen.size());
-        error.grossLargestPct = std::max(error.grossLargestPct, gross);
-        error.continuousMeanPct += run / double(chosen.size());
-        error.continuousLargestPct = std::max(error.continuousLargestPct, run);
-    }
+    error.gross = compare(whole, [](const PointMonths& of, std::size_t point) { return of.sunlitOf(point); });
+    error.continuous = compare(
+        longest, [](const PointMonths& of, std::size_t point) { return double(of.longestShadowMin[point]); });
+    error.longestSun = compare(
+        longest, [](const PointMonths& of, std::size_t point) { return double(of.longestSunMin[point]); });
     return error;
 }
 

@@ -56,7 +56,7 @@ Result<void> measurePoints(ElementStudy& study, Progress& progress, const std::s
             : sweepPoints(study.city, study.receivers.points, study.sun, progress, stop, {.runs = true});
     if (!minutes) return tl::make_unexpected(minutes.error());
     study.minutes = *std::move(minutes);
-    study.seconds["accumulate"] = watch.seconds();
+    study.seconds["accumulate"] += watch.seconds();
     return {};
 }
 
@@ -66,8 +66,21 @@ Result<void> measureElementError(ElementStudy& study, Progress& progress, const 
     const auto error = sampleElementError(study, progress, stop);
     if (!error) return tl::make_unexpected(error.error());
     study.error = *error;
-    study.seconds["error_sample"] = watch.seconds();
+    study.seconds["error_sample"] += watch.seconds();
     return {};
+}
+
+// By rays where "auto" swept horizons and a sample shows them to be off.
+Result<void> goOnToRays(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
+    if (study.settings.engine != "auto" || !study.error || study.error->gross.meanPct <= pointErrorTargetPct)
+        return {};
+    study.whyRays = fmt::format(
+        "a sample of the points by horizons is off by {:.3f} % of the sunlit time in the mean, more than the "
+        "{:g} % aimed at",
+        study.error->gross.meanPct, pointErrorTargetPct);
+    study.engineKey = std::string(referenceEngine);
+    study.error.reset();
+    return measurePoints(study, progress, stop);
 }
 
 Result<ElementStudy> answerElements(const City& city, const StudySettings& settings,
@@ -80,7 +93,8 @@ Result<ElementStudy> answerElements(const City& city, const StudySettings& setti
                           .and_then([&] { return placePoints(study, progress, stop); })
                           .and_then([&] { return computeSun(study, stop); })
                           .and_then([&] { return measurePoints(study, progress, stop); })
-                          .and_then([&] { return measureElementError(study, progress, stop); });
+                          .and_then([&] { return measureElementError(study, progress, stop); })
+                          .and_then([&] { return goOnToRays(study, progress, stop); });
     if (!done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;
@@ -88,12 +102,19 @@ Result<ElementStudy> answerElements(const City& city, const StudySettings& setti
 
 }  // namespace
 
+std::string describeEngine(const ElementStudy& study) {
+    if (study.engineKey != referenceEngine) return "horizons of points";
+    return study.whyRays.empty() ? "rays" : "rays, since " + study.whyRays;
+}
+
 std::string describe(const ElementError& error) {
-    return fmt::format(
-        "sunlit time {:.3f} % mean, {:.3f} % largest; longest shadow {:.3f} % mean, {:.3f} % largest, of {} "
-        "points",
-        error.grossMeanPct, error.grossLargestPct, error.continuousMeanPct, error.continuousLargestPct,
-        error.points);
+    const auto text = [](const char* name, const QuantityError& of) {
+        return fmt::format("{} {:.3f} % mean, {:.3f} % at the 99th percentile, {:.3f} % largest", name,
+                           of.meanPct, of.p99Pct, of.largestPct);
+    };
+    std::string words = text("sunlit time", error.gross) + "; " + text("longest shadow", error.continuous);
+    if (error.longestSun) words += "; " + text("longest sun", *error.longestSun);
+    return words + fmt::format(", of {} points", error.points);
 }
 
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,

@@ -15,16 +15,26 @@
 
 namespace noonmark {
 
-/// Differences from the ray reference on a sample of the points, over all steps, in percent: of the sunlit
-/// minutes of the period for gross, of the longest day's for unbroken shadow.
+/// Differences of one quantity from the ray reference, in percent.
+struct QuantityError {
+    double meanPct = 0, p99Pct = 0, largestPct = 0;
+};
+
+/// Of a sample of the points, over all steps: of the sunlit minutes of the period for gross, of the longest
+/// day's for unbroken times.
 struct ElementError {
     std::size_t points = 0;
     std::uint64_t rays = 0;
-    double grossMeanPct = 0, grossLargestPct = 0;
-    double continuousMeanPct = 0, continuousLargestPct = 0;
+    QuantityError gross, continuous;
+    std::optional<QuantityError> longestSun;  ///< none in results of earlier versions
 };
 
-/// "sunlit time 0.010 % mean, 0.110 % largest; longest shadow ... of 300 points"
+/// What the sweep of points aims at: the mean error of sunlit time, percent of the sunlit minutes of the
+/// period. Twice what it is off by in cities whose parts stand on the ground (docs/user/limits.md).
+inline constexpr double pointErrorTargetPct = 0.1;
+
+/// "sunlit time 0.010 % mean, 0.080 % at the 99th percentile, 0.110 % largest; longest shadow ...; longest
+/// sun ..., of 300 points"
 std::string describe(const ElementError& error);
 
 struct ElementStudy {
@@ -36,6 +46,7 @@ struct ElementStudy {
     SunSteps sun;
     PointMonths minutes;                    ///< with unbroken times
     std::string engineKey;                  ///< "horizon" or "ray"
+    std::string whyRays;                    ///< why "auto" went on to rays; empty: it did not
     std::optional<ElementError> error;      ///< none for the ray reference, or if none was asked for
     std::map<std::string, double> seconds;  ///< by stage, and "total"
     Warnings warnings;                      ///< from reading, placing and computing
@@ -49,8 +60,12 @@ struct ElementStudy {
     }
 };
 
+/// "horizons of points", "rays", "rays, since a sample ..."
+std::string describeEngine(const ElementStudy& study);
+
 /// Places the points, computes the sun in the middle of the region, and measures every point: engine
-/// "horizon" (or "auto") sweeps horizons, "ray" traces every step. Points inside a building or below the
+/// "horizon" sweeps horizons, "ray" traces every step; "auto" sweeps, and goes on to rays where a sample of
+/// the points is off by more than pointErrorTargetPct in the mean. Points inside a building or below the
 /// ground are left out, with a warning. Error: a setting out of range, another engine, a building that does
 /// not exist or lies outside the region, no points, what readWindows() refuses, a sun that never rises,
 /// cancelled().

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/geo/earth_drop.h"
 
 namespace noonmark {
@@ -88,13 +88,16 @@ private:
 };
 
 // Degrees of places need more digits than metres and minutes.
-std::string textOf(const ElementValue& value, const std::string& column) {
-    if (const auto* text = std::get_if<std::string>(&value)) return csvField(*text);
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::to_string(*whole);
-    const auto* number = std::get_if<double>(&value);
-    if (number == nullptr || !std::isfinite(*number)) return {};
-    return column == "lon_deg" || column == "lat_deg" ? fmt::format("{:.8f}", *number)
-                                                      : fmt::format("{:.3f}", *number);
+void addValue(CsvText& csv, const ElementValue& value, const std::string& column) {
+    const bool isPlace = column == "lon_deg" || column == "lat_deg";
+    if (const auto* text = std::get_if<std::string>(&value))
+        csv.text(*text);
+    else if (const auto* whole = std::get_if<std::int64_t>(&value))
+        csv.whole(*whole);
+    else if (const auto* number = std::get_if<double>(&value))
+        csv.number(*number, isPlace ? 8 : 3);
+    else
+        csv.nothing();
 }
 
 }  // namespace
@@ -112,17 +115,14 @@ ElementTable makeElementTable(const ElementStudy& study) {
 }
 
 std::string toCsv(const ElementTable& table) {
-    std::string csv;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        csv += table.columns[i].name;
-        csv += i + 1 < table.columns.size() ? ',' : '\n';
+    std::vector<std::string> columns;
+    for (const ElementColumn& column : table.columns) columns.push_back(column.name);
+    CsvText csv(columns);
+    for (const auto& row : table.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) addValue(csv, row[i], columns[i]);
+        csv.endRow();
     }
-    for (const auto& row : table.rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            csv += textOf(row[i], table.columns[i].name);
-            csv += i + 1 < row.size() ? ',' : '\n';
-        }
-    return csv;
+    return csv.take();
 }
 
 ElementFigures computeFigures(const ElementStudy& study) {

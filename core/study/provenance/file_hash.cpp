@@ -2,7 +2,9 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/base/stop_scope.h"
 #include "core/io/files/companion_files.h"
+#include "core/io/files/plain_file.h"
 #include "core/study/provenance/provenance.h"
 #include "core/study/provenance/sha256.h"
 
@@ -14,7 +16,8 @@ namespace {
 std::string sha256Of(std::istream& file) {
     Sha256 sum;
     std::vector<char> piece(1 << 20);
-    while (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0)
+    while (!StopScope::isStopped() &&
+           (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0))
         sum.add(piece.data(), std::size_t(file.gcount()));
     return file.bad() ? std::string() : sum.hex();
 }
@@ -47,11 +50,13 @@ Result<InputFile> describeFolder(const std::filesystem::path& folder) {
 }  // namespace
 
 Result<InputFile> describeInputFile(const std::filesystem::path& path) {
+    if (auto plain = checkPlainFile(path); !plain) return tl::make_unexpected(plain.error());
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return describeFolder(path);
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
     const std::string sum = !error && file ? sha256Of(file) : std::string();
+    if (StopScope::isStopped()) return cancelled();
     if (sum.empty())
         return failure("The file cannot be read", path.string(),
                        "Check its name and that you have permission to read it");

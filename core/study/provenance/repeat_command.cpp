@@ -25,6 +25,10 @@ std::string nameOf(TerrainFromBases choice) {
                                                : "auto";
 }
 
+std::string nameOf(Stand choice) { return choice == Stand::terrain ? "terrain" : "absolute"; }
+
+std::string nameOf(TerrainShows choice) { return choice == TerrainShows::ground ? "ground" : "surface"; }
+
 void addReading(CommandWords& line, const ReadSettings& reading) {
     const ReadSettings usual;
     line.unless(reading.heightField.empty(), "--height-field", reading.heightField);
@@ -39,6 +43,9 @@ void addReading(CommandWords& line, const ReadSettings& reading) {
     line.unless(reading.lod.empty(), "--lod", reading.lod);
     line.unless(reading.terrainFromBases == usual.terrainFromBases, "--terrain-from-bases",
                 nameOf(reading.terrainFromBases));
+    line.unless(reading.stand == usual.stand, "--stand", nameOf(reading.stand));
+    line.unless(reading.terrainShows == usual.terrainShows, "--terrain-shows", nameOf(reading.terrainShows));
+    line.flag(reading.heightsFromSurface, "--heights-from-surface");
     line.unless(reading.farAwayM == usual.farAwayM, "--far-away", fmt::to_string(reading.farAwayM));
 }
 

@@ -1,7 +1,5 @@
 #include "core/study/provenance/source_columns.h"
 
-#include "core/base/csv_field.h"
-
 namespace noonmark {
 
 SourceValues sourceValues(const Provenance& provenance) {
@@ -11,13 +9,13 @@ SourceValues sourceValues(const Provenance& provenance) {
             project.contentSha256};
 }
 
-std::string sourceFields(const Provenance& provenance) {
-    std::string fields;
-    for (const std::string& value : sourceValues(provenance)) {
-        fields += ',';
-        fields += csvField(value);
-    }
-    return fields;
+std::vector<std::string> withSourceColumns(std::vector<std::string> columns) {
+    columns.insert(columns.end(), sourceColumnNames.begin(), sourceColumnNames.end());
+    return columns;
+}
+
+void addSource(CsvText& csv, const SourceValues& source) {
+    for (const std::string& value : source) csv.text(value);
 }
 
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/version.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/sha256.h"
 
@@ -81,7 +82,28 @@ void addSettings(Sha256& sum, const StudySettings& settings) {
     for (const Footprint& polygon : settings.region.polygons) addFootprint(sum, polygon);
 }
 
+// The region as a file gives it back, which is repaired when it is read.
+Region repaired(const Region& region) {
+    Region made{region.name, {}};
+    for (const Footprint& polygon : region.polygons) {
+        std::vector<RawRing> rings{RawRing(polygon.outer.begin(), polygon.outer.end())};
+        for (const Ring& hole : polygon.holes) rings.emplace_back(hole.begin(), hole.end());
+        for (Footprint& piece : repairFootprint(rings).pieces) made.polygons.push_back(std::move(piece));
+    }
+    return made;
+}
+
 }  // namespace
+
+std::string hashQuestion(const StudySettings& settings) {
+    StudySettings question = settings;
+    question.region = repaired(settings.region);
+    question.byMonth = false;
+    question.errorSample = {};
+    Sha256 sum;
+    addSettings(sum, question);
+    return sum.hex();
+}
 
 std::string hashSettings(const StudySettings& settings) {
     Sha256 sum;

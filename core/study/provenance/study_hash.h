@@ -18,6 +18,11 @@ std::string hashStudy(const City& city, const StudySettings& settings);
 /// SHA-256 of the version of the program and the settings, region included, without any city.
 std::string hashSettings(const StudySettings& settings);
 
+/// SHA-256 of the settings on which figures depend, and of nothing else: period, air, engine, cells and the
+/// region's outline, whatever its name; not the program's version. Equal before and after the settings are
+/// stored in a project.
+std::string hashQuestion(const StudySettings& settings);
+
 /// SHA-256 of what shades and stands: a building's geometry, without names and sources.
 std::string hashBuilding(const Building& building);
 

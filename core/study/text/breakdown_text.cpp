@@ -3,22 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
 
 namespace {
 
-void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& caster,
-             const std::string& source) {
-    csv += fmt::format("{},{:.1f},{:.1f}", caster, sumOf(shadow.attributedMinM2), sumOf(shadow.soleMinM2));
+using Caster = std::array<std::string, 3>;  // number, source id and name
+
+void addLine(CsvText& csv, const Caster& caster, const BuildingShadow& shadow, const SourceValues& source) {
+    for (const std::string& text : caster) csv.text(text);
+    csv.number(sumOf(shadow.attributedMinM2), 1).number(sumOf(shadow.soleMinM2), 1);
     for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
-        csv += fmt::format(",{:.1f},{:.1f}", shadow.attributedMinM2[set], shadow.soleMinM2[set]);
-    csv += source + "\n";
+        csv.number(shadow.attributedMinM2[set], 1).number(shadow.soleMinM2[set], 1);
+    addSource(csv, source);
+    csv.endRow();
+}
+
+std::vector<std::string> contributionColumns(const ShadowBreakdown& breakdown) {
+    std::vector<std::string> columns{"building", "source_id", "name", "attributed_min_m2", "sole_min_m2"};
+    for (std::size_t set = 0; breakdown.sets.names.size() > 1 && set < breakdown.sets.names.size(); ++set)
+        columns.insert(columns.end(),
+                       {"attributed " + breakdown.sets.names[set], "sole " + breakdown.sets.names[set]});
+    return withSourceColumns(std::move(columns));
 }
 
 }  // namespace
@@ -63,32 +76,29 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
 }
 
 std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance) {
-    std::string csv = fmt::format("month,sunlit_min,shadow_area_m2,mean_shadow_min{}\n", sourceColumns);
-    const std::string source = sourceFields(provenance);
-    for (const MonthShadow& month : months)
-        csv += fmt::format("{},{:.1f},{:.2f},{:.2f}{}\n", month.month, month.sunlitMinutes,
-                           month.shadowAreaM2, month.meanMinutes, source);
-    return csv;
+    CsvText csv(withSourceColumns({"month", "sunlit_min", "shadow_area_m2", "mean_shadow_min"}));
+    const SourceValues source = sourceValues(provenance);
+    for (const MonthShadow& month : months) {
+        csv.text(month.month).number(month.sunlitMinutes, 1).number(month.shadowAreaM2, 2);
+        csv.number(month.meanMinutes, 2);
+        addSource(csv, source);
+        csv.endRow();
+    }
+    return csv.take();
 }
 
 std::string monthsCsv(const Study& study) { return monthsCsv(monthsOf(*study.breakdown), study.provenance); }
 
 std::string contributionsCsv(const Study& study) {
     const ShadowBreakdown& breakdown = *study.breakdown;
-    const std::string source = sourceFields(study.provenance);
-    std::string csv = "building,source_id,name,attributed_min_m2,sole_min_m2";
-    for (std::size_t set = 0; breakdown.sets.names.size() > 1 && set < breakdown.sets.names.size(); ++set)
-        csv += fmt::format(",attributed {0},sole {0}", breakdown.sets.names[set]);
-    csv += sourceColumns + std::string("\n");
+    const SourceValues source = sourceValues(study.provenance);
+    CsvText csv(contributionColumns(breakdown));
     for (const BuildingShadow& shadow : sortContributions(breakdown)) {
         const Building& building = *study.city.buildings[shadow.building];
-        addLine(
-            csv, shadow,
-            fmt::format("{},{},{}", shadow.building, csvField(building.sourceId), csvField(building.name)),
-            source);
+        addLine(csv, {fmt::to_string(shadow.building), building.sourceId, building.name}, shadow, source);
     }
-    if (breakdown.terrain) addLine(csv, *breakdown.terrain, ",\"terrain\",\"terrain\"", source);
-    return csv;
+    if (breakdown.terrain) addLine(csv, {"", "terrain", "terrain"}, *breakdown.terrain, source);
+    return csv.take();
 }
 
 }  // namespace noonmark

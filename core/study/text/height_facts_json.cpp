@@ -39,6 +39,26 @@ UnknownField unknownFieldFrom(const Json& json) {
 
 }  // namespace
 
+namespace {
+
+BaseFit baseFitFrom(const Json& json) {
+    return {.file = json.at("file").get<std::string>(),
+            .buildings = wholeNumberFrom<std::size_t>(json.at("buildings")),
+            .gapM = json.at("gap_m").get<double>(),
+            .spreadM = json.at("spread_m").get<double>(),
+            .rule = parseStandRule(json.at("rule").get<std::string>()).value(),
+            .aloft = wholeNumberFrom<std::size_t>(json.at("aloft")),
+            .apart = wholeNumberFrom<std::size_t>(json.at("apart"))};
+}
+
+Json baseFitJson(const BaseFit& fit) {
+    return {{"file", fit.file},        {"buildings", fit.buildings}, {"gap_m", fit.gapM},
+            {"spread_m", fit.spreadM}, {"rule", nameOf(fit.rule)},   {"aloft", fit.aloft},
+            {"apart", fit.apart},      {"text", describe(fit)}};
+}
+
+}  // namespace
+
 Json heightFactsJson(const HeightFacts& facts) {
     Json json;
     json["fields"] = Json::array();
@@ -58,6 +78,8 @@ Json heightFactsJson(const HeightFacts& facts) {
                                     {"features", field.features},
                                     {"kind", kindNames[std::size_t(field.kind)]},
                                     {"unit", field.unit}});
+    json["bases"] = Json::array();
+    for (const BaseFit& fit : facts.bases) json["bases"].push_back(baseFitJson(fit));
     return json;
 }
 
@@ -66,6 +88,8 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
     HeightFacts facts;
     for (const Json& field : json.at("fields")) facts.fields.push_back(heightFieldFrom(field));
     for (const Json& field : json.at("could_be")) facts.unknown.push_back(unknownFieldFrom(field));
+    if (json.contains("bases"))  // older files have none
+        for (const Json& fit : json.at("bases")) facts.bases.push_back(baseFitFrom(fit));
     const auto finite = [](const UnknownField& field) {
         return std::isfinite(field.low) && std::isfinite(field.high);
     };

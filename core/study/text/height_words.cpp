@@ -16,6 +16,14 @@ std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
                        counts.assumedAlike ? "" : "most of them ", counts.assumedM);
 }
 
+std::optional<std::string> makeStandHeadline(const HeightFacts& facts) {
+    std::vector<std::string> texts;
+    for (const BaseFit& fit : facts.bases)
+        if (fit.rule != StandRule::asStated || fit.apart > 0 || !fit.fits()) texts.push_back(describe(fit));
+    if (texts.empty()) return std::nullopt;
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts) {
     auto text = makeAssumedHeadline(counts);
     if (!text || facts.unknown.empty()) return text;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "core/sun/sun_events.h"
+
 namespace noonmark {
 
-nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun) {
+nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun, const Observer& observer) {
     nlohmann::ordered_json json;
     json["text"] = formatText(period);
     json["start"] = formatText(period.start);
@@ -18,10 +20,10 @@ nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun) {
     json["hours"] = period.window ? nlohmann::ordered_json() : nlohmann::ordered_json(period.hours);
     json["window"] = nullptr;
     if (period.window)
-        json["window"] = {
-            {"after_sunrise_min", period.window->afterSunrise.count()},
-            {"before_sunset_min", period.window->beforeSunset.count()},
-            {"sunrise_altitude_deg", period.window->rule == SunriseRule::centre ? 0.0 : -0.833}};
+        json["window"] = {{"after_sunrise_min", period.window->afterSunrise.count()},
+                          {"before_sunset_min", period.window->beforeSunset.count()},
+                          {"sunrise_altitude_deg",
+                           computeSunriseAltitudeDeg(period.window->rule, relativeAirDensity(observer))}};
     json["refraction"] = period.refraction;
     json["days_without_sun"] = std::ranges::count(sun.days, 0U, &SunDay::count);
     return json;

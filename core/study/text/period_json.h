@@ -6,8 +6,9 @@
 
 namespace noonmark {
 
-/// `period` of study.json: as it was asked for, and what its steps count.
-nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun);
+/// `period` of study.json: as it was asked for, and what its steps count. The air of `observer` sets the
+/// altitude of sunrise.
+nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun, const Observer& observer);
 
 /// `observer` of study.json: whose sun it is.
 nlohmann::ordered_json observerJson(const Observer& observer);

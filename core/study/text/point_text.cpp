@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/base/csv_text.h"
+
 namespace noonmark {
 
 namespace {
@@ -95,6 +97,39 @@ PointJson bandsJson(const std::vector<SunBand>& bands, const Zone& zone) {
     return list;
 }
 
+PointJson shadedJson(const PointView& view, const City& city, const Zone& zone) {
+    PointJson list = PointJson::array();
+    for (const ShadedTime& time : view.shadedTimes)
+        list.push_back({{"from", zone.text(std::chrono::round<std::chrono::seconds>(time.when.from))},
+                        {"to", zone.text(std::chrono::round<std::chrono::seconds>(time.when.to))},
+                        {"minutes", rounded(time.when.minutes(), 0.01)},
+                        {"building", nameOfObstacle(city, time.building)}});
+    return list;
+}
+
+// Each sunlit run of steps is too long or too short by up to a step, at random at each of its ends: two
+// standard deviations of their sum over the year.
+double computeYearErrorMin(const PointView& view, const SunSteps& sun) {
+    std::size_t runs = 0;
+    for (const SunDay& day : sun.days)
+        for (std::uint32_t i = day.first; i < day.first + day.count; ++i)
+            runs += view.shaded[i] == 0 && (i == day.first || view.shaded[i - 1] != 0) ? 1 : 0;
+    return 2 * sun.stepMinutes * std::sqrt(double(runs) / 6);
+}
+
+PointJson errorJson(const PointView& view, const PointStudy& study) {
+    return {{"sunlit_end_s", 0.1},
+            {"unseen_shorter_than_min", std::min(1.0, study.question.stepMinutes)},
+            {"year_min", rounded(computeYearErrorMin(view, study.sun), 0.1)}};
+}
+
+std::string clockText(const SunBand& band, const Zone& zone) {
+    const auto clock = [&zone](Instant at) {
+        return zone.text(std::chrono::round<std::chrono::minutes>(at)).substr(11, 5);
+    };
+    return clock(band.from) + "-" + clock(band.to);
+}
+
 PointJson skylineJson(const PointView& view) {
     PointJson list = PointJson::array();
     for (const SkylinePlace& place : view.skyline)
@@ -116,6 +151,8 @@ void addView(PointJson& json, const PointView& view, const PointStudy& study, co
     json["skyline"] = skylineJson(view);
     json["skyline_buildings"] = stretchesJson(view, city);
     json["sunlit"] = bandsJson(view.sunlit, zone);
+    json["shaded"] = shadedJson(view, city, zone);
+    json["error"] = errorJson(view, study);
     PointJson months = PointJson::array(), hours = PointJson::array();
     for (const double minutes : sumMonths(view.minutes)) months.push_back(rounded(minutes, 0.1));
     for (const auto& month : view.minutes) {
@@ -133,6 +170,7 @@ void addView(PointJson& json, const PointView& view, const PointStudy& study, co
 
 std::string nameOfObstacle(const City& city, std::uint32_t building) {
     if (building == SkyObstacles::terrain) return "the terrain";
+    if (building == SkyObstacles::ownWall) return "the wall itself";
     if (building >= city.buildings.size()) return "a building";
     const Building& found = *city.buildings[building];
     return found.name.empty() ? found.sourceId : found.name;
@@ -142,7 +180,7 @@ std::string describe(const PointStudy& study, const City& city) {
     return study.scenario ? describeLosses(study) : describeDay(study, city);
 }
 
-PointJson pointJson(const PointStudy& study, const City& city, const Zone& zone) {
+PointJson pointJson(const PointStudy& study, const City& city, const City* scenarioCity, const Zone& zone) {
     PointJson json;
     json["at"] = {study.question.at.lonDeg, study.question.at.latDeg};
     json["height_m"] =
@@ -155,7 +193,7 @@ PointJson pointJson(const PointStudy& study, const City& city, const Zone& zone)
     addView(json, study.baseline, study, city, zone);
     if (study.scenario) {
         PointJson scenario;
-        addView(scenario, *study.scenario, study, city, zone);
+        addView(scenario, *study.scenario, study, scenarioCity != nullptr ? *scenarioCity : city, zone);
         json["scenario"] = scenario;
     }
     json["sentence"] = describe(study, city);
@@ -197,22 +235,30 @@ std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
 }
 
 std::string sunlitText(const PointView& view, const Zone& zone) {
-    const auto clock = [&zone](Instant at) { return zone.text(at).substr(11, 5); };
     std::string text;
-    for (const SunBand& band : view.sunlit)
-        text += fmt::format("{}{}-{}", text.empty() ? "" : ", ", clock(band.from), clock(band.to));
+    for (const SunBand& band : view.sunlit) text += (text.empty() ? "" : ", ") + clockText(band, zone);
     return text.empty() ? "not at all" : text;
 }
 
+std::string shadedText(const PointView& view, const City& city, const Zone& zone) {
+    std::string text;
+    for (const ShadedTime& time : view.shadedTimes)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", nameOfObstacle(city, time.building),
+                            clockText(time.when, zone));
+    return text.empty() ? "nothing" : text;
+}
+
 std::string pointCsv(const PointStudy& study) {
-    std::string csv = study.scenario ? "month,hour,baseline_min,scenario_min\n" : "month,hour,baseline_min\n";
+    std::vector<std::string> columns{"month", "hour", "baseline_min"};
+    if (study.scenario) columns.emplace_back("scenario_min");
+    CsvText csv(columns);
     for (std::size_t month = 0; month < study.baseline.minutes.size(); ++month)
         for (std::size_t hour = 0; hour < study.baseline.minutes[month].size(); ++hour) {
-            csv += fmt::format("{},{},{:.2f}", month + 1, hour, study.baseline.minutes[month][hour]);
-            if (study.scenario) csv += fmt::format(",{:.2f}", study.scenario->minutes[month][hour]);
-            csv += '\n';
+            csv.whole(month + 1).whole(hour).number(study.baseline.minutes[month][hour], 2);
+            if (study.scenario) csv.number(study.scenario->minutes[month][hour], 2);
+            csv.endRow();
         }
-    return csv;
+    return csv.take();
 }
 
 }  // namespace noonmark

@@ -14,15 +14,19 @@ namespace noonmark {
 /// 13:10-14:05.", or without a scenario when the point is lit on the day and what hides most of its skyline.
 std::string describe(const PointStudy& study, const City& city);
 
-/// The answer of `noonmark-cli point` (docs/user/command-line.md). `city`: the baseline, which names
-/// buildings.
-nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, const Zone& zone);
+/// The answer of `noonmark-cli point` (docs/user/command-line.md). `city`: the baseline; `scenario`: the city
+/// of the scenario, where the study has one. They name buildings.
+nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, const City* scenario,
+                                 const Zone& zone);
 
 /// `scenarios` of `noonmark-cli point --all-scenarios`. `wall`: the vertical sky component is known.
 nlohmann::ordered_json pointCasesJson(const std::vector<PointCaseFigures>& cases, bool wall);
 
 /// The sunlit times of the day on the clock: "09:46-10:41, 12:06-14:15", or "not at all".
 std::string sunlitText(const PointView& view, const Zone& zone);
+
+/// What hides the sun on the day, and when: "One57 10:41-12:06, the terrain 14:15-14:30", or "nothing".
+std::string shadedText(const PointView& view, const City& city, const Zone& zone);
 
 /// Sunlit minutes of the year: a line for each month and hour of the wall clock, with the scenario's in a
 /// column of their own.
@@ -33,7 +37,7 @@ std::string pointCsv(const PointStudy& study);
 std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
                                                  const std::optional<double>& facingDeg);
 
-/// The name of a building or its id; "the terrain".
+/// The name of a building or its id; "the terrain", "the wall itself".
 std::string nameOfObstacle(const City& city, std::uint32_t building);
 
 }  // namespace noonmark

@@ -1,8 +1,6 @@
 #include "core/study/text/review_text.h"
 
-#include <fmt/format.h>
-
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/base/version.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/review_columns.h"
@@ -18,9 +16,6 @@ namespace noonmark {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array rowKeys{"day",         "enters",        "exits",         "duration_min",
-                             "max_area_m2", "max_point_min", "full_cover_min"};
 
 Json timeOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
@@ -125,6 +120,20 @@ Json contributionsJson(const ReviewStudy& study) {
 
 }  // namespace
 
+std::string describeReviewErrors(const ReviewStudy& study) {
+    std::string text =
+        "Each run of minutes is uncertain by a step; each area by half of the cells that its edge passes "
+        "through, at least by one; each area x hours by these and by half of what the area changes from step "
+        "to step, where the days of a sum err independently of each other. ";
+    text += study.spotDistanceM
+                ? fmt::format(
+                      "Worst spots are the worst of the cells' centres and of points around these, down "
+                      "to {:.3g} m from each other; what the nearest found worse is in their error. ",
+                      *study.spotDistanceM)
+                : "Worst spots are the worst of the cells' centres, and their error includes the cell. ";
+    return text + "A value within its error of a limit is borderline, never pass.";
+}
+
 Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
     Json places = Json::array();
     for (const PlaceReview& review : study.places) places.push_back(placeJson(review));
@@ -142,9 +151,8 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
                  {"engine", study.engine},
                  {"step_min", study.stepMinutes},
                  {"cell_m", study.settings.cellM},
-                 {"error",
-                  "Each run is uncertain by a step, each area by a cell; a value within its error of the "
-                  "limit is borderline"},
+                 {"worst_spot_distance_m", study.spotDistanceM ? Json(*study.spotDistanceM) : Json()},
+                 {"error", describeReviewErrors(study)},
                  {"warnings", warningsJson(study.warnings)}});
     addProvenance(json, labels.provenance);
     addRepeat(json, makeRepeatCommand(study, labels));
@@ -152,24 +160,22 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
 }
 
 std::string reviewCsv(const ReviewStudy& study, const ReviewLabels& labels) {
-    std::string csv = "rule,from,to,place,kind,verdict";
-    for (const char* key : rowKeys) csv += fmt::format(",{}", key);
-    csv += ",intervals,baseline_m2h,scenario_m2h,incremental_m2h,gained_m2h,reason\r\n";
+    CsvText csv({"rule", "from", "to", "place", "kind", "verdict", "day", "enters", "exits", "duration_min",
+                 "max_area_m2", "max_point_min", "full_cover_min", "intervals", "baseline_m2h",
+                 "scenario_m2h", "incremental_m2h", "gained_m2h", "reason"});
     for (const PlaceReview& review : study.places)
         for (const ReviewRow& row : review.rows) {
-            csv +=
-                fmt::format("{},{},{},{},{},{}", study.rule.key, csvField(labels.from), csvField(labels.to),
-                            csvField(review.name), nameOf(review.kind), nameOf(review.verdict));
-            for (const char* key : rowKeys) {
-                const std::string text = columnText(review, row, key);
-                csv += fmt::format(",{}", text == "-" ? std::string() : text);
-            }
-            for (const char* key :
-                 {"intervals", "baseline_m2h", "scenario_m2h", "incremental_m2h", "gained_m2h"})
-                csv += fmt::format(",{}", columnText(review, row, key));
-            csv += fmt::format(",{}\r\n", csvField(describeReason(review)));
+            for (const std::string& text :
+                 {study.rule.key, labels.from, labels.to, review.name, std::string(nameOf(review.kind)),
+                  std::string(nameOf(review.verdict)), formatText(row.day), row.entersText, row.exitsText})
+                csv.text(text);
+            csv.number(row.durationMin, 2).number(row.maxAreaM2, 1);
+            csv.number(row.maxPointMin, 2).number(row.fullCoverMin, 2).whole(row.intervals);
+            for (const double m2h : {row.baselineM2h, row.scenarioM2h, row.incrementalM2h, row.gainedM2h})
+                csv.number(m2h, 1);
+            csv.text(describeReason(review)).endRow();
         }
-    return csv;
+    return csv.take();
 }
 
 }  // namespace noonmark

@@ -8,6 +8,9 @@
 
 namespace noonmark {
 
+/// How uncertain the figures of a review are, for files and sheets: some sentences.
+std::string describeReviewErrors(const ReviewStudy& study);
+
 /// The review as JSON; docs/rules.md lists the keys. Scripts rely on `rule`, `from`, `to`, `places` (`name`,
 /// `kind`, `verdict`, `rows` of `day`, `enters`, `exits`, `duration_min`, `max_area_m2`, `max_point_min`,
 /// `full_cover_min`) and `not_checked`.

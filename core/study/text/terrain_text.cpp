@@ -92,7 +92,8 @@ Json sourceJson(const TerrainSource& source) {
             {"source_points", source.sourcePoints},   {"source_cell_m", source.sourceCellM},
             {"misplaced_m", source.misplacedM},       {"height_rms_m", source.heightRmsM},
             {"height_max_m", source.heightMaxM},      {"filled_posts", source.filled},
-            {"impossible_posts", source.impossible},  {"cut_to_what_is_near", source.cut}};
+            {"impossible_posts", source.impossible},  {"posts_under_buildings", source.underBuildings},
+            {"cut_to_what_is_near", source.cut}};
 }
 
 // Coordinates of the first post, of the steps to the next column and row, and of the bend's terms.
@@ -139,6 +140,7 @@ TerrainSource sourceFrom(const Json& json) {
                 .heightMaxM = json.value("height_max_m", 0.0),
                 .filled = wholeNumberIn(json, "filled_posts", std::size_t(0)),
                 .impossible = wholeNumberIn(json, "impossible_posts", std::size_t(0)),
+                .underBuildings = wholeNumberIn(json, "posts_under_buildings", std::size_t(0)),
                 .cut = json.value("cut_to_what_is_near", false)};
     } catch (const std::exception&) {  // of another structure, or numbers out of range
         return {};
@@ -157,6 +159,10 @@ std::string formatText(const Terrain& terrain) {
     std::string text = methodText(terrain);
     if (source.filled > 0)
         text += fmt::format("; {} posts without elevation were filled from the nearest post", source.filled);
+    if (source.underBuildings > 0)
+        text += fmt::format(
+            "; it shows a surface with buildings: {} posts on them and on trees got the ground around them",
+            source.underBuildings);
     return text;
 }
 

@@ -1,10 +1,10 @@
 #include "core/study/text/timeline_text.h"
-#include "core/base/csv_field.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "core/base/csv_text.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/warnings_json.h"
 
@@ -45,6 +45,7 @@ public:
     [[nodiscard]] Json day(const DayTimeline& day, const std::optional<LonLat>& longestAt) const {
         Json json{{"day", formatText(day.day)},
                   {"sunlit_min", rounded(day.sunlitMinutes)},
+                  {"times_too_late_by_up_to_min", rounded(day.stepMinutes)},
                   {"theoretical_m2h", rounded(day.theoreticalM2h())},
                   {"full_cover_min", rounded(day.fullCoverMin)},
                   {"all_sun_taken_min", rounded(day.allSunTakenMin)},
@@ -146,14 +147,16 @@ Json timelineJson(const PlaceStudy& study, const PlaceTimeline& place, const Tim
 
 std::string timelineCsv(const PlaceStudy& study, const TimelineLabels& labels) {
     const TimelineWriter writer(labels.zone);
-    std::string text = "place,day,at,baseline_m2,scenario_m2,incremental_m2,gained_m2\n";
+    CsvText csv({"place", "day", "at", "baseline_m2", "scenario_m2", "incremental_m2", "gained_m2"});
     for (const PlaceTimeline& place : study.places)
         for (const DayTimeline& day : place.days)
-            for (const PlaceStep& step : day.steps)
-                text += fmt::format("{},{},{},{:.2f},{:.2f},{:.2f},{:.2f}\n", csvField(place.place.name),
-                                    formatText(day.day), writer.time(step.at), step.baselineM2,
-                                    step.scenarioM2, step.incrementalM2, step.gainedM2);
-    return text;
+            for (const PlaceStep& step : day.steps) {
+                csv.text(place.place.name).text(formatText(day.day)).text(writer.time(step.at));
+                for (const double m2 : {step.baselineM2, step.scenarioM2, step.incrementalM2, step.gainedM2})
+                    csv.number(m2, 2);
+                csv.endRow();
+            }
+    return csv.take();
 }
 
 }  // namespace noonmark

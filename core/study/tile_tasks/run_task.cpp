@@ -6,6 +6,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/read_window.h"
 #include "core/study/tile_tasks/plan/find_districts.h"
 #include "core/study/tiles/run_tiles.h"
@@ -201,6 +202,8 @@ Result<TaskReport> run(const std::filesystem::path& folder, const TaskPlan& plan
     const std::size_t number = tiles.front().district;
     const District& district = plan.districts.at(number);
     question.settings.region = district.region;
+    if (auto plain = checkNoLink(taskFolder(folder, task).parent_path()); !plain)
+        return tl::make_unexpected(plain.error());
     auto journal = TileJournal::open(taskFolder(folder, task), plan.studyHash(number), district.tiles);
     if (!journal) return tl::make_unexpected(journal.error());
     return TaskRun(plan, district, question, *journal, engines).run(tiles, progress, stop);

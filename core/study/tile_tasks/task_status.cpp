@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "core/io/files/plain_file.h"
+
 namespace noonmark {
 
 Result<TaskStatus> findStatus(const std::filesystem::path& folder, const TaskPlan& plan) {
     TaskStatus status{.finished = std::vector<std::map<std::size_t, FinishedTile>>(plan.districts.size())};
+    if (auto plain = checkNoLink(taskFolder(folder, 0).parent_path()); !plain)
+        return tl::make_unexpected(plain.error());
     double estimatedDone = 0, estimatedLeft = 0;
     for (std::size_t task = 0; task < plan.taskCount; ++task) {
         const std::vector<PlannedTile> tiles = plan.tilesOf(task);

@@ -35,25 +35,54 @@ Result<TileAnswer> ShadowMeasure::computed(const Receivers& receivers, Progress&
         answer.result.cost = makeBlankField(receivers, question_.sun).cost;
         return answer;
     }
-    auto field = question_.engine.accumulate(city_, receivers, question_.sun, progress, stop);
+    const City* const cities[]{&city_};
+    EngineInUse engine(question_.engine, cities, receivers, question_.sun);
+    auto field = accumulate(answer.result, engine, receivers, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
-    TileResult& result = answer.result;
-    result.engineKey = field->engineKey.empty() ? question_.settings.engine : field->engineKey;
-    result.sums = computeSums(*field);
-    result.cost = field->cost;
-    result.engine = field->engine;
-    if (auto done = compare(result, receivers, *field, progress, stop); !done)
-        return tl::make_unexpected(done.error());
     answer.bands.push_back(std::move(field->grossMin));
     answer.bands.push_back(std::move(field->continuousMin));
-    return addMonths(answer, receivers, progress, stop).map([&] { return std::move(answer); });
+    return addMonths(answer, engine, progress, stop).map([&] { return std::move(answer); });
 }
 
-Result<void> ShadowMeasure::addMonths(TileAnswer& answer, const Receivers& receivers, Progress& progress,
+Result<ShadowField> ShadowMeasure::accumulate(TileResult& result, EngineInUse& engine,
+                                              const Receivers& receivers, Progress& progress,
+                                              const std::stop_token& stop) {
+    while (true) {
+        auto field = engine.accumulate(city_, progress, stop);
+        if (!field) return field;
+        result.engineKey = field->engineKey.empty() ? question_.settings.engine : field->engineKey;
+        result.sums = computeSums(*field);
+        result.cost = field->cost;
+        result.engine = field->engine;
+        result.compared.clear();
+        if (auto done = compare(result, receivers, *field, progress, stop); !done)
+            return tl::make_unexpected(done.error());
+        const auto off = findOff(result, engine, receivers, *field, progress, stop);
+        if (!off) return tl::make_unexpected(off.error());
+        if (!engine.goOn(*off)) return field;
+    }
+}
+
+// A tile has few cells of the sample of the whole grid. Where these would change the engine, a sample of the
+// tile's own decides.
+Result<SampledOff> ShadowMeasure::findOff(const TileResult& result, const EngineInUse& engine,
+                                          const Receivers& receivers, const ShadowField& field,
+                                          Progress& progress, const std::stop_token& stop) const {
+    const SampledOff few = errorOf(result.compared, field.sunlitMinutesPerDay, 0).grossOff();
+    if (!engine.wouldGoOn(few)) return few;
+    const ErrorSampleSettings& sample = question_.settings.errorSample;
+    const auto cells =
+        spreadReceivers(receivers, sampleSize(sample, question_.sun.steps.size()), sample.seed);
+    return compareByRays(*scene_, receivers, question_.sun, field, cells, progress, stop)
+        .map([&](const std::vector<ComparedCell>& compared) {
+            return errorOf(compared, field.sunlitMinutesPerDay, 0).grossOff();
+        });
+}
+
+Result<void> ShadowMeasure::addMonths(TileAnswer& answer, const EngineInUse& engine, Progress& progress,
                                       const std::stop_token& stop) const {
     if (!question_.settings.byMonth) return {};
-    auto months = question_.engine.breakDown(city_, receivers, question_.sun, monthsOf(question_.sun), false,
-                                             progress, stop);
+    auto months = engine.breakDown(city_, monthsOf(question_.sun), false, progress, stop);
     if (!months) return tl::make_unexpected(months.error());
     for (std::vector<float>& minutes : months->minutes) {
         answer.result.monthMinutes.push_back(sumOf(minutes));
@@ -78,7 +107,7 @@ Result<void> ShadowMeasure::compare(TileResult& result, const Receivers& receive
     auto compared = compareByRays(*scene_, receivers, question_.sun, field, cells, progress, stop);
     if (!compared) return tl::make_unexpected(compared.error());
     result.compared = *std::move(compared);
-    result.errorSeconds = watch.seconds();
+    result.errorSeconds += watch.seconds();
     return {};
 }
 

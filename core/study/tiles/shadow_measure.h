@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/engines/common/engine_in_use.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/study/tiles/tile_measure.h"
 
@@ -18,7 +19,12 @@ public:
 
 private:
     Result<TileAnswer> computed(const Receivers& receivers, Progress& progress, const std::stop_token& stop);
-    Result<void> addMonths(TileAnswer& answer, const Receivers& receivers, Progress& progress,
+    Result<ShadowField> accumulate(TileResult& result, EngineInUse& engine, const Receivers& receivers,
+                                   Progress& progress, const std::stop_token& stop);
+    Result<SampledOff> findOff(const TileResult& result, const EngineInUse& engine,
+                               const Receivers& receivers, const ShadowField& field, Progress& progress,
+                               const std::stop_token& stop) const;
+    Result<void> addMonths(TileAnswer& answer, const EngineInUse& engine, Progress& progress,
                            const std::stop_token& stop) const;
     Result<void> compare(TileResult& result, const Receivers& receivers, const ShadowField& field,
                          Progress& progress, const std::stop_token& stop);

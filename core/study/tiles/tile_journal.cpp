@@ -7,11 +7,15 @@
 #include <sstream>
 #include <utility>
 
+#include "core/io/files/plain_file.h"
+
 namespace noonmark {
 
 using Json = nlohmann::json;
 
 namespace {
+
+constexpr const char* journalName = "journal.jsonl";
 
 tl::unexpected<Error> notSaved(const std::filesystem::path& folder) {
     return limitReached("Finished tiles cannot be stored: " + lastSystemProblem(), folder.string(),
@@ -23,9 +27,15 @@ std::string firstLine(const std::string& studyHash, const TilePlan& plan) {
         .dump();
 }
 
+// Of a folder that a stranger packed: neither it nor its journal leads elsewhere.
+Result<void> checkNoLinks(const std::filesystem::path& folder) {
+    return checkNoLink(folder).and_then([&] { return checkNoLink(folder / journalName); });
+}
+
 // A file whose size the journal does not state counts if it is there.
 bool isWhole(const std::filesystem::path& file, const TileResult& result) {
     std::error_code error;
+    if (!checkNoLink(file)) return false;
     const auto bytes = std::filesystem::file_size(file, error);
     return !error && (result.fileBytes == 0 || result.fileBytes == bytes);
 }
@@ -45,9 +55,10 @@ TileJournal::TileJournal(std::filesystem::path folder, std::optional<LockedFile>
 
 Result<TileJournal> TileJournal::open(const std::filesystem::path& folder, const std::string& studyHash,
                                       const TilePlan& plan) {
+    const std::filesystem::path file = folder / journalName;
+    if (auto plain = checkNoLinks(folder); !plain) return tl::make_unexpected(plain.error());
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
-    const std::filesystem::path file = folder / "journal.jsonl";
     TileJournal journal(folder, LockedFile(file));
     if (journal.file_->state() == LockedFile::State::failed) return notSaved(folder);
     if (journal.file_->state() == LockedFile::State::usedByOther)
@@ -64,8 +75,9 @@ Result<TileJournal> TileJournal::open(const std::filesystem::path& folder, const
 Result<std::map<std::size_t, TileResult>> TileJournal::peek(const std::filesystem::path& folder,
                                                             const std::string& studyHash,
                                                             const TilePlan& plan) {
+    if (auto plain = checkNoLinks(folder); !plain) return tl::make_unexpected(plain.error());
     TileJournal journal(folder, std::nullopt);
-    const std::string text = wholeLines(folder / "journal.jsonl");
+    const std::string text = wholeLines(folder / journalName);
     return journal.read(text, firstLine(studyHash, plan), plan).map([&] {
         return std::move(journal.finished_);
     });

@@ -28,8 +28,6 @@ constexpr std::array<std::string_view, 14> notCompared{"seconds",
                                                        "repeat",
                                                        "repeat_note",
                                                        "path"};
-constexpr double agreement = 1e-9;
-
 bool isCompared(const std::string& key) { return std::ranges::find(notCompared, key) == notCompared.end(); }
 
 // The values of a record by their paths, in order of appearance.
@@ -53,8 +51,7 @@ private:
 
 bool agree(const Json& a, const Json& b) {
     if (!a.is_number() || !b.is_number()) return a == b;
-    const double x = a.get<double>(), y = b.get<double>();
-    return x == y || std::abs(x - y) <= agreement * std::max(std::abs(x), std::abs(y));
+    return noonmark::agree(a.get<double>(), b.get<double>());
 }
 
 std::string textOf(const Json* json) {
@@ -62,6 +59,12 @@ std::string textOf(const Json* json) {
 }
 
 }  // namespace
+
+bool agree(double recorded, double computed) {
+    constexpr double agreement = 1e-9;
+    return recorded == computed ||
+           std::abs(recorded - computed) <= agreement * std::max(std::abs(recorded), std::abs(computed));
+}
 
 RecordComparison compareRecords(const Json& recorded, const Json& computed) {
     const Leaves before(recorded), after(computed);

@@ -26,4 +26,7 @@ struct RecordComparison {
 RecordComparison compareRecords(const nlohmann::ordered_json& recorded,
                                 const nlohmann::ordered_json& computed);
 
+/// Whether two numbers agree within that.
+bool agree(double recorded, double computed);
+
 }  // namespace noonmark

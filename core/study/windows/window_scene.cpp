@@ -12,6 +12,7 @@
 #include "core/review/windows/window_points.h"
 #include "core/study/elements/facing_azimuth.h"
 #include "core/study/prepare_review.h"
+#include "core/study/windows/window_sample.h"
 
 namespace noonmark {
 
@@ -157,9 +158,6 @@ std::set<std::uint32_t> findFresh(const City& scenario, const City& baseline) {
 
 Result<void> placeWindows(WindowScene& scene, const WindowReviewSettings& settings, Progress& progress,
                           const std::stop_token& stop) {
-    if (scene.days.sun.steps.empty())
-        return failure("The sun is below the horizon in all hours of the rule", scene.rule.key,
-                       "Check place and year");
     StudySettings where;
     where.region = settings.region;
     auto placed =
@@ -190,7 +188,24 @@ Result<void> buildScene(WindowScene& scene, const City& baseline, const std::sto
     scene.fresh = findFresh(scene.city, baseline);
     if (needsSky(scene.rule)) scene.sky.emplace(collectSkyObstacles(casting.after));
     if (needsSky(scene.rule) && !same) scene.formerSky.emplace(collectSkyObstacles(casting.before));
+    scene.engine = scene.by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";
     scene.buildSeconds = watch.seconds();
+    return {};
+}
+
+// Left to itself, a review by horizons goes on to rays where some of its windows show that horizons are off.
+Result<void> checkHorizons(WindowScene& scene, const std::stop_token& stop) {
+    const Stopwatch watch;
+    const WindowSample sample = sampleWindows(scene, stop);
+    if (stop.stop_requested()) return cancelled();
+    if (sample.offPct > windowErrorTargetPct) {
+        scene.engine = fmt::format("rays, since {}, more than the {:g} % aimed at", describe(sample),
+                                   windowErrorTargetPct);
+        scene.by = ShadedStepFinder::By::rays;
+        scene.after->goOnByRays();
+        if (scene.before) scene.before->goOnByRays();
+    }
+    scene.buildSeconds += watch.seconds();
     return {};
 }
 
@@ -216,6 +231,9 @@ Result<std::unique_ptr<const WindowScene>> prepareWindowScene(const Rule& rule, 
     scene->by = settings.by.value_or(few ? ShadedStepFinder::By::rays : ShadedStepFinder::By::horizons);
     if (const auto built = buildScene(*scene, baseline, stop); !built)
         return tl::make_unexpected(built.error());
+    if (!settings.by && !few)
+        if (const auto checked = checkHorizons(*scene, stop); !checked)
+            return tl::make_unexpected(checked.error());
     return scene;
 }
 

@@ -21,6 +21,7 @@ struct WindowScene {
     PlacedElements placed;
     RuleSun days;
     ShadedStepFinder::By by = ShadedStepFinder::By::rays;
+    std::string engine;  ///< in words, with why it was chosen where a sample decided it
     std::optional<ShadedStepFinder> after;
     std::optional<ShadedStepFinder> before;  ///< none: the baseline is the scenario
     std::optional<SkyTrees> sky, formerSky;  ///< where the rule asks for the sky component

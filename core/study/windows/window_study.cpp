@@ -105,7 +105,7 @@ WindowStudy beginStudy(const WindowScene& scene, const WindowReviewSettings& set
                       .steps = scene.days.sun.steps.size(),
                       .notChecked = listNotChecked(scene.rule, scene.city, settings),
                       .warnings = scene.placed.warnings};
-    study.engine = scene.by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";
+    study.engine = scene.engine;
     study.seconds["prepare"] = scene.prepareSeconds;
     study.seconds["build"] = scene.buildSeconds;
     addAssumptions(study, scene.placed, study.warnings);

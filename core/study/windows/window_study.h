@@ -25,7 +25,8 @@ struct WindowReviewSettings {
     Region region;     ///< windows outside are left out
     std::string zone;  ///< IANA name
     int year = 2026;   ///< of rules that name none
-    /// None: rays up to mostTracedSteps, which take no longer then, else horizons.
+    /// None: rays up to mostTracedSteps, which take no longer then, else horizons; and rays again where a
+    /// sample of the windows shows that horizons are off (window_sample.h).
     std::optional<ShadedStepFinder::By> by{};
 };
 inline constexpr std::size_t mostTracedSteps = 2000;
@@ -49,8 +50,8 @@ struct WindowStudy {
     DayClock clock;
     int year = 0;
     double stepMinutes = 1;
-    std::size_t steps = 0;                  ///< with the sun up in the rule's hours
-    std::string engine;                     ///< "horizons with ends by rays", "rays"
+    std::size_t steps = 0;  ///< with the sun up in the rule's hours
+    std::string engine;     ///< "horizons with ends by rays", "rays", "rays, since horizons of ..."
     std::vector<std::string> notChecked;    ///< of the rule, and what this run adds to it
     std::map<std::string, double> seconds;  ///< by stage, and "total"
     Warnings warnings;
@@ -73,7 +74,7 @@ Result<WindowForecast> forecastWindowReview(const Rule& rule, const City& baseli
 
 /// Evaluates a rule on the windows of the scenario. A window is compared with the baseline where its building
 /// is the same in both; the windows of new and changed buildings have no former values. Uses all cores.
-/// Error: a rule about places, the sun below the horizon in all hours of the rule, what placeElements()
+/// Error: a rule about places, what placeElements()
 /// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 2 ms more where
 /// the rule asks for the sky component. `announce`, if given, is called once with the forecast before the
 /// windows are evaluated.

@@ -26,8 +26,8 @@ std::string formatText(std::chrono::sys_seconds at) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
 }
 
-Json originJson(std::chrono::sys_seconds at, const std::string& citySha256) {
-    return {{"at", formatText(at)}, {"city_sha256", citySha256}};
+Json originJson(std::chrono::sys_seconds at, const std::string& citySha256, const StudySettings& settings) {
+    return {{"at", formatText(at)}, {"city_sha256", citySha256}, {"question_sha256", hashQuestion(settings)}};
 }
 
 std::string withOrigin(const std::string& settings, Json origin) {
@@ -37,14 +37,14 @@ std::string withOrigin(const std::string& settings, Json origin) {
 }
 
 Json originOf(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
-    Json json = originJson(at, hashOf(project, answer.to));
+    Json json = originJson(at, hashOf(project, answer.to), answer.settings.study);
     if (const std::string hash = hashOf(project, answer.from); !hash.empty()) json["baseline_sha256"] = hash;
     json["changed_cells"] = changedCellsJson(answer.study.total.change);
     return json;
 }
 
 Json originOf(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {
-    Json json = originJson(at, hashOf(project, answer.scenario));
+    Json json = originJson(at, hashOf(project, answer.scenario), answer.settings);
     json["weights"] = Json::parse(weightsJson(answer.weights));
     return json;
 }
@@ -78,7 +78,7 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
             "study",
             scenario,
             {},
-            withOrigin(studyJson(study), originJson(at, hashCity(study.city))),
+            withOrigin(studyJson(study), originJson(at, hashCity(study.city), study.settings)),
             inputsOf(project),
             field.grid,
             layersOf(field)};
@@ -87,7 +87,7 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
 // The columns that state where the points' table comes from are kept with it.
 SavedResult makeSavedResult(const Project& project, const std::string& scenario, const ElementStudy& study,
                             std::chrono::sys_seconds at) {
-    Json origin = originJson(at, hashCity(study.city));
+    Json origin = originJson(at, hashCity(study.city), study.settings);
     origin["source"] = sourceValues(study.provenance);
     return {{},
             "elements",

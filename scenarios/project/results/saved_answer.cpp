@@ -45,6 +45,7 @@ SavedOrigin originOf(const Json& json) {
     return {saved.value("at", ""),
             saved.value("city_sha256", ""),
             saved.value("baseline_sha256", ""),
+            saved.value("question_sha256", ""),
             json.at("program"),
             json.contains("engine_settings") ? json.at("engine_settings") : json.at("engine_used"),
             json.at("period").at("text"),
@@ -97,15 +98,21 @@ SavedScore readScore(const SavedResult& result, const Json& json) {
     return saved;
 }
 
+// Earlier results have no 99th percentile, and no error of the longest sun.
+QuantityError quantityErrorOf(const Json& json) {
+    const double largest = json.at("max_pct");
+    return {json.at("mean_pct"), json.value("p99_pct", largest), largest};
+}
+
 std::string elementErrorOf(const Json& json) {
     const Json error = json.value("error", Json());
     if (!error.is_object()) return {};
-    const Json &gross = error.at("gross"), &continuous = error.at("continuous");
-    return describe(ElementError{.points = wholeNumberFrom<std::size_t>(error.at("points")),
-                                 .grossMeanPct = gross.at("mean_pct"),
-                                 .grossLargestPct = gross.at("max_pct"),
-                                 .continuousMeanPct = continuous.at("mean_pct"),
-                                 .continuousLargestPct = continuous.at("max_pct")});
+    ElementError read{.points = wholeNumberFrom<std::size_t>(error.at("points")),
+                      .gross = quantityErrorOf(error.at("gross")),
+                      .continuous = quantityErrorOf(error.at("continuous"))};
+    const Json sun = error.value("longest_sun", Json());
+    if (sun.is_object()) read.longestSun = quantityErrorOf(sun);
+    return describe(read);
 }
 
 SourceValues sourceOf(const Json& json) {

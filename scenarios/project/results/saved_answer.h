@@ -19,6 +19,7 @@ struct SavedOrigin {
     std::string at;  ///< UTC, "2026-11-22T03:10:28Z"; empty in results of versions that did not store it
     std::string citySha256;              ///< hashCity() of the scenario at that time; empty likewise
     std::string baselineSha256;          ///< impact: hashCity() of the baseline
+    std::string questionSha256;          ///< hashQuestion() of its settings; empty likewise
     std::string program;                 ///< "Noonmark 0.1.0"
     std::string engine;                  ///< name and settings, as text
     std::string period;                  ///< as text

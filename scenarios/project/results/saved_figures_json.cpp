@@ -24,13 +24,6 @@ ChangeFigures changeFrom(const Json& json) {
             json.at("mean_min"),  json.at("most_gained_min"), json.at("most_lost_min")};
 }
 
-ImpactFigures impactFrom(const Json& json) {
-    return {json.at("threshold_min"),         json.at("receiver_area_m2"),
-            changeFrom(json.at("gross")),     changeFrom(json.at("continuous")),
-            json.at("shadow_area_change_m2"), json.at("became_building_m2"),
-            json.at("became_ground_m2")};
-}
-
 std::chrono::year_month monthFrom(const std::string& text) {
     const auto first = parseDate(text + "-01");
     if (!first) throw std::invalid_argument(text + " is not a month");
@@ -43,6 +36,13 @@ std::string nameOrId(const Json& building) {
 }
 
 }  // namespace
+
+ImpactFigures parseImpactFigures(const Json& json) {
+    return {json.at("threshold_min"),         json.at("receiver_area_m2"),
+            changeFrom(json.at("gross")),     changeFrom(json.at("continuous")),
+            json.at("shadow_area_change_m2"), json.at("became_building_m2"),
+            json.at("became_ground_m2")};
+}
 
 ShadowStatistics parseStatistics(const Json& study) {
     return {wholeNumberFrom<std::size_t>(study.at("receivers")),
@@ -58,37 +58,51 @@ ComparisonFigures parseComparison(const Json& impact) {
     ComparisonFigures figures{
         impact.at("from"),           impact.at("to"), {}, {}, impact.at("period").at("text"),
         impact.at("engine_settings")};
-    for (const Json& one : impact.at("impact")) figures.all.push_back(impactFrom(one));
+    for (const Json& one : impact.at("impact")) figures.all.push_back(parseImpactFigures(one));
     if (figures.all.empty()) throw std::invalid_argument("no figures");
     for (const Json& building : impact.at("by_building"))
-        figures.byBuilding.push_back({nameOrId(building), impactFrom(building.at("impact").at(0))});
+        figures.byBuilding.push_back({nameOrId(building), parseImpactFigures(building.at("impact").at(0))});
     return figures;
 }
 
 Score parseScore(const Json& json) {
     Score score;
     score.scoreM2 = json.at("score_m2");
+    score.weightedShadeM2h = json.value("weighted_shade_m2h", unknown);
     score.receiverAreaM2 = json.at("receiver_area_m2");
     for (const Json& month : json.at("months"))
         score.months.push_back({monthFrom(month.at("month")), month.at("shadow_area_m2"),
-                                month.at("score_m2"), month.at("sunlit_min")});
+                                month.at("score_m2"), month.at("sunlit_min"),
+                                month.value("weighted_shade_m2h", unknown)});
     for (const Json& interval : json.at("intervals"))
         score.intervals.push_back({interval.at("name"), interval.at("weight"), interval.at("shadow_area_m2"),
-                                   interval.at("score_m2")});
+                                   interval.at("score_m2"), interval.value("weighted_shade_m2h", unknown)});
     score.engine = json.at("engine_settings");
     return score;
 }
 
+namespace {
+
+// Results of early versions state no 99th percentile.
+std::string describeSavedCell(const char* name, const Json& error) {
+    const std::string tail = error.contains("p99_pct") ? fmt::format("99 % of cells within {:.3f} %, ",
+                                                                     error.at("p99_pct").get<double>())
+                                                       : std::string();
+    return fmt::format("{}, mean {:.4f} %, {}worst cell {:.3f} %", name, error.at("mean_pct").get<double>(),
+                       tail, error.at("max_pct").get<double>());
+}
+
+}  // namespace
+
 std::string parseErrorText(const Json& study) {
     const Json& error = study.at("error");
     if (!error.at("why_not").is_null()) return error.at("why_not");
-    return fmt::format(
-        "area {:+.4f} % of the ground; gross, mean {:.4f} %, worst cell {:.3f} %; {} of {} receivers against "
-        "the ray reference",
-        error.at("area_pct").get<double>(), error.at("gross").at("mean_pct").get<double>(),
-        error.at("gross").at("max_pct").get<double>(),
-        wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
-        wholeNumberFrom<std::uint64_t>(error.at("of_receivers")));
+    const Json runs = error.value("continuous", Json());
+    return fmt::format("area {:+.4f} % of the ground; {}{}; {} of {} receivers against the ray reference",
+                       error.at("area_pct").get<double>(), describeSavedCell("gross", error.at("gross")),
+                       runs.is_object() ? "; " + describeSavedCell("continuous", runs) : std::string(),
+                       wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
+                       wholeNumberFrom<std::uint64_t>(error.at("of_receivers")));
 }
 
 }  // namespace noonmark

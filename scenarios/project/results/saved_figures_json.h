@@ -11,6 +11,7 @@ namespace noonmark {
 /// Parse the figures that studyJson(), impactJson() and scoreJson() write. They throw nlohmann's exceptions
 /// or std::invalid_argument where the JSON does not match.
 ShadowStatistics parseStatistics(const nlohmann::ordered_json& study);
+ImpactFigures parseImpactFigures(const nlohmann::ordered_json& figures);  ///< as of figuresJson()
 ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
 Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
 

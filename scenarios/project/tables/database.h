@@ -20,6 +20,8 @@ struct sqlite3_stmt;
 
 namespace noonmark {
 
+class OwnFiles;
+
 using Bytes = std::string;  ///< a blob
 
 /// An error of SQLite. It is thrown only inside scenarios/project, where `guarded` turns it into an Error.
@@ -91,13 +93,13 @@ struct AsBlob {
 };
 
 /// An open SQLite file, which may be hostile: its triggers and views do not run, it cannot attach or load
-/// anything or call functions with side effects, and a statement that runs too long is interrupted. Not safe
-/// for concurrent use. Backend: database_sqlite.cpp.
+/// anything or call functions with side effects, no file but its own journals is opened or deleted, and a
+/// statement that runs too long is interrupted. Not safe for concurrent use. Backend: database_sqlite.cpp.
 class Database {
 public:
     enum class Access { read, write, create };
 
-    /// Throws DatabaseTrouble. Waits at most half a second for another writer.
+    /// Throws DatabaseTrouble. Waits at most half a second for another writer. See checkBeside() before.
     Database(const std::filesystem::path& file, Access access);
     /// A copy of another database in memory; changes touch no file.
     struct InMemory {};
@@ -105,6 +107,9 @@ public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
     ~Database();
+
+    /// From now on a value longer than the file is an error: SQL of the file made it. For reading only.
+    void limitValues(const std::filesystem::path& file);
 
     void execute(const std::string& sql);  ///< one or several statements that return no rows
     [[nodiscard]] Statement prepare(std::string_view sql) { return {database_, sql}; }
@@ -114,6 +119,7 @@ public:
     [[nodiscard]] std::int64_t changedRows() const;  ///< since the database was opened
 
 private:
+    std::unique_ptr<OwnFiles> files_;  // outlives the connection
     sqlite3* database_ = nullptr;
     int looks_ = 0;  // checks of the running time so far, over all statements
 };

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/io/files/own_files.h"
 #include "scenarios/project/tables/database.h"
 
 namespace noonmark {
@@ -44,6 +45,7 @@ void harden(sqlite3* database) {
     set(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0);
     set(SQLITE_DBCONFIG_ENABLE_VIEW, 0);
     set(SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0);
+    set(SQLITE_DBCONFIG_ENABLE_FKEY, 0);  // a foreign key could delete other rows
     sqlite3_limit(database, SQLITE_LIMIT_ATTACHED, 0);
     sqlite3_limit(database, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
     sqlite3_limit(database, SQLITE_LIMIT_WORKER_THREADS, 0);
@@ -105,8 +107,19 @@ void Statement::bind(int at, const AsBlob& blob) {
           sqlite3_bind_blob64(statement_, at, blob.bytes.data(), blob.bytes.size(), SQLITE_STATIC));
 }
 
-Database::Database(const std::filesystem::path& file, Access access) {
-    const int code = sqlite3_open_v2(file.c_str(), &database_, flagsOf(access), nullptr);
+namespace {
+
+constexpr const char* inMemory = ":memory:";
+
+// An absolute path cannot be mistaken for a URI, which could name another way to files.
+std::filesystem::path pathOf(const std::filesystem::path& file) {
+    return file == inMemory ? file : std::filesystem::absolute(file);
+}
+
+}  // namespace
+
+Database::Database(const std::filesystem::path& file, Access access) : files_(std::make_unique<OwnFiles>()) {
+    const int code = sqlite3_open_v2(pathOf(file).c_str(), &database_, flagsOf(access), files_->name());
     if (code != SQLITE_OK) {
         DatabaseTrouble trouble{code & 0xff, sqlite3_errmsg(database_)};
         sqlite3_close(database_);
@@ -117,14 +130,19 @@ Database::Database(const std::filesystem::path& file, Access access) {
     sqlite3_busy_timeout(database_, waitMs);
 }
 
-Database::Database(InMemory, Database& source) : Database(":memory:", Access::create) {
+Database::Database(InMemory, Database& source) : Database(inMemory, Access::create) {
     sqlite3_backup* copy = sqlite3_backup_init(database_, "main", source.database_, "main");
     if (copy == nullptr) fail(database_, sqlite3_errcode(database_));
     sqlite3_backup_step(copy, -1);
     if (const int code = sqlite3_backup_finish(copy); code != SQLITE_OK) fail(database_, code);
+    sqlite3_limit(database_, SQLITE_LIMIT_LENGTH, sqlite3_limit(source.database_, SQLITE_LIMIT_LENGTH, -1));
 }
 
 Database::~Database() { sqlite3_close(database_); }
+
+void Database::limitValues(const std::filesystem::path& file) {
+    sqlite3_limit(database_, SQLITE_LIMIT_LENGTH, longestValue(file));
+}
 
 void Database::execute(const std::string& sql) {
     const int code = sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr);
@@ -177,6 +195,13 @@ Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file)
         case SQLITE_CANTOPEN:
             return {"The project file cannot be opened", where,
                     "Check that it exists and that its folder is writable"};
+        case SQLITE_TOOBIG:
+            return {
+                "The project file holds a value that is larger than the file: this program did not write it",
+                where, "Ask for the file again, or take an older copy"};
+        case SQLITE_CONSTRAINT:
+            return {fmt::format("The project file has rows that contradict each other ({})", trouble.words),
+                    where, "Save it under another name; the file was not changed"};
         case SQLITE_INTERRUPT:
             return {"Reading the project file takes too long: this program did not write it", where,
                     "Ask for the file again, or take an older copy"};

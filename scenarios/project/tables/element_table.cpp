@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/clean_text.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/tables/checked_row.h"
 #include "scenarios/project/tables/geometry_blob.h"
@@ -46,10 +47,10 @@ public:
     explicit ElementReader(const Statement& row) : row_(row), checked_(row, "result_elements") {}
 
     MeasuredElement read() {
-        MeasuredElement element{.id = row_.text(1),
+        MeasuredElement element{.id = cleanText(row_.text(1)),
                                 .kind = kindOf(checked_, row_.text(2)),
-                                .building = row_.text(3),
-                                .buildingName = row_.text(4)};
+                                .building = cleanText(row_.text(3)),
+                                .buildingName = cleanText(row_.text(4))};
         if (!row_.isNull(5)) element.floor = checked_.integer(5, "floor", floorLimits);
         element.azimuthDeg = orNothing("azimuth_deg", {0, 360});
         element.position = vector("x_m", placeLimitsM);

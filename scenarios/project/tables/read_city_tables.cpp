@@ -5,6 +5,7 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "core/base/clean_text.h"
 #include "core/study/text/terrain_text.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/tables/checked_row.h"
@@ -51,7 +52,7 @@ void addParts(const Statement& row, const Meshes& meshes, Building& building) {
     auto polygons = toPolygons(row.blob(1));
     if (!polygons) checked.refuse("a building has an invalid outline");
     for (Footprint& polygon : *polygons) {
-        Part part{.sourceId = row.text(3),
+        Part part{.sourceId = cleanText(row.text(3)),
                   .footprint = std::move(polygon),
                   .bottomM = float(checked.number(8, "bottom_m", elevationLimitsM)),
                   .topM = float(checked.number(9, "top_m", elevationLimitsM)),
@@ -81,9 +82,11 @@ std::vector<std::shared_ptr<const Building>> readBuildings(Database& database) {
     while (row.step()) {
         if (row.integer(10) != last) finish();
         last = row.integer(10);
-        building.sourceId = row.text(2);
-        building.name = row.text(4);
-        building.status = row.text(5);
+        // Buildings are saved under these numbers.
+        if (last != std::int64_t(buildings.size())) throwDamaged("buildings are missing");
+        building.sourceId = cleanText(row.text(2));
+        building.name = cleanText(row.text(4));
+        building.status = cleanText(row.text(5));
         addParts(row, meshes, building);
     }
     finish();

@@ -32,6 +32,11 @@ void checkTable(Database& database, const std::string& table, const std::vector<
 /// saving would leave the indexes wrong; a GIS program creates them again.
 void removeSpatialIndexes(Database& database);
 
+/// Makes our tables exactly ours again, before a save: a constraint or an index that another program added
+/// could make it lose rows in silence. A table that differs is copied into one of ours, with the columns that
+/// were added; foreign indexes are dropped. Throws DatabaseTrouble where its rows do not fit.
+void takeTablesBack(Database& database);
+
 /// Migrates the tables version by version to schemaVersion, inside the caller's transaction.
 void migrate(Database& database);
 

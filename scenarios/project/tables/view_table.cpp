@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "core/base/clean_text.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/tables/checked_row.h"
 #include "scenarios/project/write_project.h"
@@ -47,7 +48,7 @@ std::optional<ViewBox> sectionOf(const Statement& row, const CheckedRow& checked
 
 SavedView viewOf(const Statement& row) {
     const CheckedRow checked(row, "saved_views");
-    return {row.text(1),
+    return {cleanText(row.text(1)),
             {checked.number(2, "target_x_m", placeLimitsM), checked.number(3, "target_y_m", placeLimitsM),
              checked.number(4, "target_z_m", heightLimitsM)},
             checked.number(5, "distance_m", distanceLimitsM),

@@ -115,6 +115,44 @@ TEST(AutoEngine, LooksAtPartsThatHangInReachOnly) {
     EXPECT_TRUE(load.level);
 }
 
+TEST(AutoEngine, GoesOnToAnExactEngineWhereASampleMissesTheTarget) {
+    const City level = oneTower(), hills = onTerrain();
+    const SunSteps sun = days(150, 480);
+    const auto closerThan = [&](const City& city, const Receivers& receivers, SampledOff off) {
+        const City* const cities[]{&city};
+        const auto used = AutoEngine().choose(cities, receivers, sun);
+        EXPECT_EQ(used->key, "horizon");
+        return AutoEngine().chooseCloser(*used, off, cities, receivers, sun);
+    };
+    const Receivers strip = receiversOver(level, 30, -200, 32, 200);
+    EXPECT_FALSE(closerThan(level, strip, {0.04, 0.004})) << "within the target";
+    EXPECT_FALSE(closerThan(level, strip, {0.055, 0.004})) << "chance";
+    EXPECT_TRUE(closerThan(level, strip, {0.11, 0.2})) << "chance explains no more than the target";
+    const auto rays = closerThan(level, strip, {2.4, 0.2});
+    ASSERT_TRUE(rays);
+    EXPECT_EQ(rays->key, "ray") << "800 receivers take rays less time than 400 rows take polygons";
+    EXPECT_EQ(
+        rays->why,
+        "rays, since a sample of the horizon sweep is off by 2.400 % of the period in the mean, more than "
+        "the 0.05 % aimed at");
+    EXPECT_EQ(closerThan(level, receiversOver(level, 30, -200, 232, 200), {2.4, 0.2})->key, "projected");
+    EXPECT_EQ(closerThan(hills, receiversOver(hills, 30, -200, 232, 200), {2.4, 0.2})->key, "ray");
+}
+
+TEST(AutoEngine, GoesOnFromNoExactEngineAndFromNoBinsThatWereSet) {
+    const City city = oneTower();
+    const City* const cities[]{&city};
+    const Receivers receivers = receiversOver(city, 30, -200, 32, 200);
+    const SunSteps sun = days(150, 480);
+    const SampledOff far{3, 0.1};
+    const EngineChoice exact{"projected", nullptr, ""}, sweep{"horizon", nullptr, ""};
+    EXPECT_FALSE(AutoEngine().chooseCloser(exact, far, cities, receivers, sun));
+    EXPECT_TRUE(AutoEngine().chooseCloser(sweep, far, cities, receivers, sun));
+    EXPECT_FALSE(AutoEngine({.binDeg = 2}).chooseCloser(sweep, far, cities, receivers, sun));
+    EXPECT_FALSE(
+        AutoEngine({.errorTargetPercent = 1}).chooseCloser(sweep, {0.9, 0.1}, cities, receivers, sun));
+}
+
 TEST(AutoEngine, AStopIsNoRefusal) {
     std::stop_source stop;
     stop.request_stop();

@@ -66,6 +66,9 @@ TEST(BinCuts, FewBinsWhereTheTargetAllowsAndManyWhereItAsks) {
     }
     EXPECT_LE(chooseBinCuts(year, 0.05).widestDeg, 0.5) << "for the longest runs";
     EXPECT_GT(chooseBinCuts(year, 0.2).widestDeg, 0.5);
+    SunSteps minutes = year;
+    minutes.stepMinutes = 1;
+    EXPECT_LE(chooseBinCuts(minutes, 0.05).widestDeg, 0.25);
     EXPECT_EQ(chooseBinCuts(day, 0.005).bins, day.steps.size());  // one bin for each sun
 }
 

@@ -40,20 +40,9 @@ std::vector<TimedStep> pickRandomDays(std::mt19937& random, int days, int bins) 
     return steps;
 }
 
-// Days that are grouped as similar need not be similar.
-std::vector<DaySteps> randomOrder(std::mt19937& random, const std::vector<TimedStep>& steps) {
-    std::vector<DaySteps> days;
-    for (std::uint32_t i = 0; i < steps.size(); ++i)
-        if (steps[i].startsRun)
-            days.push_back({i, i + 1, float(random() % 5) * 0.02F});
-        else
-            days.back().end = i + 1;
-    std::ranges::sort(days, {}, &DaySteps::declination);
-    return days;
-}
-
 int walked(const LongestRuns& runs, const std::vector<RunLanes>& horizons, std::size_t lane) {
-    return runs.ofOne([&](const StepPlace& place) { return place.sun < horizons[place.bin].values[lane]; });
+    return runs.ofOne([&](const StepPlace& place) { return place.sun < horizons[place.bin].values[lane]; })
+        .length();
 }
 
 TEST(LongestRuns, AreThoseOfAStepByStepWalk) {
@@ -61,14 +50,14 @@ TEST(LongestRuns, AreThoseOfAStepByStepWalk) {
     for (int round = 0; round < 40; ++round) {
         const std::vector<RunLanes> horizons = randomHorizons(random, 130);
         const std::vector<TimedStep> steps = pickRandomDays(random, 1 + round, 130);
-        const LongestRuns runs(steps, randomOrder(random, steps));
+        const LongestRuns runs(steps);
         const LongestRuns::Found found = runs.of(horizons);
         for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
             const int longest = found.longest.values[lane];
             EXPECT_EQ(longest, walked(runs, horizons, lane)) << lane;
             if (longest == 0) continue;
-            const LongestRuns::Run run = runs.run(horizons, lane, found.day[lane], longest);
-            ASSERT_EQ(int(run.end - run.first), longest);
+            const StepRun run = runs.run(horizons, lane, found.day[lane], longest);
+            ASSERT_EQ(run.length(), longest);
             for (std::uint32_t step = run.first; step < run.end; ++step) {
                 const StepPlace& place = runs.steps()[step].place;
                 EXPECT_LT(place.sun, horizons[place.bin].values[lane]);
@@ -78,18 +67,17 @@ TEST(LongestRuns, AreThoseOfAStepByStepWalk) {
     }
 }
 
-TEST(LongestRuns, AreReachedUpToTheLongest) {
+TEST(LongestRuns, OfEachDayHaveThatOfThePeriodAsTheLongest) {
     std::mt19937 random(6);
     const std::vector<RunLanes> horizons = randomHorizons(random, 130);
     const std::vector<TimedStep> steps = pickRandomDays(random, 20, 130);
-    const LongestRuns runs(steps, randomOrder(random, steps));
-    RunLanes wanted;
-    for (int more = -3; more <= 3; ++more) {
-        for (std::size_t lane = 0; lane < lanesPerPart; ++lane)
-            wanted.values[lane] = std::int16_t(std::max(0, walked(runs, horizons, lane) + more));
-        const std::uint64_t reached = runs.reached(horizons, wanted);
-        for (std::size_t lane = 0; lane < lanesPerPart; ++lane)
-            EXPECT_EQ(reached >> lane & 1, wanted.values[lane] <= walked(runs, horizons, lane)) << lane;
+    const LongestRuns runs(steps);
+    std::vector<RunLanes> days;
+    runs.ofEachDay(horizons, days);
+    for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
+        int longest = 0;
+        for (const RunLanes& day : days) longest = std::max(longest, int(day.values[lane]));
+        EXPECT_EQ(longest, walked(runs, horizons, lane)) << lane;
     }
 }
 
@@ -116,6 +104,7 @@ Doubtful doubtful(std::mt19937& random, std::size_t steps, unsigned percent) {
         const bool doubt = random() % 100 < percent;
         made.hidden.push_back(hidden);
         made.horizons.highest.push_back(hidden || doubt ? 1 : -1);
+        made.horizons.own.push_back(hidden ? 1 : -1);
         made.horizons.lowest.push_back(hidden && !doubt ? 1 : -1);
     }
     return made;
@@ -134,7 +123,7 @@ int longestOf(const std::vector<bool>& hidden, std::span<const TimedStep> steps)
 std::vector<DaySteps> partsOf(std::span<const TimedStep> steps) {
     std::vector<DaySteps> parts;
     for (std::uint32_t i = 0; i < steps.size(); ++i) {
-        if (steps[i].startsRun) parts.push_back({i, i, 0});
+        if (steps[i].startsRun) parts.push_back({i, i});
         parts.back().end = i + 1;
     }
     return parts;

@@ -116,6 +116,10 @@ TEST_F(CheckOutput, ADamagedOrBusyDatabaseIsLeftAlone) {
     EXPECT_NE(whyNever(folder.path("cut.gpkg"), OutputKind::geoPackage), "");
     (void)folder.file("city.gpkg-journal", "half a transaction");
     EXPECT_THAT(why(file, OutputKind::geoPackage, {{}, true}), HasSubstr("is writing to this file"));
+    (void)folder.file("gone.gpkg-journal", "half a transaction");
+    for (const OutputKind kind : {OutputKind::geoPackage, OutputKind::project})
+        EXPECT_THAT(why(folder.path("gone.gpkg"), kind, {{}, true}), HasSubstr("remove the journal"))
+            << "it would be applied to a new file of that name";
 }
 
 TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
@@ -145,6 +149,18 @@ TEST_F(CheckOutput, EveryKindKnowsItsOwn) {
     EXPECT_TRUE(replaces(OutputKind::pdf, "%PDF-1.4\n"));
     EXPECT_TRUE(replaces(OutputKind::table, "x_m,y_m\r\n0,1\r\n"));
     EXPECT_FALSE(replaces(OutputKind::geoTiff, pngHead));
+}
+
+// The copy of a city with figures that an earlier run wrote.
+TEST_F(CheckOutput, ACopyOfTheCityReplacesItself) {
+    EXPECT_EQ(detectOutputKind("elements.city.json"), OutputKind::cityJson);
+    EXPECT_EQ(detectOutputKind("study.json"), OutputKind::json);
+    const fs::path copy = folder.file("elements.city.json", R"({"type":"CityJSON","version":"2.0"})");
+    EXPECT_EQ(why(copy, OutputKind::cityJson, {{}, true}), "");
+    EXPECT_THAT(why(copy, OutputKind::cityJson, {{copy}, true}), HasSubstr("is an input"));
+    EXPECT_THAT(whyNever(copy, OutputKind::json), HasSubstr("not JSON with figures"));
+    EXPECT_THAT(whyNever(folder.file("study.json", "{" shadow ":1}"), OutputKind::cityJson),
+                HasSubstr("not CityJSON"));
 }
 
 TEST_F(CheckOutput, WhatIsNoFileHasItsOwnMessage) {

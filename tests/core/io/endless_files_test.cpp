@@ -1,9 +1,15 @@
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <sys/stat.h>
+
+#include <array>
+#include <bit>
+#include <vector>
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/file_kind.h"
+#include "core/io/files/geopackage_check.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/read_parcels.h"
 #include "core/io/read_part.h"
@@ -73,6 +79,51 @@ TEST(EndlessFiles, ARasterOfTooManyCellsIsRefusedWithItsLimit) {
     const std::string error = terrainError(file);
     EXPECT_NE(error.find("200000 x 200000 cells"), std::string::npos) << error;
     EXPECT_NE(error.find("Cut out"), std::string::npos) << error;
+}
+
+// A TIFF of one tile, whose side is stated and which the file does not hold.
+std::string tiffOfOneTile(std::uint32_t side) {
+    std::string bytes("II*\0\x08\0\0\0", 8);
+    const auto put = [&](std::uint64_t value, int size) {
+        for (int i = 0; i < size; ++i) bytes += char(value >> (8 * i));
+    };
+    const std::vector<std::array<std::uint32_t, 4>> entries{
+        {256, 4, 1, 200}, {257, 4, 1, 200},    {258, 3, 1, 32},     {259, 3, 1, 1},     {262, 3, 1, 1},
+        {277, 3, 1, 1},   {322, 4, 1, side},   {323, 4, 1, side},   {324, 4, 1, 8},     {325, 4, 1, 16},
+        {339, 3, 1, 3},   {33550, 12, 3, 182}, {33922, 12, 6, 206}, {34735, 3, 16, 254}};
+    put(entries.size(), 2);
+    for (const auto& [tag, type, count, value] : entries)
+        put(tag, 2), put(type, 2), put(count, 4), put(value, 4);
+    put(0, 4);
+    for (const double number : {1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 583000.0, 4507000.0, 0.0})
+        put(std::bit_cast<std::uint64_t>(number), 8);
+    for (const int key : {1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32618})
+        put(std::uint64_t(key), 2);
+    return bytes;
+}
+
+TEST(EndlessFiles, ARasterOfHugeBlocksIsRefusedWithItsLimit) {
+    const tests::TemporaryFolder folder;
+    const std::string text = tiffOfOneTile(65536);
+    EXPECT_EQ(text.size(), 286U);
+    const std::string error = terrainError(folder.file("tiles.tif", text));
+    EXPECT_NE(error.find("blocks of 65536 x 65536 cells, more than 256 MB"), std::string::npos) << error;
+    EXPECT_EQ(terrainError(folder.file("tile.tif", tiffOfOneTile(256))).find("blocks of"), std::string::npos);
+}
+
+TEST(EndlessFiles, AValueOfMoreThan100MegabytesOfAGeoPackageIsRefused) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(":memory:", &database), SQLITE_OK);
+    limitGeoPackage(database);
+    EXPECT_EQ(sqlite3_exec(database, "SELECT zeroblob(99000000)", nullptr, nullptr, nullptr), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, "SELECT zeroblob(101000000)", nullptr, nullptr, nullptr), SQLITE_TOOBIG);
+    constexpr const char* endless =
+        "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x FROM n) SELECT count(*) FROM n";
+    std::stop_source stop;
+    stop.request_stop();
+    const GdalCalls calls(stop.get_token());
+    EXPECT_EQ(sqlite3_exec(database, endless, nullptr, nullptr, nullptr), SQLITE_INTERRUPT);
+    sqlite3_close(database);
 }
 
 }  // namespace

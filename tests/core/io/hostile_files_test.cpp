@@ -19,6 +19,7 @@
 #include "core/io/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/local_listener.h"
+#include "tests/core/io/planted_journal.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -234,11 +235,94 @@ TEST_F(HostileFile, AGeoPackageRunsNoSqlOfItsMaker) {
     expectRefused(geoPackage(
         "load.gpkg", contents + "CREATE VIEW city AS SELECT 1 AS fid, gdal_get_pixel_value('/vsicurl/" +
                          listener.address() + "/a.tif', 1, 'pixel', 0, 0) AS geom;"));
+    EXPECT_NE(
+        expectNothingHappens(
+            geoPackage("computed.gpkg", contents + "CREATE TABLE city (fid INTEGER PRIMARY KEY, geom BLOB, "
+                                                   "height TEXT AS (hex(zeroblob(400000000))));"
+                                                   "INSERT INTO city (fid) VALUES (1);"))
+            .find("is computed by SQL"),
+        std::string::npos);
+    expectRefused(geoPackage(
+        "layers.gpkg",
+        contents +
+            "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n WHERE x < 1000) INSERT INTO "
+            "gpkg_contents SELECT 'c' || x, 'features', 'c' || x, '', '', 0, 0, 1, 1, 4326 FROM n;"));
     (void)expectNothingHappens(geoPackage(
         "trigger.gpkg", contents +
                             "CREATE TABLE city (fid INTEGER PRIMARY KEY, geom BLOB);"
                             "INSERT INTO city VALUES (1, NULL);"
                             "CREATE TRIGGER t AFTER UPDATE ON gpkg_contents BEGIN DELETE FROM city; END;"));
+}
+
+// A GeoPackage whose layer has one row, and `more`.
+std::string smallGeoPackage(const std::string& columns, const std::string& more) {
+    return "PRAGMA application_id = 1196444487; PRAGMA user_version = 10300;"
+           "CREATE TABLE gpkg_spatial_ref_sys (srs_name TEXT, srs_id INTEGER PRIMARY KEY, organization TEXT, "
+           "organization_coordsys_id INTEGER, definition TEXT, description TEXT);"
+           "INSERT INTO gpkg_spatial_ref_sys VALUES ('WGS 84', 4326, 'EPSG', 4326, 'EPSG:4326', '');"
+           "CREATE TABLE gpkg_geometry_columns (table_name TEXT, column_name TEXT, geometry_type_name TEXT, "
+           "srs_id INTEGER, z TINYINT, m TINYINT);"
+           "INSERT INTO gpkg_geometry_columns VALUES ('city', 'geom', 'POLYGON', 4326, 0, 0);"
+           "CREATE TABLE gpkg_contents (table_name TEXT PRIMARY KEY, data_type TEXT, identifier TEXT, "
+           "description "
+           "TEXT, last_change TEXT, min_x REAL, min_y REAL, max_x REAL, max_y REAL, srs_id INTEGER);"
+           "INSERT INTO gpkg_contents VALUES ('city', 'features', 'city', '', '', 0, 0, 1, 1, 4326);"
+           "CREATE TABLE city (fid INTEGER PRIMARY KEY, geom BLOB" +
+           columns + ");INSERT INTO city (fid) VALUES (1);" + more;
+}
+
+struct HostileGeoPackage : HostileFile {
+    [[nodiscard]] fs::path make(const std::string& columns, const std::string& more = {}) const {
+        const fs::path file = folder.path("city.gpkg");
+        fs::remove(file);
+        runSql(file, smallGeoPackage(columns, more));
+        return file;
+    }
+    void expectRefusedFor(const fs::path& file, const std::string& why) const {
+        const std::string said = expectNothingHappens(file);
+        EXPECT_NE(said.find(why), std::string::npos) << said;
+        EXPECT_EQ(said.find("read\n"), std::string::npos) << said;
+    }
+};
+
+TEST_F(HostileGeoPackage, ComputesNoColumn) {
+    for (const char* kind : {"VIRTUAL", "STORED"})
+        expectRefusedFor(make(fmt::format(", big AS (zeroblob(9000000)) {}", kind)), "is computed by SQL");
+    expectRefusedFor(make({}, "CREATE TABLE other (a, b AS (hex(zeroblob(400000000))));"),
+                     "is computed by SQL");
+}
+
+TEST_F(HostileGeoPackage, HasNoViewForItsIndex) {
+    expectRefusedFor(
+        make({},
+             "CREATE VIEW rtree_city_geom AS WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x "
+             "+ 1 FROM n) SELECT x AS id, 0 AS minx, 1 AS maxx, 0 AS miny, 1 AS maxy FROM n;"),
+        "a view or a virtual table");
+    const std::string said = expectNothingHappens(
+        make({}, "CREATE VIRTUAL TABLE rtree_city_geom USING rtree(id, minx, maxx, miny, maxy);"));
+    EXPECT_EQ(said.find("virtual table"), std::string::npos) << said;
+}
+
+TEST_F(HostileGeoPackage, HasNoHugeTiles) {
+    for (const char* size : {"65536, 256", "256, 5000", "0, 0", "NULL, 256", "'x', 256"})
+        expectRefusedFor(
+            make({}, fmt::format("CREATE TABLE gpkg_tile_matrix (table_name TEXT, zoom_level INTEGER, "
+                                 "tile_width INTEGER, tile_height INTEGER);"
+                                 "INSERT INTO gpkg_tile_matrix VALUES ('dem', 0, {});",
+                                 size)),
+            "The tiles of a layer are larger");
+}
+
+TEST_F(HostileGeoPackage, WithAJournalReachesNoOtherFile) {
+    const fs::path victim = folder.file("thesis.txt", "years of work");
+    const fs::path file = make({});
+    tests::plantJournal(file, victim);
+    expectRefusedFor(file, "names another file");
+    tests::plantJournal(file);
+    expectRefusedFor(file, "Another program was stopped while it wrote");
+    fs::remove(file.string() + "-journal");
+    fs::create_symlink(victim, file.string() + "-wal");
+    expectRefusedFor(file, "is a link");
 }
 
 constexpr const char* gml =

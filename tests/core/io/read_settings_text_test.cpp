@@ -13,6 +13,9 @@ ReadSettings everySetting() {
     reading.defaultHeightM = 7.7;
     reading.levelsField = "storeys";
     reading.terrainFromBases = TerrainFromBases::never;
+    reading.stand = Stand::absolute;
+    reading.terrainShows = TerrainShows::surface;
+    reading.heightsFromSurface = true;
     reading.layer = "buildings";
     reading.crs = "EPSG:2263";
     reading.lod = "2.2";
@@ -31,6 +34,9 @@ TEST(ReadSettingsText, ComesBackToTheLastBit) {
     EXPECT_EQ(back.meshAnchor, (LonLat{-73.98, 40.76}));
     EXPECT_EQ(back.heightField, "roof \"height\"");
     EXPECT_EQ(back.heightUnit, LengthUnit::usSurveyFeet);
+    EXPECT_EQ(back.stand, Stand::absolute);
+    EXPECT_EQ(back.terrainShows, TerrainShows::surface);
+    EXPECT_TRUE(back.heightsFromSurface);
     EXPECT_EQ(formatText(readSettingsFrom("").value()), "");
 }
 

@@ -56,6 +56,7 @@ TEST(PlaceTimeline, OfADayWorkedOutByHand) {
                                                      {"....", ".#..", "###.", "###.", "##..", "####"}));
     EXPECT_EQ(day.areaM2, 16);
     EXPECT_EQ(day.sunlitMinutes, 12);
+    EXPECT_EQ(day.stepMinutes, 2);
     ASSERT_EQ(day.steps.size(), 6U);
     EXPECT_EQ(day.steps[1].baselineM2, 4);
     EXPECT_EQ(day.steps[1].scenarioM2, 4);

@@ -93,6 +93,18 @@ TEST(WindowReceivers, WhatCannotBeMeasuredIsLeftOutAndListed) {
     EXPECT_EQ(windows.warnings[1].where, "in the balcony");
 }
 
+// The box around the house is the region "city": its northern and eastern walls lie on the open edges of it.
+TEST(WindowReceivers, WindowsOnTheEdgeOfTheRegionCount) {
+    const std::vector<WindowShape> windows{{"east", {{10, 5, 2}}, 90.0, {}},
+                                           {"north", {{5, 10.02, 2}}, 0.0, {}},
+                                           {"west", {{-0.01, 5, 2}}, 270.0, {}},
+                                           {"beyond", {{10.5, 5, 2}}, 90.0, {}}};
+    const WindowsPlaced onEdge =
+        placeWindows(houseWithBalcony(), makeRegionFromLocalBox({{0, -1}, {10, 10}}), windows, {});
+    EXPECT_EQ(onEdge.receivers.size(), 3U);
+    EXPECT_THAT(reasons(onEdge), ElementsAre(HasSubstr("outside the region")));
+}
+
 TEST(WallFinder, FindsTheNearestOfSeveralWalls) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 9}}, {{10.5, 0, 0}, {20, 10, 9}}});
     const WallFinder walls(city);

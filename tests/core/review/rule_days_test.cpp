@@ -65,6 +65,15 @@ TEST(RuleDays, SanFranciscosYearHasTheHoursThatPracticeCounts) {
     }
 }
 
+TEST(RuleDays, WholeMinutesAreWhole) {
+    // From sunrise to sunset days have no whole number of steps of 5 min: the mean is 4.99997 min, by which
+    // 24 steps were 119.999 min, less than 2 h.
+    const RuleSun sun = sunOf("russia-territory", siteAt(37.62, 55.75, "Europe/Moscow"));
+    EXPECT_EQ(sun.sun.stepMinutes, 5);
+    EXPECT_EQ(sunOf("san-francisco-295", sanFrancisco).sun.stepMinutes, 15);
+    EXPECT_EQ(sunOf("estonia", siteAt(24.75, 59.44, "Europe/Tallinn")).sun.stepMinutes, 1);
+}
+
 TEST(RuleDays, AMirroredYearRunsFromOneSolsticeToTheOther) {
     for (const int year : {2026, 2028}) {
         RuleDays days;
@@ -133,8 +142,16 @@ TEST(RuleDays, TrueSolarNoonIsTheTransit) {
     EXPECT_EQ(hokkaido.sun.days[0].count, 360);
 }
 
-TEST(RuleDays, ZurichSamplesFullHours) {
+TEST(RuleDays, ZurichCountsMinutes) {
     const RuleSun sun = sunOf("zurich", siteAt(8.54, 47.37, "Europe/Zurich"));
+    ASSERT_EQ(sun.sun.days.size(), 2);
+    for (const SunDay& day : sun.sun.days) EXPECT_EQ(day.count + day.belowHorizon, 9 * 60);
+}
+
+TEST(RuleDays, MaySampleFullHoursOnly) {
+    Rule rule = shippedRule("zurich");
+    rule.sampling = {60, 60, {}};
+    const RuleSun sun = computeRuleSun(rule, siteAt(8.54, 47.37, "Europe/Zurich")).value();
     ASSERT_EQ(sun.sun.days.size(), 2);
     for (const SunDay& day : sun.sun.days) {
         EXPECT_EQ(day.count + day.belowHorizon, 9);

@@ -171,17 +171,29 @@ TEST(BreRule, WantsTwoHoursOnHalfTheSpaceOrFourFifthsOfTheFormer) {
     EXPECT_DOUBLE_EQ(review.results.at(0).former->value, 0.4);
 }
 
-TEST(ZurichRule, AllowsThreeHoursOrAsMuchAsTheReferenceBody) {
+TEST(ZurichRule, AllowsThreeHoursOrAsMuchAsTheReferenceBodyAtTheSameSpot) {
     const Rule rule = shippedRule("zurich");
-    const auto verdict = [&](int before, int after) {  // hours of nine, known to an hour
-        return verdictOf(rule, times(2, shaded(before) + lit(9 - before)),
-                         Cells{lit(9), shaded(after) + lit(9 - after)}, {.stepMin = 60});
+    EXPECT_EQ(rule.sampling.stepMinutes, 1);
+    const auto spot = [](int minutes) { return shaded(minutes) + lit(540 - minutes); };  // of nine hours
+    const auto verdict = [&](int before, int after) {
+        return verdictOf(rule, times(4, spot(before)), times(4, spot(after)));
     };
-    EXPECT_EQ(verdict(0, 1), pass);        // 1 + 1 < 3
-    EXPECT_EQ(verdict(0, 3), borderline);  // 3
-    EXPECT_EQ(verdict(0, 5), fail);        // 5 - 1 > 3
-    EXPECT_EQ(verdict(8, 5), pass);        // (5 + 1) / (8 - 1) < 1
-    EXPECT_EQ(verdict(5, 5), borderline);  // as much as the reference body, within the error
+    EXPECT_EQ(verdict(0, 178), pass);        // 178 + 1 < 180
+    EXPECT_EQ(verdict(0, 179), borderline);  // within a step of 3 h
+    EXPECT_EQ(verdict(0, 181), borderline);
+    EXPECT_EQ(verdict(0, 182), fail);
+    EXPECT_EQ(verdict(0, 130), pass) << "more than 2 h is not within a step of 3 h";
+    EXPECT_EQ(verdict(300, 300), pass) << "the reference body casts the very same shadow";
+    EXPECT_EQ(verdict(300, 299), pass);
+    EXPECT_EQ(verdict(300, 302), borderline);  // each known to a minute
+    EXPECT_EQ(verdict(300, 303), fail);
+    // As much as the reference body at its worst spot, but elsewhere: four spots have gained what they
+    // lacked.
+    const PlaceReview moved = reviewOf(rule, times(4, spot(300)) + times(4, spot(0)),
+                                       times(4, spot(0)) + times(4, spot(300)), {.cellM2 = 2});
+    EXPECT_EQ(moved.verdict, fail);
+    EXPECT_DOUBLE_EQ(moved.results.at(0).value->value, 8);
+    EXPECT_DOUBLE_EQ(moved.results.at(1).value->value, 300);
 }
 
 TEST(MelbourneRule, AllowsNoAddedShadow) {

@@ -146,6 +146,15 @@ TEST(EstoniaRule, AllowsOneBreakAndHalfTheLoss) {
     EXPECT_EQ(windowVerdict(rule, lit(80) + shaded(5) + lit(80) + shaded(5) + lit(80) + shaded(50), day),
               fail)
         << "two breaks";
+    EXPECT_EQ(windowVerdict(rule, lit(110) + shaded(5) + lit(104) + shaded(5) + lit(60) + shaded(50), day),
+              pass)
+        << "two parts suffice, whatever sun follows";
+    EXPECT_EQ(windowVerdict(rule, lit(60) + shaded(5) + lit(110) + shaded(5) + lit(104) + shaded(50), day),
+              pass)
+        << "or came before";
+    EXPECT_EQ(windowVerdict(rule, lit(100) + shaded(1) + lit(70) + shaded(1) + lit(70) + shaded(50), day),
+              fail)
+        << "a break of a minute is a break";
     // Of 8 h 4 h 10 min are left: above half. 3 h 40 min are below.
     EXPECT_EQ(windowOf(rule, lit(480), lit(250) + shaded(230), day).verdict, pass);
     EXPECT_EQ(windowOf(rule, lit(480), lit(220) + shaded(260), day).verdict, fail);

@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #include "core/engines/horizon/cache/block_codes.h"
-#include "core/engines/horizon/counting/run_bounds.h"
 #include "core/engines/horizon/counting/sun_table.h"
+#include "core/engines/horizon/counting/walk_steps.h"
+#include "core/engines/horizon/counting/widen_horizons.h"
 #include "core/engines/horizon/overhangs/overhang_visibility.h"
 #include "tests/core/simd/random_blocks.h"
 
@@ -106,36 +107,22 @@ TEST(HorizonLookups, RunsAreWalkedLaneByLane) {
     for (RunLanes& lanes : horizons)
         for (std::int16_t& code : lanes.values) code = anyCode(random);
     std::vector<TimedStep> steps(300);
-    DayGroup group;
-    group.longestDay = 150;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         steps[i].place = {std::uint16_t(i * bins / steps.size()), std::int16_t(random() % 3000)};
         steps[i].startsRun = random() % 50 == 0;
     }
-    for (std::size_t i = 0; i < bins; ++i)
-        group.visits.push_back({.bin = std::uint16_t(i),
-                                .lowestSun = std::int16_t(random() % 3000),
-                                .steps = std::int16_t(random() % 20),
-                                .endsRun = random() % 3 == 0});
     forEachInstructionSet([&] {
-        RunLanes longest, most;
+        RunLanes longest;
         longest.values[9] = 250;
         walkSteps(horizons, steps, longest);
-        boundRuns(horizons, group, most);
         for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
-            int run = 0, walked = lane == 9 ? 250 : 0, bound = 0, bounded = 0;
+            int run = 0, walked = lane == 9 ? 250 : 0;
             for (const TimedStep& step : steps) {
                 if (step.startsRun) run = 0;
                 run = horizons[step.place.bin].values[lane] > step.place.sun ? run + 1 : 0;
                 walked = std::max(walked, run);
             }
-            for (const SharedVisit& visit : group.visits) {
-                const bool hidden = horizons[visit.bin].values[lane] > visit.lowestSun;
-                bound = hidden ? bound + visit.steps : visit.endsRun ? 0 : bound;
-                bounded = std::max(bounded, bound);
-            }
             EXPECT_EQ(longest.values[lane], walked) << lane;
-            EXPECT_EQ(most.values[lane], std::min(bounded, 150)) << lane;
         }
     });
 }
@@ -241,6 +228,28 @@ TEST(HorizonLookups, IntervalsOfVisibleCellsAreThoseOfTheDefinition) {
                 EXPECT_EQ(high[i], std::max(near, far)) << i;
             }
         });
+}
+
+TEST(HorizonLookups, HorizonsAreWidenedLaneByLane) {
+    Random random(5);
+    RunLanes before, own, after;
+    for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
+        before.values[lane] = own.values[lane] = after.values[lane] = anyCode(random);
+        if (lane % 3 == 1) own.values[lane] = anyCode(random);
+        if (lane % 3 == 2) after.values[lane] = anyCode(random);
+    }
+    forEachInstructionSet([&] {
+        RunLanes highest, lowest, bound;
+        findHighest({before, own, after}, highest);
+        bound = highest;
+        boundOffEdge({before, own, after}, {0.5F, 0.5F}, lowest, &bound);
+        for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
+            const auto [low, high] = std::minmax({before.values[lane], own.values[lane], after.values[lane]});
+            EXPECT_EQ(highest.values[lane], high) << lane;
+            EXPECT_EQ(lowest.values[lane], high - low <= 3 ? low : noHorizon) << lane;
+            EXPECT_EQ(bound.values[lane], high - low <= 3 ? high : everyHorizon) << lane;
+        }
+    });
 }
 
 }  // namespace

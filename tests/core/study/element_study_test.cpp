@@ -108,7 +108,7 @@ TEST(ElementStudy, RaysAndHorizonsAgree) {
     double most = 0;
     for (std::size_t i = 0; i < swept.receivers.size(); ++i)
         most = std::max(most, std::abs(swept.minutes.sunlitOf(i) - traced.minutes.sunlitOf(i)));
-    EXPECT_NEAR(swept.error->grossLargestPct, 100 * most / swept.minutes.possibleMin, 1e-6);
+    EXPECT_NEAR(swept.error->gross.largestPct, 100 * most / swept.minutes.possibleMin, 1e-6);
     EXPECT_LT(most, 5);  // of some four edges a day, up to an eighth of a degree each
 }
 
@@ -148,6 +148,19 @@ TEST(ElementStudy, WindowsOfAFile) {
     EXPECT_GT(json["mean_sunlit_min"], 690);
 }
 
+TEST(ElementStudy, StatesTheErrorOfEachQuantity) {
+    const ElementStudy study = measure(twoHouses(), {}).value();
+    ASSERT_TRUE(study.error);
+    const auto json = nlohmann::json::parse(elementStudyJson(study, {}));
+    for (const char* quantity : {"gross", "continuous", "longest_sun"})
+        for (const char* figure : {"mean_pct", "p99_pct", "max_pct"})
+            EXPECT_TRUE(json["error"][quantity][figure].is_number()) << quantity << " " << figure;
+    const double twoStepsPct = 200 / longestDayMinutes(study.sun);
+    EXPECT_LE(study.error->continuous.largestPct, twoStepsPct + 1e-3);
+    EXPECT_LE(study.error->longestSun->largestPct, twoStepsPct + 1e-3);
+    EXPECT_THAT(describe(*study.error), HasSubstr("longest sun"));
+}
+
 // Facades of real buildings, every minute of a day, against rays: the errors that docs/user/limits.md states.
 void expectNearRays(const char* data, float halfM, const char* zone) {
     const auto file = sharedData(data);
@@ -163,12 +176,12 @@ void expectNearRays(const char* data, float halfM, const char* zone) {
     ASSERT_TRUE(study->error);
     EXPECT_GT(study->error->points, 500U);
     testing::Test::RecordProperty("points", int(study->error->points));
-    testing::Test::RecordProperty("mean_ppm", int(1e4 * study->error->grossMeanPct));
-    testing::Test::RecordProperty("largest_ppm", int(1e4 * study->error->grossLargestPct));
-    testing::Test::RecordProperty("run_mean_ppm", int(1e4 * study->error->continuousMeanPct));
-    testing::Test::RecordProperty("run_largest_ppm", int(1e4 * study->error->continuousLargestPct));
-    EXPECT_LT(study->error->grossMeanPct, 0.1);
-    EXPECT_LT(study->error->grossLargestPct, 1);
+    testing::Test::RecordProperty("mean_ppm", int(1e4 * study->error->gross.meanPct));
+    testing::Test::RecordProperty("largest_ppm", int(1e4 * study->error->gross.largestPct));
+    testing::Test::RecordProperty("run_mean_ppm", int(1e4 * study->error->continuous.meanPct));
+    testing::Test::RecordProperty("run_largest_ppm", int(1e4 * study->error->continuous.largestPct));
+    EXPECT_LT(study->error->gross.meanPct, 0.1);
+    EXPECT_LT(study->error->gross.largestPct, 1);
 }
 
 TEST(ElementStudy, FacadesOfMidtownAreNearRays) {

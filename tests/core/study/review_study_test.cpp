@@ -10,7 +10,7 @@
 #include "core/engines/ray/ray_reference.h"
 #include "core/study/shadow_drawings.h"
 #include "core/study/text/review_text.h"
-#include "tests/core/engines/scenes.h"
+#include "tests/core/engines/terrain_scenes.h"
 #include "tests/core/review/paper_days.h"
 
 namespace noonmark {
@@ -117,6 +117,82 @@ TEST(ReviewStudy, ContributionsAreSole) {
     EXPECT_TRUE(
         reviewed(shippedRule("ceqr"), before, before, {placeOf("A", -50, 0, 50, 60)}, "America/New_York")
             .contributions.empty());
+}
+
+TEST(ReviewStudy, ContributionsLeaveOutWhatTheFormerBuildingShaded) {
+    // On the lot a house of 30 m gives way to one of 20 m inside its outline: all shadow of the new one lies
+    // where the old one cast some at the same minute. A second new house stands alone, 400 m away.
+    const City before = cityAt({-73.98, 40.75}, {{{10, -40, 0}, {30, -20, 30}}});
+    const City after =
+        cityAt({-73.98, 40.75}, {{{12, -38, 0}, {28, -22, 20}}, {{410, -40, 0}, {430, -20, 30}}});
+    Quiet quiet;
+    ReviewSettings settings{2, "America/New_York", 2026};
+    settings.contributions = true;
+    const ReviewStudy study = runReview(shippedRule("ceqr"), before, after,
+                                        {placeOf("A", -50, 0, 50, 60), placeOf("B", 380, 0, 480, 60)},
+                                        settings, AutoEngine(), quiet, {})
+                                  .value();
+    ASSERT_EQ(study.contributions.size(), 2);
+    EXPECT_GT(study.places[0].totals.scenarioM2h, 100);
+    EXPECT_EQ(study.places[0].totals.incrementalM2h, 0);
+    EXPECT_EQ(study.contributions[0].incrementalM2h[0], 0);
+    EXPECT_GT(study.contributions[1].incrementalM2h[1], 100);
+    EXPECT_DOUBLE_EQ(study.contributions[1].incrementalM2h[1], study.places[1].totals.incrementalM2h);
+}
+
+TEST(ReviewStudy, SaysTheSameOfAllRulesWhereTheSunNeverRises) {
+    // Svalbard, 21 December.
+    const City city = cityAt({15.6, 78.2}, {{{0, 0, 0}, {10, 10, 10}}});
+    for (const char* key : {"japan", "own"}) {
+        Rule rule = shippedRule(key);
+        rule.days.fixed = {RuleDay{std::chrono::December / 21, {}, {}, {}}};
+        const ReviewStudy study =
+            reviewed(rule, city, city, {placeOf("A", 20, 20, 60, 60)}, "Arctic/Longyearbyen");
+        for (const PlaceReview& place : study.places) {
+            EXPECT_EQ(place.verdict, Verdict::notChecked) << key;
+            EXPECT_EQ(place.unjudged, "No sun in these hours") << key;
+        }
+        EXPECT_FALSE(reviewJson(study, {"Existing", "Existing", {}})["places"].empty());
+    }
+}
+
+TEST(ReviewStudy, TheShadowOfTheHillIsNotTheTowers) {
+    // A hill of 100 m, 120 m south of the homes and 400 m wide, shades them most of a winter day: from them
+    // its top is 40 deg high, the sun at noon 28 deg. The tower stands north of them and shades none.
+    City ground = tests::groundOf(41, [](glm::dvec2 at) { return at.y < -100 ? 100.0 : 0.0; });
+    ground.frame = Frame({8.54, 47.37});
+    City tower = ground;
+    tower.buildings.push_back(tests::buildingOf(Box3{{20, 100, 0}, {40, 120, 60}}));
+    const std::vector<Place> homes{placeOf("Homes", 20, 20, 60, 60)};
+    const Rule rule = shippedRule("zurich");
+    const ReviewStudy study = reviewed(rule, ground, tower, homes, "Europe/Zurich");
+    EXPECT_EQ(study.places.at(0).verdict, Verdict::pass);
+    EXPECT_EQ(study.places[0].totals.scenarioM2h, 0);
+    EXPECT_EQ(study.places[0].rows.at(0).totalMaxPointMin, 0);
+    Rule all = rule;
+    all.occluders.casters = RuleCasters::everything;
+    EXPECT_GT(reviewed(all, ground, tower, homes, "Europe/Zurich").places[0].rows.at(0).totalMaxPointMin,
+              240);
+}
+
+TEST(ReviewStudy, SanFranciscosYearIsKnownWithinABoundThatAReaderCanUse) {
+    // New shadow that lasts an hour or two, sampled every 15 min, held against steps of 3 min.
+    const City before = cityAt({-122.42, 37.78}, {{{-60, -40, 0}, {-30, -20, 25}}});
+    City after = before;
+    after.buildings.push_back(tests::buildingOf(Box3{{61.3, -52.4, 0}, {75.1, -31.7, 47}}));
+    const std::vector<Place> park{placeOf("Park", 3.4F, 2.7F, 61.2F, 41.6F)};
+    Rule rule = shippedRule("san-francisco-295"), fine = rule;
+    fine.sampling.stepMinutes = 3;
+    const auto newShadow = [&](const Rule& of) {
+        return *reviewed(of, before, after, park, "America/Los_Angeles").places.at(0).results.at(0).value;
+    };
+    const Measured coarse = newShadow(rule);
+    const double truth = newShadow(fine).value;
+    EXPECT_GT(truth, 1000);
+    EXPECT_GT(coarse.high, truth);
+    EXPECT_LT(coarse.low, truth);
+    EXPECT_LT(coarse.high - coarse.value, 0.05 * coarse.value);
+    EXPECT_NEAR(coarse.value, truth, 0.02 * truth);
 }
 
 TEST(ReviewStudy, OnlyTheProposalCastsWhereTheRuleSaysSo) {

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "core/study/verification/compare_records.h"
+#include "core/study/verification/compare_tables.h"
 #include "core/study/verification/compare_words.h"
 #include "core/study/verification/find_inputs.h"
 #include "core/study/verification/result_record.h"
@@ -144,6 +145,23 @@ TEST(WordComparison, FindsAlteredFiguresAndGoesOn) {
 TEST(WordComparison, LeavesDurationsOfTheComputationOut) {
     EXPECT_TRUE(compareWords("used, 0.1 s in total. 5 x", "used, 12 s in total. 5 x").differences.empty());
     EXPECT_FALSE(compareWords("used, 0.1 s in total. 5 x", "used, 12 s in total. 6 x").differences.empty());
+}
+
+TEST(CompareTables, ARowOfMoreFieldsThanTheHeadingDiffers) {
+    const char* sound = "place,area_m2,kind\r\n\"a, b\",26781.0,park\r\n";
+    EXPECT_TRUE(compareTables("a.csv", sound, sound).differences.empty());
+    EXPECT_EQ(compareTables("a.csv", sound, sound).fields, 6U);
+    EXPECT_TRUE(compareTables("a.csv", "n\n1.50\n", "n\r\n1.5\r\n").differences.empty());
+    // As Noonmark wrote it once, and as it compared it with itself.
+    const char* split = "place,area_m2,kind\r\n\"a, b\",26,781,park\r\n";
+    const auto differences = compareTables("a.csv", split, split).differences;
+    ASSERT_EQ(differences.size(), 1U);
+    EXPECT_EQ(differences[0].key, "a.csv, line 2");
+    EXPECT_EQ(differences[0].recorded, "4 fields");
+    EXPECT_EQ(compareTables("a.csv", sound, "place,area_m2,kind\n\"a, b\",26782,park\n").differences[0].key,
+              "a.csv, line 2, area_m2");
+    EXPECT_EQ(compareTables("a.csv", "n\n1\n", "n\n").differences[0].computed, "");
+    EXPECT_EQ(compareTables("a.csv", "n\n", "n\n1\n").differences[0].recorded, "");
 }
 
 }  // namespace

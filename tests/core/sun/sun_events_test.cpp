@@ -37,6 +37,27 @@ TEST(SunEvents, CrossTheThresholdOfTheirRule) {
     }
 }
 
+// Without air the limb is half a disc (16') above the centre, and its parallax lower.
+TEST(SunEvents, RefractionOfSunriseFollowsTheAir) {
+    Observer airless = observerAt(40.75, -73.98);
+    airless.pressureHPa = 0;
+    const SunEvents events = eventsAt(airless, utc(2026, 3, 21, 4));
+    EXPECT_NEAR(altitudeAt(airless, *events.sunrise), -16.0 / 60 - 8.794 / 3600, 1e-4);
+    Observer cold = observerAt(40.75, -73.98);
+    cold.temperatureC = -40;
+    const SunEvents early = eventsAt(cold, utc(2026, 3, 21, 4));
+    EXPECT_NEAR(altitudeAt(cold, *early.sunrise), -(34 * 283.0 / 233 + 16) / 60 - 8.794 / 3600, 1e-4);
+}
+
+// 100 m above the sea: 17.6' (Nautical Almanac).
+TEST(SunEvents, TheDipOfTheHorizonMakesTheDayLonger) {
+    const Observer tower = observerAt(40.75, -73.98);
+    const SunEvents events =
+        computeSunEvents(tower, utc(2026, 3, 21, 4), SunriseRule::upperLimb, computeHorizonDip(100));
+    EXPECT_NEAR(altitudeAt(tower, *events.sunrise), -0.8357 - 17.6 / 60, 1e-4);
+    EXPECT_NEAR(altitudeAt(tower, *events.sunset), -0.8357 - 17.6 / 60, 1e-4);
+}
+
 TEST(SunEvents, UpperLimbRisesBeforeTheCentre) {
     const Observer quito = observerAt(-0.18, -78.47);
     const auto limb = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::upperLimb);

@@ -27,12 +27,6 @@ Caption captionOf(const DiagramMoment& moment) {
     return {dayText(moment.day) + QStringLiteral(", ") + moment.time, sunText(moment.sun)};
 }
 
-/// The ground that a diagram shows.
-Box2 groundOf(glm::dvec2 centre, double scale, const QRectF& map) {
-    const glm::dvec2 half = glm::dvec2(map.width(), map.height()) / pointsPerMetre(scale) / 2.0;
-    return {glm::vec2(centre - half), glm::vec2(centre + half)};
-}
-
 OutlineSettings outlineSettingsOf(const ReviewScene& scene, const Box2& ground) {
     return {ground, scene.source.study.settings.cellM, planeOf(scene.source.study.rule)};
 }

@@ -166,8 +166,9 @@ std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
     if (table.rows.empty()) return std::nullopt;
     return NamedTable{
         QStringLiteral("Sole contributions of the new buildings"),
-        QStringLiteral("What each casts where all others of the proposal leave the sun, over the "
-                       "days of the rule; shadow that two of them share is in neither row"),
+        QStringLiteral(
+            "What each casts where the baseline and all others of the proposal leave the sun, over the "
+            "days of the rule; shadow that two of them share is in neither row"),
         std::move(table)};
 }
 

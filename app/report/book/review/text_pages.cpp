@@ -8,6 +8,7 @@
 #include "app/report/sheets/study_words.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
+#include "core/study/text/review_text.h"
 
 namespace noonmark {
 
@@ -20,8 +21,9 @@ TextBlocks methodOf(const ReviewScene& scene) {
     const Observer& observer = scene.observer;
     TextBlocks blocks{heading(QStringLiteral("Method"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
-    add(QStringLiteral("Engine: %1. Receivers: centres of square cells of %2 m on the places, not under a "
-                       "building of baseline or proposal.")
+    add(QStringLiteral(
+            "Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each "
+            "weighed by its share of the place, not under a building of baseline or proposal.")
             .arg(plainText(study.engine), describeAmount(study.settings.cellM, 2)));
     add(QStringLiteral("Time: %1 days, %2 steps of %3 min with the sun in the rule's hours. Clock: %4.")
             .arg(describeCount(scene.sun.sun.days.size()), describeCount(scene.sun.sun.steps.size()),
@@ -33,9 +35,7 @@ TextBlocks methodOf(const ReviewScene& scene) {
     add(QStringLiteral(
         "Incremental shadow lies on what is sunlit in the baseline; sun gained is the reverse."));
     blocks.push_back(heading(QStringLiteral("Error")));
-    add(
-        QStringLiteral("Each run of minutes is uncertain by a step, each area by a cell. A value within its "
-                       "error of a limit is borderline, never pass."));
+    add(QString::fromStdString(describeReviewErrors(study)));
     add(
         QStringLiteral("The outlines in diagrams are exact unions of projected buildings where the ground is "
                        "level; the figures come from the cells."));

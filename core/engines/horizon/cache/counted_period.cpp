@@ -7,12 +7,10 @@
 namespace noonmark {
 
 CountedPeriod::CountedPeriod(const SunSteps& sun, double binDeg)
-    : binned_(binSun(sun, binDeg, BinDirection::middle)),
-      steps_(makeTimedSteps(sun, binned_)),
-      days_(sortDaysByDeclination(sun, steps_)) {}
+    : binned_(binSun(sun, binDeg, BinDirection::middle)), steps_(makeTimedSteps(sun, binned_)) {}
 
 const RunCount& CountedPeriod::runs() {
-    if (!runs_) runs_.emplace(std::exchange(steps_, {}), days_);
+    if (!runs_) runs_.emplace(std::exchange(steps_, {}));
     return *runs_;
 }
 

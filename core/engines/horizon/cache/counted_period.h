@@ -29,7 +29,6 @@ public:
 private:
     BinnedSun binned_;
     std::vector<TimedStep> steps_;  // empty after runs_ is created
-    std::vector<DaySteps> days_;
     std::optional<RunCount> runs_;
     std::vector<std::optional<HiddenSuns>> tables_;  // one per bin
     HiddenByNumber hidden_;

@@ -6,59 +6,53 @@
 #include <span>
 #include <vector>
 
-#include "core/engines/horizon/counting/day_groups.h"
-#include "core/engines/horizon/counting/run_bounds.h"
 #include "core/engines/horizon/counting/run_search.h"
+#include "core/engines/horizon/counting/walk_steps.h"
 
 namespace noonmark {
 
-/// Finds the longest unbroken runs in shadow over a period. Groups of days whose bound cannot exceed the
-/// longest run found so far are skipped; the others are walked step by step.
+/// Steps [first, end) of the period, all of one day.
+struct StepRun {
+    std::uint32_t first = 0, end = 0;
+    [[nodiscard]] int length() const { return int(end - first); }
+};
+
+/// Finds the longest unbroken runs in shadow over a period, day by day: 64 receivers walk every step
+/// together, in less time than it takes to find out which days need not be walked.
 class LongestRuns {
 public:
-    /// `days`: from sortDaysByDeclination(), in any order; none may have more than 32,767 steps.
-    LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps> days);
+    /// No day may have more than 32,767 steps.
+    explicit LongestRuns(std::vector<TimedStep> steps) : steps_(std::move(steps)), days_(findDays(steps_)) {}
 
     /// The longest run of each receiver and the day on which it was found, as an index for run().
     struct Found {
         RunLanes longest;
         std::array<std::uint32_t, lanesPerPart> day{};
     };
-    /// Longest runs, in steps. `horizons`: one entry per bin. O(days x bins), more if days are similar.
+    /// Longest runs, in steps. `horizons`: one entry per bin. 1 ns a step.
     [[nodiscard]] Found of(std::span<const RunLanes> horizons) const;
 
-    /// Steps [first, end) of the period.
-    struct Run {
-        std::uint32_t first = 0, end = 0;
-    };
     /// The run of `length` steps of a lane on a day, as found by of().
-    [[nodiscard]] Run run(std::span<const RunLanes> horizons, std::size_t lane, std::uint32_t day,
-                          int length) const;
+    [[nodiscard]] StepRun run(std::span<const RunLanes> horizons, std::size_t lane, std::uint32_t day,
+                              int length) const;
 
-    /// Bit k: lane k has a run of at least wanted[k] steps. The search for a lane stops at the first such
-    /// run.
-    [[nodiscard]] std::uint64_t reached(std::span<const RunLanes> horizons, const RunLanes& wanted) const;
-
-    /// Upper bounds for the longest run of each lane in each group of days, and the groups in descending
-    /// order of their bounds.
-    struct Bounds {
-        std::vector<RunLanes> ofGroup;
-        std::vector<std::uint32_t> order;
-    };
-    [[nodiscard]] Bounds boundsOf(std::span<const RunLanes> horizons) const;
+    /// The longest run of each lane on each day, in steps.
+    void ofEachDay(std::span<const RunLanes> horizons, std::vector<RunLanes>& longest) const;
 
     /// The longest run of one lane, in steps, as found by `search`, which must have been begun with its
-    /// horizons. `bounds`: from the highest horizons. Days that cannot contain the longest run are skipped.
-    [[nodiscard]] int searched(std::size_t lane, const Bounds& bounds, RunSearch& search) const;
+    /// horizons. `most`: upper bounds, from ofEachDay(); days that cannot contain the longest run are
+    /// skipped.
+    [[nodiscard]] int searched(std::size_t lane, std::span<const RunLanes> most, RunSearch& search) const;
 
     /// The longest run of one receiver, step by step; `hidden(place)` states whether a step is in shadow.
     template <class Hidden>
-    [[nodiscard]] int ofOne(const Hidden& hidden) const {
-        int run = 0, longest = 0;
-        for (const TimedStep& step : steps_) {
-            if (step.startsRun) run = 0;
-            run = hidden(step.place) ? run + 1 : 0;
-            longest = std::max(longest, run);
+    [[nodiscard]] StepRun ofOne(const Hidden& hidden) const {
+        StepRun run, longest;
+        for (std::uint32_t step = 0; step < steps_.size(); ++step) {
+            const bool isHidden = hidden(steps_[step].place);
+            if (!isHidden || steps_[step].startsRun) run.first = isHidden ? step : step + 1;
+            run.end = step + 1;
+            if (run.length() > longest.length()) longest = run;
         }
         return longest;
     }
@@ -66,17 +60,12 @@ public:
     [[nodiscard]] std::span<const TimedStep> steps() const { return steps_; }
 
 private:
-    struct Groups {
-        DayGroup all;
-        std::vector<DayGroup> days;  // the group's days, individually, with rough bounds
-        std::uint32_t number = 0;    // index of its first day in days_
-    };
-    void walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest, const Groups& groups,
-              Found& found) const;
+    void walk(std::span<const RunLanes> horizons, const DaySteps& day, RunLanes& longest) const {
+        walkSteps(horizons, steps().subspan(day.first, day.end - day.first), longest);
+    }
 
     std::vector<TimedStep> steps_;
-    std::vector<Groups> groups_;
-    std::vector<DaySteps> days_;  // of all groups
+    std::vector<DaySteps> days_;
 };
 
 }  // namespace noonmark

@@ -57,9 +57,7 @@ void setBins(std::span<const OverhangGap> own, std::vector<std::span<const Overh
 }
 
 RunCount measureRuns(const SunSteps& sun, const BinnedSun& binned) {
-    std::vector<TimedStep> steps = makeTimedSteps(sun, binned);
-    const std::vector<DaySteps> days = sortDaysByDeclination(sun, steps);
-    return {std::move(steps), days};
+    return RunCount(makeTimedSteps(sun, binned));
 }
 
 std::uint64_t laneBit(std::size_t lane) { return std::uint64_t{1} << lane; }
@@ -73,31 +71,31 @@ void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& vis
 
 }  // namespace
 
-PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wanted& wanted)
+PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts)
     : suns_(binned.bins.size()) {
-    if (wanted.runs) runs_ = measureRuns(sun, binned);
+    if (counts == ShadowCounts::grossAndRuns) runs_ = measureRuns(sun, binned);
     tbb::parallel_for(std::size_t{0}, suns_.size(),
                       [&](std::size_t bin) { suns_[bin] = findSunChanges(binned.bins[bin].suns, {}); });
-    for (const AzimuthBin& bin : binned.bins)
-        if (wanted.gaps) hidden_.emplace_back(bin.suns);
 }
 
 RunLanes RunCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
                                RunMemory& memory) const {
     read(codes, gaps, part, memory);
-    RunLanes longest = runs_.of(memory.lanes).longest;
-    if (!memory.overhangs.empty()) walkWithOverhangs(memory, longest);
-    return longest;
+    return find(memory).found.longest;
 }
 
 RunLanes RunCount::decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
                                const RunDecider& decider, std::uint64_t lanes, RunMemory& memory) const {
     read(codes, gaps, part, memory);
-    LongestRuns::Found found = runs_.of(memory.lanes);
-    for (const OverhangGap& overhangs : memory.overhangs) lanes &= ~laneBit(overhangs.gap.number);
-    decider.decide(runs_, memory.lanes, part, lanes, found, memory.deciding);
-    if (!memory.overhangs.empty()) walkWithOverhangs(memory, found.longest);
-    return found.longest;
+    PartRuns runs = find(memory);
+    decider.decide(runs_, part, lanes, runs, memory.deciding);
+    return runs.found.longest;
+}
+
+PartRuns RunCount::find(RunMemory& memory) const {
+    PartRuns runs{memory.lanes, memory.lanes, runs_.of(memory.lanes)};
+    if (!memory.overhangs.empty()) walkWithOverhangs(memory, runs);
+    return runs;
 }
 
 void RunCount::read(const BinCodes& codes, const BinGaps& gaps, std::size_t part, RunMemory& memory) {
@@ -106,23 +104,28 @@ void RunCount::read(const BinCodes& codes, const BinGaps& gaps, std::size_t part
 }
 
 // Filling the space below the gaps can only lengthen runs. Where it changes nothing, the gaps have no effect.
-void RunCount::walkWithOverhangs(RunMemory& memory, RunLanes& longest) const {
-    std::vector<RunLanes> filled = memory.lanes;
-    for (const auto& [bin, gap] : memory.overhangs)
-        filled[bin].values[gap.number] = std::max(filled[bin].values[gap.number], gap.high);
-    const RunLanes most = runs_.of(filled).longest;
+void RunCount::walkWithOverhangs(RunMemory& memory, PartRuns& runs) const {
+    memory.filled = memory.lanes;
+    for (const auto& [bin, gap] : memory.overhangs) {
+        HorizonCode& horizon = memory.filled[bin].values[gap.number];
+        horizon = std::max(horizon, gap.high);
+    }
+    runs.filled = memory.filled;
+    RunLanes& longest = runs.found.longest;
+    const RunLanes most = runs_.of(memory.filled).longest;
     std::ranges::stable_sort(memory.overhangs, {},
                              [](const OverhangGap& overhangs) { return overhangs.gap.number; });
     std::vector<std::span<const OverhangGap>> ofBin(memory.lanes.size());
     forEachLane(memory.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
         if (most.values[lane] == longest.values[lane]) return;
         setBins(own, ofBin);
-        longest.values[lane] = std::int16_t(runs_.ofOne([&](const StepPlace& place) {
+        runs.below[lane] = runs_.ofOne([&](const StepPlace& place) {
             return memory.lanes[place.bin].values[lane] > place.sun ||
                    std::ranges::any_of(ofBin[place.bin], [&](const OverhangGap& overhangs) {
                        return overhangs.gap.low <= place.sun && place.sun < overhangs.gap.high;
                    });
-        }));
+        });
+        longest.values[lane] = std::int16_t(runs.below[lane].length());
     });
 }
 

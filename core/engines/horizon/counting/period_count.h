@@ -1,17 +1,17 @@
 #pragma once
 
-// From horizons to minutes. PeriodCount holds what is precomputed for a period; sun_change.h and the
-// HiddenSuns of azimuth_bins.h look up how many suns a horizon hides. block_sums.h, short_sums.h and
+// From horizons to minutes. PeriodCount holds what is precomputed for a period; sun_change.h and
+// azimuth_bins.h look up how many suns a horizon hides. block_sums.h, short_sums.h and
 // step_sums.h sum the steps of cells, sets and buildings; tile_steps.h holds changes of these sums.
-// longest_runs.h finds the longest run of each receiver, with bounds over groups of similar days
-// (day_groups.h). run_doubts.h decides which runs are in doubt; run_decider.h, run_search.h and run_rays.h
-// settle these with rays.
+// longest_runs.h finds the longest run of each receiver. run_doubts.h decides which of its steps are in
+// doubt; run_decider.h, run_search.h and run_rays.h settle these with rays.
 
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
 
+#include "core/engines/api/shadow_counts.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/counting/longest_runs.h"
 #include "core/engines/horizon/counting/run_decider.h"
@@ -35,7 +35,7 @@ struct OverhangGap {
 
 /// Working memory for counting runs; one per thread.
 struct RunMemory {
-    std::vector<RunLanes> lanes;  // one per bin
+    std::vector<RunLanes> lanes, filled;  // one per bin; `filled` only if there are overhangs
     std::vector<OverhangGap> overhangs;
     RunDecider::Memory deciding;
 };
@@ -43,7 +43,7 @@ struct RunMemory {
 /// Counts the longest runs of a period from horizons. Immutable.
 class RunCount {
 public:
-    RunCount(std::vector<TimedStep> steps, std::span<const DaySteps> days) : runs_(std::move(steps), days) {}
+    explicit RunCount(std::vector<TimedStep> steps) : runs_(std::move(steps)) {}
 
     [[nodiscard]] std::size_t steps() const { return runs_.steps().size(); }
 
@@ -54,14 +54,15 @@ public:
                                        RunMemory& memory) const;
 
     /// The same, with runs in doubt decided by rays through `decider`. Bit k of `lanes`: lane k is a
-    /// receiver. Where gaps matter, no rays are traced.
+    /// receiver.
     [[nodiscard]] RunLanes decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
                                        const RunDecider& decider, std::uint64_t lanes,
                                        RunMemory& memory) const;
 
 private:
     static void read(const BinCodes& codes, const BinGaps& gaps, std::size_t part, RunMemory& memory);
-    void walkWithOverhangs(RunMemory& memory, RunLanes& longest) const;
+    PartRuns find(RunMemory& memory) const;
+    void walkWithOverhangs(RunMemory& memory, PartRuns& runs) const;
 
     LongestRuns runs_;
 };
@@ -69,16 +70,10 @@ private:
 /// A period prepared for counting from horizons. Immutable.
 class PeriodCount {
 public:
-    /// What to prepare besides the suns of each bin.
-    struct Wanted {
-        bool gaps = false, runs = true;
-    };
-    PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wanted& wanted);
+    PeriodCount(const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts);
 
     /// The suns of a bin, for looking up many horizons.
     [[nodiscard]] std::span<const SunChange> suns(std::size_t bin) const { return suns_[bin]; }
-    /// The same, for looking up one horizon; only with Wanted::gaps.
-    [[nodiscard]] const HiddenSuns& hidden(std::size_t bin) const { return hidden_[bin]; }
 
     /// Null if runs are not wanted.
     [[nodiscard]] const RunCount* runs() const { return runs_ ? &*runs_ : nullptr; }
@@ -86,7 +81,6 @@ public:
 private:
     std::optional<RunCount> runs_;
     std::vector<std::vector<SunChange>> suns_;
-    std::vector<HiddenSuns> hidden_;
 };
 
 /// Bit k: the number 64 part + k is a receiver.

@@ -4,44 +4,85 @@
 
 namespace noonmark {
 
-void RunDecider::decide(const LongestRuns& runs, std::span<const RunLanes> horizons, std::size_t part,
-                        std::uint64_t lanes, LongestRuns::Found& found, Memory& memory) const {
-    doubts_.widen(horizons, memory.widened);
-    const RunDoubts::Lanes inDoubt = doubts_.lanesInDoubt(runs, memory.widened, found.longest);
-    std::optional<LongestRuns::Bounds> bounds;
+namespace {
+
+RunLanes highestOf(std::span<const RunLanes> days) {
+    RunLanes highest;
+    for (const RunLanes& day : days)
+        for (std::size_t lane = 0; lane < lanesPerPart; ++lane)
+            highest.values[lane] = std::max(highest.values[lane], day.values[lane]);
+    return highest;
+}
+
+void copyLane(const PartRuns& of, const RunDoubts::Horizons& widened, std::size_t lane,
+              RunSearch::Horizons& horizons) {
+    const auto copy = [&](std::span<const RunLanes> from, std::vector<HorizonCode>& to) {
+        to.resize(from.size());
+        for (std::size_t bin = 0; bin < from.size(); ++bin) to[bin] = from[bin].values[lane];
+    };
+    copy(widened.highest, horizons.highest);
+    copy(of.horizons, horizons.own);
+    copy(widened.lowest, horizons.lowest);
+}
+
+/// The steps of a run that are still taken for hidden, after some were found lit one after the other.
+class ShrinkingRun {
+public:
+    explicit ShrinkingRun(const StepRun& run) : rest_(run) {}
+    void cutAt(std::uint32_t lit) {
+        longest_ = std::max(longest_, int(lit - rest_.first));
+        rest_.first = lit + 1;
+    }
+    [[nodiscard]] int longest() const { return std::max(longest_, rest_.length()); }
+
+private:
+    StepRun rest_;
+    int longest_ = 0;
+};
+
+}  // namespace
+
+void RunDecider::decide(const LongestRuns& runs, std::size_t part, std::uint64_t lanes, PartRuns& of,
+                        Memory& memory) const {
+    doubts_.widen(of.horizons, of.filled, memory.widened);
+    runs.ofEachDay(memory.widened.highest, memory.most);
+    const RunLanes most = highestOf(memory.most);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = std::size_t(std::countr_zero(lanes));
-        const bool mayBeLonger = (inDoubt.mayBeLonger >> lane & 1) != 0,
-                   mayBeShorter = (inDoubt.mayBeShorter >> lane & 1) != 0;
-        if (!mayBeLonger && !mayBeShorter && !rays_.checkRuns()) continue;
-        const RunSearch::Rays rays = rays_.of(blocks_.cell(part * lanesPerPart + lane));
-        const bool longAsFound = !mayBeShorter && holds(runs, horizons, lane, found, rays);
-        if (longAsFound && !mayBeLonger) continue;
-        if (!bounds) bounds = runs.boundsOf(memory.widened.highest);
-        std::int16_t& longest = found.longest.values[lane];
-        memory.widened.of(lane, memory.search.horizons());
-        memory.search.begin(rays, runs.steps(), longAsFound ? longest - doubts_.allowed() : 0);
-        longest = std::int16_t(runs.searched(lane, *bounds, memory.search));
+        std::int16_t& longest = of.found.longest.values[lane];
+        const RunRays::Receiver rays = rays_.of(blocks_.cell(part * lanesPerPart + lane));
+        const bool confirmed = holds(runs, lane, of, rays, memory);
+        if (confirmed && most.values[lane] <= longest + RunDoubts::allowed) continue;
+        copyLane(of, memory.widened, lane, memory.search.horizons());
+        memory.search.begin(rays.forSearch(), runs.steps(), confirmed ? longest : 0);
+        longest = std::int16_t(runs.searched(lane, memory.most, memory.search));
         rays_.countReceiver();
     }
 }
 
-// Whether the run found is hidden except for the number of steps that a run may be off. Always true if runs
-// are not checked.
-bool RunDecider::holds(const LongestRuns& runs, std::span<const RunLanes> horizons, std::size_t lane,
-                       const LongestRuns::Found& found, const RunSearch::Rays& rays) const {
-    if (!rays.findLit) return true;
-    const int length = found.longest.values[lane];
-    LongestRuns::Run run = runs.run(horizons, lane, found.day[lane], length);
-    while (int(run.end - run.first) >= length - doubts_.allowed()) {
-        const auto lit = rays.findLit(run.first, run.end);
-        if (!lit) return true;
-        if (*lit - run.first < run.end - *lit)
-            run.first = *lit + 1;
-        else
-            run.end = *lit;
+// Whether the run found is hidden except for the number of steps that a run may be off. Only steps in doubt
+// are looked at, or all if runs are checked.
+bool RunDecider::holds(const LongestRuns& runs, std::size_t lane, const PartRuns& of,
+                       const RunRays::Receiver& rays, Memory& memory) const {
+    const int length = of.found.longest.values[lane];
+    if (length == 0) return true;
+    const StepRun run = of.below[lane].length() > 0 ? of.below[lane]
+                                                    : runs.run(of.horizons, lane, of.found.day[lane], length);
+    memory.steps.clear();
+    for (std::uint32_t step = run.first; step < run.end; ++step) {
+        const StepPlace& place = runs.steps()[step].place;
+        if (rays_.checkRuns() || memory.widened.lowest[place.bin].values[lane] <= place.sun)
+            memory.steps.push_back(step);
     }
-    return false;
+    ShrinkingRun hidden(run);
+    for (std::size_t first = 0; first < memory.steps.size(); first += RunRays::together) {
+        const std::size_t count = std::min(RunRays::together, memory.steps.size() - first);
+        const std::span some = std::span(memory.steps).subspan(first, count);
+        for (std::uint32_t lit = rays.findLit(some); lit != 0; lit &= lit - 1)
+            hidden.cutAt(some[std::size_t(std::countr_zero(lit))]);
+        if (hidden.longest() < length - RunDoubts::allowed) return false;
+    }
+    return true;
 }
 
 }  // namespace noonmark

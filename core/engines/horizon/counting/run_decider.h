@@ -12,8 +12,15 @@
 
 namespace noonmark {
 
-/// Uses rays to decide the longest runs that horizons leave in doubt (run_doubts.h) and, if runs are checked,
-/// to correct those that turn out to be lit somewhere. For the receivers of one tile.
+/// What the horizons of a part say, and the runs that they give.
+struct PartRuns {
+    std::span<const RunLanes> horizons, filled;  ///< as RunDoubts::widen() takes them; one entry per bin
+    LongestRuns::Found found;
+    std::array<StepRun, lanesPerPart> below{};  ///< runs of lanes below overhangs; empty: that of `found`
+};
+
+/// Uses rays to confirm longest runs where horizons leave their steps in doubt (run_doubts.h), and to search
+/// those that are not confirmed or may be longer. For the receivers of one tile.
 class RunDecider {
 public:
     /// All arguments must outlive it.
@@ -23,17 +30,19 @@ public:
     /// Working memory, one per thread.
     struct Memory {
         RunDoubts::Horizons widened;
+        std::vector<RunLanes> most;  // one per day
+        std::vector<std::uint32_t> steps;
         RunSearch search;
     };
-    /// Corrects the result of `runs` for the numbers [64 part, 64 part + 64). Bit k of `lanes`: lane k is to
-    /// be examined. Afterwards runs are off by at most doubts.allowed() steps, except for gaps that no bin
-    /// sees. Costs as much as finding the runs, plus some rays for each run in doubt.
-    void decide(const LongestRuns& runs, std::span<const RunLanes> horizons, std::size_t part,
-                std::uint64_t lanes, LongestRuns::Found& found, Memory& memory) const;
+    /// Corrects the runs of the numbers [64 part, 64 part + 64). Bit k of `lanes`: lane k is to be examined.
+    /// Afterwards runs are off by at most RunDoubts::allowed steps, as far as doubts are known. Costs as much
+    /// as finding the runs, and some rays for each run.
+    void decide(const LongestRuns& runs, std::size_t part, std::uint64_t lanes, PartRuns& of,
+                Memory& memory) const;
 
 private:
-    [[nodiscard]] bool holds(const LongestRuns& runs, std::span<const RunLanes> horizons, std::size_t lane,
-                             const LongestRuns::Found& found, const RunSearch::Rays& rays) const;
+    [[nodiscard]] bool holds(const LongestRuns& runs, std::size_t lane, const PartRuns& of,
+                             const RunRays::Receiver& rays, Memory& memory) const;
 
     const RunDoubts& doubts_;
     RunRays& rays_;

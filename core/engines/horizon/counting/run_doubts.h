@@ -5,44 +5,46 @@
 #include <vector>
 
 #include "core/engines/horizon/counting/longest_runs.h"
+#include "core/engines/horizon/counting/widen_horizons.h"
 
 namespace noonmark {
 
-/// Determines which longest runs may be wrong because all suns of a bin are placed at the bin's mean azimuth.
-/// An occluder between a sun and that mean is missed, but it is usually seen at the mean of the neighbouring
-/// bin on its other side. Therefore a sun is certainly hidden if the horizons of its bin and of both
-/// neighbours hide it, certainly lit if none of them does, and in doubt otherwise. A run is in doubt if suns
-/// in doubt could make it longer or shorter than allowed. Occluders narrower than a bin that lie between two
-/// means are not detected. Immutable.
+/// Determines which steps of a longest run may be wrong because all suns of a bin are placed at the bin's
+/// mean azimuth. Between two neighbouring means a horizon is known only if one edge makes it: seen from a
+/// receiver, the tangent of a straight edge is a sine of the azimuth, so three neighbouring horizons of one
+/// edge lie on one. Where they do not, an occluder ends or another begins, and there may be a gap between
+/// them that no mean sees. Therefore a sun is
+/// - certainly hidden if the horizons of its bin and of both neighbours hide it and lie on one edge;
+/// - certainly lit if none of these horizons hides it and, at steps of more than a minute or so, where a
+///   single one may part a run, they lie on one edge;
+/// - in doubt otherwise. Rays decide it where it matters (run_decider.h).
+/// Not detected: a gap between two occluders whose tops are in one line to some millimetres, and a post
+/// narrower than a bin that stands free between two means. Immutable.
 class RunDoubts {
 public:
-    RunDoubts(const SunSteps& sun, const BinnedSun& binned);
+    RunDoubts(const BinnedSun& binned, double stepMinutes);
 
-    /// For each bin, the highest and the lowest horizon of the bin and its neighbours.
+    /// For each bin, the highest horizon of the bin and its neighbours, and the lowest; noHorizon where these
+    /// do not lie on one edge.
     struct Horizons {
         std::vector<RunLanes> highest, lowest;
-        void of(std::size_t lane, RunSearch::Horizons& horizons) const;
     };
-    void widen(std::span<const RunLanes> horizons, Horizons& widened) const;
+    /// `horizons`: those of standing obstacles. `filled`: the same where there are no overhangs above them,
+    /// else with the space below these filled.
+    void widen(std::span<const RunLanes> horizons, std::span<const RunLanes> filled, Horizons& widened) const;
 
-    /// Bit k: the longest run of lane k may be longer or shorter by more than allowed().
-    struct Lanes {
-        std::uint64_t mayBeLonger, mayBeShorter;
-    };
-    /// `widened`: from widen(). About as much work as finding the longest runs.
-    [[nodiscard]] Lanes lanesInDoubt(const LongestRuns& runs, const Horizons& widened,
-                                     const RunLanes& longest) const;
-
-    /// Number of steps by which a longest run may be off without being reported as in doubt: 2 % of the
-    /// longest day, at least one.
-    [[nodiscard]] int allowed() const { return allowed_; }
+    /// Number of steps by which a longest run may be off.
+    static constexpr int allowed = 2;
 
 private:
     struct Neighbours {
-        std::uint16_t before, after;  // the bin itself if the sun visits no bin beside it
+        std::size_t before, after;  // the bin itself if the sun visits no bin beside it
+        EdgeShares shares;
     };
+    static Neighbours neighboursOf(const BinnedSun& binned, std::size_t bin);
+
     std::vector<Neighbours> neighbours_;  // one per bin
-    int allowed_ = 1;                     // steps
+    bool doubtsLight_;
 };
 
 }  // namespace noonmark

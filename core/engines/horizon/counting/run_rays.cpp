@@ -1,18 +1,12 @@
 #include "core/engines/horizon/counting/run_rays.h"
 
+#include <algorithm>
 #include <bit>
+#include <numeric>
 
 #include "core/engines/ray/ray_reference.h"
 
 namespace noonmark {
-
-namespace {
-
-constexpr std::uint32_t packetSteps = DirectionPacket::capacity;
-
-std::uint32_t bitsFrom(std::uint32_t bit) { return bit >= packetSteps ? 0 : ~std::uint32_t{0} << bit; }
-
-}  // namespace
 
 Result<RunRays> RunRays::over(const City& city, std::span<const std::uint32_t> used,
                               const Receivers& receivers, const SunSteps& sun, bool checksRuns,
@@ -22,41 +16,46 @@ Result<RunRays> RunRays::over(const City& city, std::span<const std::uint32_t> u
     return RunRays(*std::move(scene), receivers, sun, checksRuns);
 }
 
-RunRays::RunRays(RayScene scene, const Receivers& receivers, const SunSteps& sun, bool checksRuns)
-    : scene_(std::move(scene)), receivers_(receivers), sun_(sun) {
-    if (checksRuns) packets_ = packSteps(sun);
+RunRays::Receiver RunRays::of(std::uint32_t cell) const {
+    return {*this, placeRayOrigin(receivers_.position(cell))};
 }
 
-RunSearch::Rays RunRays::of(std::uint32_t cell) {
-    const glm::vec3 origin = placeRayOrigin(receivers_.position(cell));
-    RunSearch::Rays rays;
-    rays.hidden = [this, origin](std::uint32_t step) { return hidden(origin, step); };
-    if (!packets_.empty())
-        rays.findLit = [this, origin](std::uint32_t first, std::uint32_t end) {
-            return findLit(origin, first, end);
-        };
-    return rays;
+bool RunRays::Receiver::hidden(std::uint32_t step) const {
+    rays_->decided_->rays.fetch_add(1, std::memory_order_relaxed);
+    return rays_->scene_.occluded(origin_, rays_->sun_.steps[step].direction);
 }
 
-bool RunRays::hidden(glm::vec3 origin, std::uint32_t step) const {
-    decided_->rays.fetch_add(1, std::memory_order_relaxed);
-    return scene_.occluded(origin, sun_.steps[step].direction);
+std::uint32_t RunRays::Receiver::findLit(std::span<const std::uint32_t> steps) const {
+    DirectionPacket packet{.count = int(steps.size())};
+    for (std::size_t lane = 0; lane < together; ++lane) {
+        const glm::vec3 direction = rays_->sun_.steps[steps[std::min(lane, steps.size() - 1)]].direction;
+        packet.x[lane] = direction.x;
+        packet.y[lane] = direction.y;
+        packet.z[lane] = direction.z;
+    }
+    std::uint32_t blocked = 0;
+    rays_->scene_.blockedLanes({&origin_, 1}, packet, {&blocked, 1});
+    rays_->decided_->rays.fetch_add(steps.size(), std::memory_order_relaxed);
+    return ~blocked & std::uint32_t((1ULL << steps.size()) - 1);
 }
 
-std::optional<std::uint32_t> RunRays::findLit(glm::vec3 origin, std::uint32_t first,
-                                              std::uint32_t end) const {
-    if (first >= end) return std::nullopt;
-    decided_->rays.fetch_add(end - first, std::memory_order_relaxed);
-    for (std::uint32_t packet = first / packetSteps; packet <= (end - 1) / packetSteps; ++packet) {
-        const std::uint32_t from = packet * packetSteps;
-        std::uint32_t blocked = 0;
-        scene_.blockedLanes({&origin, 1}, packets_[packet].directions, {&blocked, 1});
-        const std::uint32_t wanted = bitsFrom(first > from ? first - from : 0) &
-                                     ~bitsFrom(std::min(end - from, packetSteps)) & 0xFFFFU;
-        if (const std::uint32_t lit = ~blocked & wanted; lit != 0)
-            return from + std::uint32_t(std::countr_zero(lit));
+std::optional<std::uint32_t> RunRays::Receiver::findLit(std::uint32_t first, std::uint32_t end) const {
+    std::array<std::uint32_t, together> steps;
+    for (; first < end; first += std::uint32_t(together)) {
+        std::iota(steps.begin(), steps.end(), first);
+        const std::uint32_t lit =
+            findLit(std::span(steps).first(std::min<std::size_t>(together, end - first)));
+        if (lit != 0) return first + std::uint32_t(std::countr_zero(lit));
     }
     return std::nullopt;
+}
+
+RunSearch::Rays RunRays::Receiver::forSearch() const {
+    RunSearch::Rays rays;
+    rays.hidden = [*this](std::uint32_t step) { return hidden(step); };
+    if (rays_->checkRuns())
+        rays.findLit = [*this](std::uint32_t first, std::uint32_t end) { return findLit(first, end); };
+    return rays;
 }
 
 }  // namespace noonmark

@@ -27,13 +27,30 @@ public:
                                 const Receivers& receivers, const SunSteps& sun, bool checksRuns,
                                 const std::stop_token& stop);
 
-    /// The rays of one receiver. With `checksRuns` they include findLit. A gap narrower than a bin may be
-    /// seen by no bin; if it contains several steps of a day, it is met on every day, whereas steps that are
-    /// farther apart skip it on some day.
-    [[nodiscard]] RunSearch::Rays of(std::uint32_t cell);
+    /// Whether every step of a run is looked at.
+    [[nodiscard]] bool checkRuns() const { return checksRuns_; }
 
-    /// Whether of() provides findLit.
-    [[nodiscard]] bool checkRuns() const { return !packets_.empty(); }
+    /// Number of steps that are traced at once.
+    static constexpr std::size_t together = std::size_t(DirectionPacket::capacity);
+
+    /// The rays of one receiver; steps are indices in the period.
+    class Receiver {
+    public:
+        [[nodiscard]] bool hidden(std::uint32_t step) const;
+        /// Bit k: steps[k] is lit. At most `together` steps.
+        [[nodiscard]] std::uint32_t findLit(std::span<const std::uint32_t> steps) const;
+        /// A lit step in [first, end), if any.
+        [[nodiscard]] std::optional<std::uint32_t> findLit(std::uint32_t first, std::uint32_t end) const;
+        /// The same for a search, which looks at every step of a run only if runs are checked.
+        [[nodiscard]] RunSearch::Rays forSearch() const;
+
+    private:
+        friend RunRays;
+        Receiver(const RunRays& rays, glm::vec3 origin) : rays_(&rays), origin_(origin) {}
+        const RunRays* rays_;
+        glm::vec3 origin_;
+    };
+    [[nodiscard]] Receiver of(std::uint32_t cell) const;
 
     void countReceiver() { ++decided_->receivers; }
     [[nodiscard]] std::uint64_t receivers() const { return decided_->receivers; }  ///< decided by rays
@@ -43,15 +60,13 @@ private:
     struct Decided {
         std::atomic<std::uint64_t> receivers{0}, rays{0};
     };
-    RunRays(RayScene scene, const Receivers& receivers, const SunSteps& sun, bool checksRuns);
-    [[nodiscard]] bool hidden(glm::vec3 origin, std::uint32_t step) const;
-    [[nodiscard]] std::optional<std::uint32_t> findLit(glm::vec3 origin, std::uint32_t first,
-                                                       std::uint32_t end) const;
+    RunRays(RayScene scene, const Receivers& receivers, const SunSteps& sun, bool checksRuns)
+        : scene_(std::move(scene)), receivers_(receivers), sun_(sun), checksRuns_(checksRuns) {}
 
     RayScene scene_;
     const Receivers& receivers_;
     const SunSteps& sun_;
-    std::vector<SunPacket> packets_;  // empty if runs are not checked
+    bool checksRuns_;
     std::unique_ptr<Decided> decided_ = std::make_unique<Decided>();
 };
 

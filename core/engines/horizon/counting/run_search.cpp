@@ -38,7 +38,8 @@ void RunSearch::findDoubts(std::uint32_t first, std::uint32_t end) {
     doubts_.clear();
     for (std::uint32_t step = first; step < end; ++step) {
         const StepPlace& place = steps_[step].place;
-        if (horizons_.lowest[place.bin] <= place.sun) doubts_.push_back({step, place.bin});
+        if (horizons_.lowest[place.bin] <= place.sun)
+            doubts_.push_back({step, place.bin, horizons_.own[place.bin] <= place.sun});
     }
 }
 
@@ -61,23 +62,29 @@ std::optional<std::uint32_t> RunSearch::litIn(std::uint32_t first, std::uint32_t
                to = std::ranges::lower_bound(from, doubts_.end(), end, {}, &Doubt::step);
     const std::span<Doubt> doubts(from, to);
     const std::uint32_t middle = first + (end - first) / 2;
-    if (foundLit_)
-        if (const auto lit = litFromMiddle(doubts, middle, true)) return lit;
-    if (const auto lit = litFromMiddle(doubts, middle, false)) return lit;
+    for (const Which which : {Which::inLitBins, Which::probablyLit, Which::all}) {
+        if (which == Which::inLitBins && !foundLit_) continue;
+        if (const auto lit = litFromMiddle(doubts, middle, which)) return lit;
+    }
     return rays_.findLit ? rays_.findLit(first, end) : std::nullopt;
 }
 
-// Asks rays about the doubtful steps, from the middle outwards, until one is lit. `onlyLitBins`: only about
-// those in bins where a step was found lit.
+bool RunSearch::isWanted(const Doubt& doubt, Which which) const {
+    if (doubt.isHidden) return false;
+    if (which == Which::inLitBins) return isLitBin_[doubt.bin] != 0;
+    return which == Which::all || doubt.isProbablyLit;
+}
+
+// Asks rays about the doubtful steps, from the middle outwards, until one is lit.
 std::optional<std::uint32_t> RunSearch::litFromMiddle(std::span<Doubt> doubts, std::uint32_t middle,
-                                                      bool onlyLitBins) {
+                                                      Which which) {
     auto after = std::ranges::upper_bound(doubts, middle, {}, &Doubt::step), before = after;
     while (before != doubts.begin() || after != doubts.end()) {
         const bool isBefore =
             after == doubts.end() ||
             (before != doubts.begin() && middle - std::prev(before)->step <= after->step - middle);
         Doubt& doubt = isBefore ? *--before : *after++;
-        if (doubt.isHidden || (onlyLitBins && isLitBin_[doubt.bin] == 0)) continue;
+        if (!isWanted(doubt, which)) continue;
         if (!rays_.hidden(doubt.step)) return doubt.step;
         doubt.isHidden = true;
     }

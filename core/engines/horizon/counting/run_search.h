@@ -7,15 +7,15 @@
 #include <span>
 #include <vector>
 
-#include "core/engines/horizon/counting/day_groups.h"
+#include "core/engines/horizon/counting/timed_steps.h"
 
 namespace noonmark {
 
 /// Searches the longest run of one receiver if horizons leave some steps in doubt. Traces as few rays as
 /// possible, and looks at few of the steps that are certainly lit. In a run that would be the longest if all
 /// its doubtful steps were hidden, it first tests the steps in bins where another day was found lit, then
-/// those closest to the middle, since light there leaves two runs too short to matter. Reuses its memory; one
-/// per thread.
+/// those that the bin's own horizon does not hide, then all; of each the ones closest to the middle first,
+/// since light there leaves two runs too short to matter. Reuses its memory; one per thread.
 class RunSearch {
 public:
     /// Ray queries for the receiver; steps are indices in the period.
@@ -26,9 +26,9 @@ public:
         std::function<std::optional<std::uint32_t>(std::uint32_t first, std::uint32_t end)> findLit;
     };
     /// The horizons of the receiver, one code per bin: a step is certainly lit if the highest code of its bin
-    /// does not hide it, and certainly hidden if the lowest does.
+    /// does not hide it, certainly hidden if the lowest does, and in doubt probably what its own code says.
     struct Horizons {
-        std::vector<HorizonCode> highest, lowest;
+        std::vector<HorizonCode> highest, own, lowest;
     };
 
     /// To be filled before begin().
@@ -44,8 +44,12 @@ private:
     struct Doubt {
         std::uint32_t step;
         std::uint16_t bin;
+        bool isProbablyLit;
         bool isHidden = false;  ///< a ray found it hidden
     };
+    /// Which doubts to look at.
+    enum class Which { inLitBins, probablyLit, all };
+    [[nodiscard]] bool isWanted(const Doubt& doubt, Which which) const;
     [[nodiscard]] bool mayBeHidden(std::uint32_t step) const {
         const StepPlace& place = steps_[step].place;
         return horizons_.highest[place.bin] > place.sun;
@@ -54,7 +58,7 @@ private:
     void search(std::uint32_t first, std::uint32_t end);
     [[nodiscard]] std::optional<std::uint32_t> litIn(std::uint32_t first, std::uint32_t end);
     [[nodiscard]] std::optional<std::uint32_t> litFromMiddle(std::span<Doubt> doubts, std::uint32_t middle,
-                                                             bool onlyLitBins);
+                                                             Which which);
     void noteLit(std::uint32_t step);
 
     Horizons horizons_;

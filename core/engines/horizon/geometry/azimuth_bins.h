@@ -29,6 +29,10 @@ struct AzimuthBin {
     std::vector<HorizonCode> suns;  ///< codes of the steps' suns, at least one, ascending
 
     [[nodiscard]] HorizonCode lowest() const { return suns.front(); }
+    /// Number of suns that a horizon hides; for many horizons see HiddenSuns.
+    [[nodiscard]] std::uint32_t hiddenBy(HorizonCode horizon) const {
+        return std::uint32_t(std::ranges::lower_bound(suns, horizon) - suns.begin());
+    }
 };
 
 /// A range of numbers [first, end).

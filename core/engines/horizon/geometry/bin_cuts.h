@@ -32,8 +32,8 @@ int findAzimuthSlot(double azimuthDeg);
 ///
 /// Every bin has the same sum of its suns' angular distances from their mean, so bins are narrow where the
 /// sun spends most time. No bin is wider than 2 deg. If longest runs are counted, no bin is wider than 0.5
-/// deg per 0.05 % of the target either. If the target requires it, each sun gets a bin of its own, at a
-/// resolution of 0.01 deg. O(steps) + 5 ms.
+/// deg per 0.05 % of the target either, 0.25 deg at steps of up to a minute. If the target requires it, each
+/// sun gets a bin of its own, at a resolution of 0.01 deg. O(steps) + 5 ms.
 BinCuts chooseBinCuts(const SunSteps& sun, double targetPercent,
                       ShadowCounts counts = ShadowCounts::grossAndRuns);
 

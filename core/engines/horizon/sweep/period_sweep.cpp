@@ -78,8 +78,8 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OverhangShapes> 
       binned_(binned),
       bins_(makeSweptBins(binned.bins)),
       batches_(batchesAmong(overhangs, bins_)),
-      count_(sun, binned, {.gaps = !overhangs.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
-      doubts_(sun, binned),
+      count_(sun, binned, counts),
+      doubts_(binned, sun.stepMinutes),
       rays_(rays),
       keeps_(counts == ShadowCounts::grossAndRuns),
       progress_(progress),
@@ -164,10 +164,10 @@ void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
 const HorizonCode* PeriodSweep::withOverhangs(const BatchRange& batch, std::size_t i, const SweptBlock& swept,
                                               Tile& tile, Workspace& workspace) {
     const std::size_t bin = batch.first + i;
-    const HiddenSuns& hidden = count_.hidden(bin);
+    const AzimuthBin& suns = binned_.bins[bin];
     return workspace.overhangs.raise(
         i, swept, tile.blocks, tile.grounds, [&](int cell, HorizonCode low, HorizonCode high) {
-            const std::uint32_t steps = hidden(high) - hidden(low);
+            const std::uint32_t steps = suns.hiddenBy(high) - suns.hiddenBy(low);
             if (steps == 0) return;
             if (keeps_)
                 tile.gaps[bin].push_back(
@@ -203,7 +203,7 @@ PeriodSweep::Sums PeriodSweep::hiddenByCached(Tile& tile, const Turns& turns) co
     });
     for (std::size_t bin = 0; bin < tile.gaps.size(); ++bin)
         for (const Gap& gap : tile.gaps[bin])
-            sums[gap.number] += count_.hidden(bin)(gap.high) - count_.hidden(bin)(gap.low);
+            sums[gap.number] += binned_.bins[bin].hiddenBy(gap.high) - binned_.bins[bin].hiddenBy(gap.low);
     return sums;
 }
 

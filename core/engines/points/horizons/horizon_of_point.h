@@ -43,6 +43,7 @@ public:
         return noonmark::countSunlit(scene_.suns, horizon_);
     }
     [[nodiscard]] PointRuns countRuns() const { return scene_.track->countRuns(horizon_); }
+    [[nodiscard]] const BinHorizon& horizon() const { return horizon_; }
     /// 1 in shadow, 0 lit; one entry a step.
     void findShadedSteps(std::vector<std::uint8_t>& shaded) const {
         scene_.track->findShadedSteps(horizon_, shaded);

@@ -122,30 +122,89 @@ void SunTrack::findStretches(const Day& day, const std::vector<std::uint64_t>& n
     }
 }
 
-std::uint32_t SunTrack::longestRun(Point& point, bool ofShadow) const {
+std::vector<SunTrack::Stretch> SunTrack::findStretches(const Point& point, bool ofShadow) const {
     std::vector<Stretch> stretches;
     for (const Day& day : days_) findStretches(day, ofShadow ? point.bits.lit : point.bits.hidden, stretches);
+    return stretches;
+}
+
+// A run does not go on from one stretch to another.
+std::uint32_t SunTrack::longestIn(Point& point, bool ofShadow, const Stretch& stretch) const {
     LongestRun runs;
-    const auto walk = [&](const Stretch& stretch) {
-        for (std::uint32_t i = stretch.first; i < stretch.end; ++i) {
-            const Packet& packet = packets_[i];
-            const std::uint32_t shaded = point.shadedSteps(i), all = firstBits(packet.count);
-            // A stretch does not go on where the one before has ended.
-            const std::uint32_t starts = i == stretch.first ? packet.starts | 1U : packet.starts;
-            runs.add(ofShadow ? shaded : ~shaded & all, starts, packet.count);
-        }
-    };
-    const auto longest = std::ranges::max_element(stretches, {}, &Stretch::mostSteps);
-    if (longest != stretches.end()) walk(*longest);
-    for (const Stretch& stretch : stretches)
-        if (stretch.mostSteps > runs.longest()) walk(stretch);
+    for (std::uint32_t i = stretch.first; i < stretch.end; ++i) {
+        const Packet& packet = packets_[i];
+        const std::uint32_t shaded = point.shadedSteps(i), all = firstBits(packet.count);
+        const std::uint32_t starts = i == stretch.first ? packet.starts | 1U : packet.starts;
+        runs.add(ofShadow ? shaded : ~shaded & all, starts, packet.count);
+    }
     return runs.longest();
 }
 
-PointRuns SunTrack::countRuns(const BinHorizon& horizon) const {
+// Calls visit(run) for each run of a stretch, in time order.
+template <class Visit>
+void SunTrack::forEachRun(Point& point, bool ofShadow, const Stretch& stretch, const Visit& visit) const {
+    TrackRun run;
+    const auto end = [&] {
+        if (run.length() > 0) visit(run);
+        run = {};
+    };
+    for (std::uint32_t i = stretch.first; i < stretch.end; ++i) {
+        const Packet& packet = packets_[i];
+        const std::uint32_t shaded = point.shadedSteps(i), wanted = ofShadow ? shaded : ~shaded;
+        for (int k = 0; k < packet.count; ++k) {
+            const std::uint32_t step = packet.first + std::uint32_t(k);
+            if ((packet.starts >> unsigned(k) & 1U) != 0 || (wanted >> unsigned(k) & 1U) == 0) end();
+            if ((wanted >> unsigned(k) & 1U) == 0) continue;
+            if (run.length() == 0) run.first = step;
+            run.end = step + 1;
+        }
+    }
+    end();
+}
+
+// The stretch that may hold the longest run is walked first.
+TrackRun SunTrack::longestRun(Point& point, bool ofShadow) const {
+    std::vector<Stretch> stretches = findStretches(point, ofShadow);
+    if (stretches.empty()) return {};
+    std::iter_swap(stretches.begin(), std::ranges::max_element(stretches, {}, &Stretch::mostSteps));
+    const Stretch* holder = nullptr;
+    std::uint32_t longest = 0;
+    for (const Stretch& stretch : stretches) {
+        if (stretch.mostSteps <= longest) continue;
+        const std::uint32_t steps = longestIn(point, ofShadow, stretch);
+        if (steps > longest) longest = steps, holder = &stretch;
+    }
+    TrackRun found;
+    if (holder != nullptr)
+        forEachRun(point, ofShadow, *holder, [&](const TrackRun& run) {
+            if (run.length() > found.length()) found = run;
+        });
+    return found;
+}
+
+SunTrack::Longest SunTrack::findLongest(const BinHorizon& horizon) const {
     Point point(*this, horizon);
-    const std::uint32_t shadow = longestRun(point, true);
+    const TrackRun shadow = longestRun(point, true);
     return {shadow, longestRun(point, false)};
+}
+
+std::vector<TrackRun> SunTrack::findRuns(const BinHorizon& horizon, bool ofShadow,
+                                         std::uint32_t steps) const {
+    Point point(*this, horizon);
+    std::vector<TrackRun> runs;
+    for (const Stretch& stretch : findStretches(point, ofShadow)) {
+        if (stretch.mostSteps <= steps || longestIn(point, ofShadow, stretch) <= steps) continue;
+        forEachRun(point, ofShadow, stretch, [&](const TrackRun& run) {
+            if (run.length() > steps) runs.push_back(run);
+        });
+    }
+    std::ranges::stable_sort(runs, std::ranges::greater{}, &TrackRun::length);
+    return runs;
+}
+
+PointRuns SunTrack::countRuns(const BinHorizon& horizon) const {
+    const Longest longest = findLongest(horizon);
+    return {longest.shadow.length(), longest.sun.length()};
 }
 
 void SunTrack::findShadedSteps(const BinHorizon& horizon, std::vector<std::uint8_t>& shaded) const {

@@ -14,6 +14,12 @@ struct PointRuns {
     bool operator==(const PointRuns&) const = default;
 };
 
+/// Steps [first, end) of the period, all of one day and without a gap.
+struct TrackRun {
+    std::uint32_t first = 0, end = 0;
+    [[nodiscard]] std::uint32_t length() const { return end - first; }
+};
+
 /// The suns of a period in time order, to find the times of many points in shadow and sun. Steps are taken 32
 /// at a time: where all are above or below the horizons of their azimuths, no single step is looked at. For
 /// unbroken times, neither are days that cannot have a longer one than another day.
@@ -23,6 +29,17 @@ public:
     explicit SunTrack(const SunSteps& sun);
 
     [[nodiscard]] PointRuns countRuns(const BinHorizon& horizon) const;
+    /// The longest runs in shadow and of sun.
+    struct Longest {
+        TrackRun shadow, sun;
+    };
+    [[nodiscard]] Longest findLongest(const BinHorizon& horizon) const;
+    /// All runs of more than `steps`, the longest first.
+    [[nodiscard]] std::vector<TrackRun> findRuns(const BinHorizon& horizon, bool ofShadow,
+                                                 std::uint32_t steps) const;
+    [[nodiscard]] bool hides(const BinHorizon& horizon, std::uint32_t step) const {
+        return horizon.hides({suns_.bin[step], suns_.tan[step]});
+    }
     /// 1 in shadow, 0 lit; one entry a step.
     void findShadedSteps(const BinHorizon& horizon, std::vector<std::uint8_t>& shaded) const;
 
@@ -47,7 +64,11 @@ private:
     void addPacket(Packet packet);
     void findStretches(const Day& day, const std::vector<std::uint64_t>& none,
                        std::vector<Stretch>& stretches) const;
-    [[nodiscard]] std::uint32_t longestRun(Point& point, bool ofShadow) const;
+    [[nodiscard]] std::vector<Stretch> findStretches(const Point& point, bool ofShadow) const;
+    [[nodiscard]] TrackRun longestRun(Point& point, bool ofShadow) const;
+    [[nodiscard]] std::uint32_t longestIn(Point& point, bool ofShadow, const Stretch& stretch) const;
+    template <class Visit>
+    void forEachRun(Point& point, bool ofShadow, const Stretch& stretch, const Visit& visit) const;
 
     SunPackets suns_;
     std::vector<Packet> packets_;

@@ -8,6 +8,7 @@
 
 #include "core/base/progress_share.h"
 #include "core/io/files/pending_file.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/has_runs.h"
 #include "core/study/provenance/provenance_tags.h"
@@ -200,6 +201,7 @@ private:
 
 Result<fs::path> makeMergedFolder(const fs::path& plan) {
     fs::path merged = plan / "merged";
+    if (auto own = checkNoLink(merged); !own) return tl::make_unexpected(own.error());
     std::error_code error;
     fs::create_directories(merged, error);
     if (error) return limitReached("The folder cannot be made: " + error.message(), merged.string(), {});

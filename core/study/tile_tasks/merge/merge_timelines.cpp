@@ -7,8 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/io/files/pending_file.h"
+#include "core/io/files/plain_file.h"
 
 namespace noonmark {
 
@@ -22,36 +23,37 @@ constexpr std::array shadowFields{"enters",     "exits",          "duration_min"
                                   "largest_at", "area_hours_m2h", "longest_stay_min"};
 constexpr std::array dayFields{"sunlit_min", "theoretical_m2h", "full_cover_min", "all_sun_taken_min"};
 
-std::string headRow() {
-    std::string row = "place,kind,source,day,area_m2";
-    for (const char* name : dayFields) row += fmt::format(",{}", name);
+std::vector<std::string> columnsOfTimelines() {
+    std::vector<std::string> columns{"place", "kind", "source", "day", "area_m2"};
+    columns.insert(columns.end(), dayFields.begin(), dayFields.end());
     for (const char* shadow : shadowNames)
-        for (const char* name : shadowFields) row += fmt::format(",{}_{}", shadow, name);
-    return row + '\n';
+        for (const char* name : shadowFields) columns.push_back(fmt::format("{}_{}", shadow, name));
+    return columns;
 }
 
-std::string fieldOf(const Json& of, const char* name) {
+void addField(CsvText& csv, const Json& of, const char* name) {
     const auto found = of.find(name);
-    if (found == of.end() || found->is_null()) return "";
-    return found->is_string() ? csvField(found->get<std::string>()) : found->dump();
+    if (found != of.end() && found->is_number())
+        csv.number(found->get<double>());
+    else
+        csv.text(found != of.end() && found->is_string() ? found->get<std::string>() : std::string());
 }
 
-std::string rowOf(const Json& place, const Json& day) {
-    std::string row = fmt::format("{},{},{},{},{}", fieldOf(place, "place"), fieldOf(place, "kind"),
-                                  fieldOf(place, "source"), fieldOf(day, "day"), fieldOf(place, "area_m2"));
-    for (const char* name : dayFields) row += ',' + fieldOf(day, name);
+void addDay(CsvText& csv, const Json& place, const Json& day) {
+    for (const char* name : {"place", "kind", "source"}) addField(csv, place, name);
+    addField(csv, day, "day");
+    addField(csv, place, "area_m2");
+    for (const char* name : dayFields) addField(csv, day, name);
     for (const char* shadow : shadowNames) {
         const bool stated = shadow == shadowNames.front() || !place.at("to").is_null();
-        for (const char* name : shadowFields) row += ',' + (stated ? fieldOf(day.at(shadow), name) : "");
+        for (const char* name : shadowFields) addField(csv, stated ? day.at(shadow) : Json(), name);
     }
-    return row + '\n';
+    csv.endRow();
 }
 
-std::string rowsOf(const Json& place) {
-    if (!place.contains("days")) return rowOf(place, place);
-    std::string rows;
-    for (const Json& day : place.at("days")) rows += rowOf(place, day);
-    return rows;
+void addDays(CsvText& csv, const Json& place) {
+    if (!place.contains("days")) return addDay(csv, place, place);
+    for (const Json& day : place.at("days")) addDay(csv, place, day);
 }
 
 /// A file that is complete, or not there.
@@ -80,10 +82,11 @@ class TimelineMerge {
 public:
     explicit TimelineMerge(const fs::path& merged)
         : lines_(merged / "timelines.jsonl"), table_(merged / "timelines.csv") {
-        table_.add(headRow());
+        table_.add(csv_.take());
     }
 
     Result<void> addTile(const fs::path& file, std::size_t district) try {
+        if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
         std::ifstream stream(file, std::ios::binary);
         if (!stream) return failure("A finished tile cannot be read", file.string(), "Run its task again");
         for (std::string line; std::getline(stream, line);) addPlace(line, district);
@@ -110,10 +113,12 @@ private:
         if (firstDistrict_.emplace(std::move(feature), district).first->second != district) return;
         ++places_;
         lines_.add(line + '\n');
-        table_.add(rowsOf(place));
+        addDays(csv_, place);
+        table_.add(csv_.take());
     }
 
     GrowingFile lines_, table_;
+    CsvText csv_{columnsOfTimelines()};
     std::unordered_map<std::string, std::size_t>
         firstDistrict_;  ///< by the feature that a place was read from
     std::size_t places_ = 0;

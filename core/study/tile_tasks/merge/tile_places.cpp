@@ -1,10 +1,8 @@
 #include "core/study/tile_tasks/merge/tile_places.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 #include "core/io/write_raster.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
@@ -38,8 +36,6 @@ std::vector<Box2> boxesOfPlaces(const std::vector<Place>& places) {
     return boxes;
 }
 
-std::string fieldOf(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
-
 }  // namespace
 
 Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const PlaceTiles& tiles,
@@ -72,21 +68,25 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
 }
 
 std::string formatPlaces(const PlaceShadows& shadows) {
-    std::string text =
-        "name,kind,receivers,receiver_area_m2,shadow_area_m2,mean_gross_min,max_gross_min,"
-        "mean_continuous_min,max_continuous_min\n";
+    CsvText csv({"name", "kind", "receivers", "receiver_area_m2", "shadow_area_m2", "mean_gross_min",
+                 "max_gross_min", "mean_continuous_min", "max_continuous_min"});
     for (const auto& [name, shadow] : shadows) {
         const double sunlit =
             shadow.sums.receivers > 0 ? shadow.sunlitMinutes / double(shadow.sums.receivers) : 0;
         const ShadowStatistics figures = computeStatistics(shadow.sums, sunlit, shadow.cellAreaM2);
-        text += fmt::format("{},{},{},{}", csvField(name), nameOf(shadow.kind), figures.receivers,
-                            fieldOf(figures.receiverAreaM2));
-        for (const double value : {figures.shadowAreaM2, figures.meanGrossMin, figures.maxGrossMin,
-                                   figures.meanContinuousMin, figures.maxContinuousMin})
-            text += fmt::format(",{}", figures.receivers > 0 ? fieldOf(value) : "");
-        text += '\n';
+        csv.text(name).text(std::string(nameOf(shadow.kind))).whole(figures.receivers);
+        csv.number(figures.receiverAreaM2, 1);
+        if (figures.receivers > 0)
+            csv.number(figures.shadowAreaM2, 1)
+                .number(figures.meanGrossMin, 3)
+                .number(figures.maxGrossMin, 3)
+                .number(figures.meanContinuousMin, 3)
+                .number(figures.maxContinuousMin, 3);
+        else
+            csv.nothing(5);
+        csv.endRow();
     }
-    return text;
+    return csv.take();
 }
 
 }  // namespace noonmark

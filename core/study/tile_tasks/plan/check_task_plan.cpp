@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/receivers/receivers.h"
+
 namespace noonmark {
 
 namespace {
@@ -29,8 +31,9 @@ bool isSoundGrid(const TilePlan& tiles) {
     const Grid& grid = tiles.whole;
     const auto counts = [](int cells) { return cells >= 1 && cells <= mostCellsAcross; };
     const auto near = [](double metres) { return std::abs(metres) <= farthestM; };
-    return counts(tiles.side) && counts(grid.columns) && counts(grid.rows) && grid.cellM > 0 &&
-           near(grid.westM) && near(grid.southM) && near(grid.eastM()) && near(grid.northM());
+    const bool cells = grid.cellM >= ReceiverSettings::minCellM && grid.cellM <= ReceiverSettings::maxCellM;
+    return counts(tiles.side) && counts(grid.columns) && counts(grid.rows) && cells && near(grid.westM) &&
+           near(grid.southM) && near(grid.eastM()) && near(grid.northM());
 }
 
 bool isSoundPlace(const Frame& frame) {

@@ -117,6 +117,11 @@ Result<std::vector<District>> divide(const LonLatBox& box, Counts counts) {
     return districts;
 }
 
+// Whether each building gets its ground without regard to the others.
+bool isPlacedByItself(const ReadSettings& reading) {
+    return reading.stand != Stand::automatic && reading.terrainShows == TerrainShows::ground;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& files) {
@@ -133,7 +138,7 @@ Result<InputsScan> scanInputs(const TaskPlanRequest& request, Progress& progress
         (*kind == FileKind::terrain ? scan.terrain : scan.buildings).emplace_back(file);
         if (*kind != FileKind::terrain) kinds.push_back(*kind);
     }
-    bool divisible = mayBeDivided(kinds);
+    bool divisible = mayBeDivided(kinds) && (scan.terrain.empty() || isPlacedByItself(request.reading));
     for (std::size_t i = 0; divisible && i < kinds.size(); ++i) {
         ProgressShare share(progress, i, kinds.size());
         auto piece = scanBuildings(scan.buildings[i], kinds[i], request.reading, share, stop);

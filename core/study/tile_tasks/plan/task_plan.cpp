@@ -9,6 +9,7 @@
 
 #include "core/base/json_number.h"
 #include "core/base/version.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/tile_tasks/plan/check_task_plan.h"
@@ -153,6 +154,16 @@ TaskPlan planFrom(const Json& json) {
     return plan;
 }
 
+// An input may be out of reach where the plan is merged; where it is there, it must be a file.
+Result<void> checkFilesOf(const TaskPlan& plan) {
+    std::vector<std::filesystem::path> inputs(plan.files.begin(), plan.files.end());
+    for (const InputFile& input : plan.inputs) inputs.push_back(input.path);
+    for (const std::filesystem::path& input : inputs)
+        if (std::error_code ignored; std::filesystem::exists(input, ignored))
+            if (auto plain = checkPlainFile(input); !plain) return plain;
+    return {};
+}
+
 }  // namespace
 
 std::string TaskPlan::studyHash(std::size_t district) const {
@@ -181,6 +192,7 @@ Result<void> writeTaskPlan(const std::filesystem::path& folder, const TaskPlan& 
 
 Result<TaskPlan> readTaskPlan(const std::filesystem::path& folder) try {
     const std::filesystem::path file = folder / planFileName;
+    if (auto plain = checkNoLink(file); !plain) return tl::make_unexpected(plain.error());
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
         return failure("There is no plan of tiles in this folder", file.string(),
@@ -189,7 +201,9 @@ Result<TaskPlan> readTaskPlan(const std::filesystem::path& folder) try {
     if (json.at("noonmark_task_plan") != planVersion)
         return failure("The plan is of another version of Noonmark", file.string(),
                        "Plan again, or use that version");
-    return planFrom(json);
+    TaskPlan plan = planFrom(json);
+    if (auto plain = checkFilesOf(plan); !plain) return tl::make_unexpected(plain.error());
+    return plan;
 } catch (const std::exception&) {
     return failure("The plan is damaged", (folder / planFileName).string(), "Plan again");
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/engines/points/point_sunlight.h"
+#include "tests/core/engines/blocks_in_rows.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {
@@ -74,6 +75,31 @@ TEST(SurfaceHorizons, AgreeWithRaysOverAYear) {
         EXPECT_LT(most, 5e-3) << "seed " << seed;
         RecordProperty("mean_error_ppm", int(1e6 * sum / double(points.size())));
         RecordProperty("largest_error_ppm", int(1e6 * most));
+    }
+}
+
+// By horizons alone, single points were off by hours: a glimpse of sun between two blocks joins two shadows,
+// a narrow tower parts the sun.
+TEST(SurfaceHorizons, LongestTimesAreRightWithinTwoSteps) {
+    for (const std::uint32_t seed : {2U, 3U}) {
+        const std::vector<Box3> boxes = rowsOfBlocks(seed);
+        const City city = cityOf(boxes);
+        SunSteps sun = days(40.7, 60, 1);
+        setMonths(sun);
+        const SurfacePoints points = onWallsOf(boxes);
+        NoProgress progress;
+        const PointMonths swept = sweepPoints(city, points, sun, progress, {}, {.runs = true}).value(),
+                          truth = tracePoints(city, points, sun, progress, {}).value();
+        double shadow = 0, lit = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto off = [i](const std::vector<float>& a, const std::vector<float>& b) {
+                return std::abs(double(a[i] - b[i]));
+            };
+            shadow = std::max(shadow, off(swept.longestShadowMin, truth.longestShadowMin));
+            lit = std::max(lit, off(swept.longestSunMin, truth.longestSunMin));
+        }
+        EXPECT_LE(shadow, 2.01) << seed;
+        EXPECT_LE(lit, 2.01) << seed;
     }
 }
 

@@ -246,5 +246,22 @@ TEST(PointSunlight, BandsBreakAtShadowAndAtMissingSlots) {
     EXPECT_EQ(shadow.continuousMin, 20);
 }
 
+TEST(PointSunlight, EndsOfBandsAreRefinedWithinTheirStep) {
+    const auto at = [](double minutes) {
+        return Instant(std::chrono::milliseconds(std::llround(minutes * 60000)));
+    };
+    const auto isLit = [&](Instant when) {
+        return (when >= at(21.3) && when < at(47.8)) || (when >= at(61.02) && when < at(95));
+    };
+    // Steps of 15 min: lit at 30 and 45; at 75 and 90, with which the hours end.
+    std::vector<SunBand> bands{{at(30), at(60)}, {at(75), at(90)}};
+    refineSunBands(bands, 15, isLit);
+    const double exactMin = 0.2 / 60;
+    EXPECT_NEAR(bands[0].minutes(), 47.8 - 21.3, 2 * exactMin);
+    EXPECT_NEAR(SunBand({at(0), bands[0].from}).minutes(), 21.3, exactMin);
+    EXPECT_NEAR(SunBand({at(0), bands[1].from}).minutes(), 61.02, exactMin);
+    EXPECT_EQ(bands[1].to, at(90));  // still lit there: the end of the hours, not of the sun
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -26,6 +26,32 @@ TEST_F(TaskPlanTest, WhatIsDoneAndWholeIsNotComputedAgain) {
     EXPECT_EQ(run(made, 0).value().computed, 0U);
 }
 
+TEST_F(TaskPlanTest, FoldersThatLeadElsewhereAreRefused) {
+    const TaskPlan made = plan();
+    const auto planned = folder.path("plan"), elsewhere = folder.path("elsewhere");
+    std::filesystem::create_directories(planned);
+    std::filesystem::create_directories(elsewhere / "00000");
+    std::filesystem::create_directory_symlink(elsewhere, planned / "tasks");
+    EXPECT_THAT(run(made, 0).error().text(), HasSubstr("tasks: This is a link"));
+    EXPECT_FALSE(findStatus(planned, made));
+    std::filesystem::remove(planned / "tasks");
+    std::filesystem::create_directories(planned / "tasks");
+    std::filesystem::create_directory_symlink(elsewhere, planned / "tasks/00000");
+    EXPECT_THAT(run(made, 0).error().text(), HasSubstr("00000: This is a link"));
+    std::filesystem::remove(planned / "tasks/00000");
+    std::filesystem::create_directories(planned / "tasks/00000");
+    std::filesystem::create_symlink(elsewhere / "planted", planned / "tasks/00000/journal.jsonl");
+    EXPECT_THAT(run(made, 0).error().text(), HasSubstr("journal.jsonl: This is a link"));
+    std::filesystem::remove_all(planned / "tasks");
+    ASSERT_TRUE(run(made, 0));
+    std::filesystem::create_directory_symlink(elsewhere, planned / "merged");
+    EXPECT_THAT(merge(made).error().text(), HasSubstr("missing"));
+    for (std::size_t task = 1; task < made.taskCount; ++task) ASSERT_TRUE(run(made, task));
+    EXPECT_THAT(merge(made).error().text(), HasSubstr("merged: This is a link"));
+    EXPECT_TRUE(std::filesystem::is_empty(elsewhere / "00000"));
+    EXPECT_FALSE(std::filesystem::exists(elsewhere / "planted"));
+}
+
 TEST_F(TaskPlanTest, AKillInTheMiddleOfAWriteLosesOneTile) {
     request.task = {1e6, 1e12};
     const TaskPlan made = plan();

@@ -1,10 +1,10 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/engines/horizon/counting/run_bounds_hwy.cpp"
+#define HWY_TARGET_INCLUDE "core/engines/horizon/counting/walk_steps_hwy.cpp"
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
 
-#include "core/engines/horizon/counting/run_bounds.h"
+#include "core/engines/horizon/counting/walk_steps.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -49,37 +49,11 @@ HWY_INLINE void walkSome(Horizons horizons, std::span<const TimedStep> steps, st
     for (std::size_t i = 0; i < together; ++i) hn::Store(runs.longest[i], d, longest + first + i * lanes);
 }
 
-HWY_INLINE void boundSome(Horizons horizons, const DayGroup& group, std::size_t first, std::int16_t* bound) {
-    const V day = hn::Set(d, std::int16_t(group.longestDay));
-    Runs runs;
-    HWY_UNROLL(4)
-    for (std::size_t i = 0; i < together; ++i) runs.run[i] = runs.longest[i] = hn::Zero(d);
-    for (const SharedVisit& visit : group.visits) {
-        const std::int16_t* const of = horizons[visit.bin].values + first;
-        const V sun = hn::Set(d, visit.lowestSun), steps = hn::Set(d, std::int16_t(visit.steps));
-        HWY_UNROLL(4)
-        for (std::size_t i = 0; i < together; ++i) {
-            const V lit = visit.endsRun ? hn::Zero(d) : runs.run[i];
-            const auto hidden = hn::Gt(hn::Load(d, of + i * lanes), sun);
-            runs.run[i] = hn::IfThenElse(hidden, hn::Add(runs.run[i], steps), lit);
-            runs.longest[i] = hn::Max(runs.longest[i], runs.run[i]);
-        }
-    }
-    HWY_UNROLL(4)
-    for (std::size_t i = 0; i < together; ++i)
-        hn::Store(hn::Min(runs.longest[i], day), d, bound + first + i * lanes);
-}
-
 }  // namespace
 
 void walkSteps(Horizons horizons, std::span<const TimedStep> steps, RunLanes& longest) {
     for (std::size_t first = 0; first < lanesPerPart; first += together * lanes)
         walkSome(horizons, steps, first, longest.values);
-}
-
-void boundRuns(Horizons horizons, const DayGroup& group, RunLanes& most) {
-    for (std::size_t first = 0; first < lanesPerPart; first += together * lanes)
-        boundSome(horizons, group, first, most.values);
 }
 
 }  // namespace noonmark::HWY_NAMESPACE
@@ -91,11 +65,6 @@ namespace noonmark {
 NOONMARK_KERNEL(walkSteps);
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest) {
     NOONMARK_CALL(walkSteps)(horizons, steps, longest);
-}
-
-NOONMARK_KERNEL(boundRuns);
-void boundRuns(std::span<const RunLanes> horizons, const DayGroup& group, RunLanes& most) {
-    NOONMARK_CALL(boundRuns)(horizons, group, most);
 }
 
 }  // namespace noonmark

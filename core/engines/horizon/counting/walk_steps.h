@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/engines/horizon/counting/day_groups.h"
-#include "core/engines/horizon/counting/run_search.h"
+#include "core/engines/horizon/counting/timed_steps.h"
 
 namespace noonmark {
 
@@ -19,8 +18,5 @@ struct alignas(64) RunLanes {
 /// Walks the steps of a day: raises `longest` to the longest run of each lane, in steps. `horizons`: one
 /// entry per bin. 1 ns a step with AVX-512.
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest);
-
-/// Upper bounds for the longest run of each lane on any day of a group. 1 ns a visit with AVX-512.
-void boundRuns(std::span<const RunLanes> horizons, const DayGroup& group, RunLanes& most);
 
 }  // namespace noonmark

@@ -1,0 +1,72 @@
+#include "core/engines/common/engine_in_use.h"
+
+#include <utility>
+
+#include "core/base/progress_share.h"
+
+namespace noonmark {
+
+EngineInUse::EngineInUse(const Engine& asked, std::span<const City* const> cities, const Receivers& receivers,
+                         const SunSteps& sun)
+    : asked_(asked),
+      cities_(cities),
+      receivers_(receivers),
+      sun_(sun),
+      choice_(asked.choose(cities, receivers, sun)) {}
+
+Result<ShadowField> EngineInUse::accumulate(const City& city, Progress& progress,
+                                            const std::stop_token& stop) {
+    if (!choice_) return asked_.accumulate(city, receivers_, sun_, progress, stop);
+    auto field = choice_->accumulate(city, receivers_, sun_, progress, stop);
+    if (field) return field;
+    auto other = asked_.chooseInstead(*choice_, field.error());
+    if (!other) return field;
+    choice_ = std::move(other);
+    return choice_->accumulate(city, receivers_, sun_, progress, stop);
+}
+
+std::optional<EngineChoice> EngineInUse::closer(const SampledOff& off) const {
+    if (!choice_) return std::nullopt;
+    return asked_.chooseCloser(*choice_, off, cities_, receivers_, sun_);
+}
+
+bool EngineInUse::goOn(const SampledOff& off) {
+    auto other = closer(off);
+    if (!other) return false;
+    choice_ = std::move(other);
+    wentOn_ = true;
+    return true;
+}
+
+bool EngineInUse::sums(bool byBuilding) const {
+    const EngineCapabilities able = choice_->engine->capabilities();
+    return byBuilding ? able.attribution : able.sets;
+}
+
+bool EngineInUse::sumsByBuildingLessClosely() const { return wentOn_ && !sums(true); }
+
+Result<ShadowBreakdown> EngineInUse::breakDown(const City& city, const StepSets& sets, bool byBuilding,
+                                               Progress& progress, const std::stop_token& stop) const {
+    if (wentOn_ && sums(byBuilding))
+        return choice_->engine->breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
+    if (wentOn_ && !byBuilding) return sumSetBySet(city, sets, progress, stop);
+    return asked_.breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
+}
+
+Result<ShadowBreakdown> EngineInUse::sumSetBySet(const City& city, const StepSets& sets, Progress& progress,
+                                                 const std::stop_token& stop) const {
+    ShadowBreakdown breakdown{
+        .grid = receivers_.grid, .sets = sets, .sunlitMinutes = sets.sunlitMinutes(sun_)};
+    for (std::size_t set = 0; set < sets.names.size(); ++set) {
+        ProgressShare share(progress, set, sets.names.size());
+        const SunSteps own = sets.stepsOf(set, sun_);
+        auto field = choice_->engine->accumulate(city, receivers_, own, share, stop);
+        if (!field) return tl::make_unexpected(field.error());
+        for (float& minutes : field->grossMin) minutes *= float(own.dayCount());
+        breakdown.minutes.push_back(std::move(field->grossMin));
+        breakdown.engine = std::move(field->engine);
+    }
+    return breakdown;
+}
+
+}  // namespace noonmark

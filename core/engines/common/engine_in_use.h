@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+
+#include "core/engines/api/engine.h"
+
+namespace noonmark {
+
+/// The engine that answers one question: the one asked for or, if that one chooses others, its choice for
+/// these cities, and what it goes on to where the choice refuses or a sample shows that it is off. All that
+/// it is made from must outlive it.
+class EngineInUse {
+public:
+    /// Chooses. Visits every step and building: some ms.
+    EngineInUse(const Engine& asked, std::span<const City* const> cities, const Receivers& receivers,
+                const SunSteps& sun);
+
+    /// The field of one of the cities. Where the choice refuses it goes on to another engine.
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, Progress& progress,
+                                                 const std::stop_token& stop);
+
+    /// Months, and shadow by building if wanted, by the engine that made the field where it sums them, months
+    /// by rays one after the other; else by the engine that was asked for.
+    [[nodiscard]] Result<ShadowBreakdown> breakDown(const City& city, const StepSets& sets, bool byBuilding,
+                                                    Progress& progress, const std::stop_token& stop) const;
+    /// Whether breakDown() sums by building although a sample showed that what it sums with is off.
+    [[nodiscard]] bool sumsByBuildingLessClosely() const;
+
+    /// Goes on to a closer engine where a sample of the field is off by more than the choice aims at. False:
+    /// the field stands.
+    bool goOn(const SampledOff& off);
+    [[nodiscard]] bool wouldGoOn(const SampledOff& off) const { return closer(off).has_value(); }
+
+private:
+    [[nodiscard]] std::optional<EngineChoice> closer(const SampledOff& off) const;
+    [[nodiscard]] bool sums(bool byBuilding) const;
+    [[nodiscard]] Result<ShadowBreakdown> sumSetBySet(const City& city, const StepSets& sets,
+                                                      Progress& progress, const std::stop_token& stop) const;
+
+    const Engine& asked_;
+    std::span<const City* const> cities_;
+    const Receivers& receivers_;
+    const SunSteps& sun_;
+    std::optional<EngineChoice> choice_;
+    bool wentOn_ = false;  // since a sample was off
+};
+
+}  // namespace noonmark

@@ -1,0 +1,170 @@
+#include "core/io/terrain/ground_choice.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/surface_model.h"
+
+namespace noonmark {
+
+namespace {
+
+SharedBuildings allBuildings(const std::vector<GroundFile>& files) {
+    SharedBuildings all;
+    for (const GroundFile& file : files)
+        all.insert(all.end(), file.piece->buildings.begin(), file.piece->buildings.end());
+    return all;
+}
+
+// The first terrain of the ground and the first model of the surface.
+class GroundChooser {
+public:
+    GroundChooser(const std::vector<GroundFile>& files, TerrainShows shows)
+        : files_(files), shows_(shows), buildings_(allBuildings(files)) {}
+
+    GroundChoice choose(const std::stop_token& stop) {
+        for (const GroundFile& file : files_)
+            if (file.piece->terrain && !stop.stop_requested()) offer(file, stop);
+        if (ground_ != nullptr)
+            choice_.terrain = ground_->piece->terrain;
+        else if (surface_ != nullptr)
+            choice_.terrain = std::make_shared<const Terrain>(
+                takeGroundAround(*surface_->piece->terrain, buildings_, stop));
+        if (surface_ != nullptr) describeSurface();
+        return std::move(choice_);
+    }
+
+    [[nodiscard]] const GroundFile* surface() const { return surface_; }
+
+private:
+    void offer(const GroundFile& file, const std::stop_token& stop) {
+        const GroundFile*& place = isSurface(file, stop) ? surface_ : ground_;
+        if (place == nullptr)
+            place = &file;
+        else
+            warn(WarningKind::leftOut, "a second terrain; the first one is used", file.name);
+    }
+
+    bool isSurface(const GroundFile& file, const std::stop_token& stop) {
+        if (!file.isRaster || shows_ == TerrainShows::ground) return false;
+        const OutlineSteps steps = measureOutlineSteps(*file.piece->terrain, buildings_, stop);
+        const bool isIt = shows_ == TerrainShows::surface || steps.showsBuildings();
+        if (isIt && surface_ == nullptr) steps_ = steps;
+        return isIt;
+    }
+
+    void describeSurface() {
+        const std::string where =
+            fmt::format("{} ({} of {} outlines, by {:.1f} m in the median)", surface_->name,
+                        formatThousands(steps_.stepped), formatThousands(steps_.buildings), steps_.medianM);
+        if (ground_ != nullptr)
+            warn(WarningKind::leftOut,
+                 "a surface model, which steps at the outlines of buildings; the other terrain is the ground",
+                 where);
+        else if (shows_ == TerrainShows::automatic)
+            warn(WarningKind::assumed,
+                 "the terrain steps at the outlines of buildings, which would count twice: the ground around "
+                 "them is used instead (--terrain-shows ground uses it unchanged)",
+                 where);
+    }
+
+    void warn(WarningKind kind, std::string what, std::string where) {
+        choice_.warnings.push_back({kind, std::move(what), std::move(where)});
+    }
+
+    const std::vector<GroundFile>& files_;
+    TerrainShows shows_;
+    SharedBuildings buildings_;
+    OutlineSteps steps_;
+    const GroundFile *ground_ = nullptr, *surface_ = nullptr;
+    GroundChoice choice_;
+};
+
+bool hasAssumedHeight(const Building& building) {
+    return std::ranges::any_of(building.parts,
+                               [](const Part& part) { return part.heightSource == HeightSource::assumed; });
+}
+
+// A building whose assumed heights are replaced by those of the surface; null if none can be.
+std::shared_ptr<const Building> measureOnSurface(const Building& building, const Terrain& surface,
+                                                 const Terrain& ground) {
+    constexpr float leastM = 1;
+    Building measured = building;
+    const float baseM = std::ranges::min_element(building.parts, {}, &Part::bottomM)->bottomM;
+    const float lowestM = findLowestGround(building, ground);
+    bool any = false;
+    for (Part& part : measured.parts) {
+        if (part.heightSource != HeightSource::assumed) continue;
+        const auto height = measureHeight(part, surface, lowestM);
+        if (!height || baseM + *height < part.bottomM + leastM) continue;
+        part.topM = baseM + *height;
+        part.heightSource = HeightSource::measured;
+        any = true;
+    }
+    return any ? std::make_shared<const Building>(std::move(measured)) : nullptr;
+}
+
+std::size_t measureOnSurface(FilePiece& piece, const Terrain& surface, const Terrain& ground,
+                             const std::stop_token& stop) {
+    std::atomic<std::size_t> count = 0;
+    tbb::parallel_for(std::size_t{0}, piece.buildings.size(), [&](std::size_t i) {
+        if (stop.stop_requested() || !hasAssumedHeight(*piece.buildings[i])) return;
+        if (auto measured = measureOnSurface(*piece.buildings[i], surface, ground)) {
+            piece.buildings[i] = std::move(measured);
+            ++count;
+        }
+    });
+    return count;
+}
+
+std::size_t countAssumed(const std::vector<GroundFile>& files) {
+    std::size_t assumed = 0;
+    for (const GroundFile& file : files)
+        assumed += std::size_t(std::ranges::count_if(
+            file.piece->buildings, [](const auto& building) { return hasAssumedHeight(*building); }));
+    return assumed;
+}
+
+// Says that the surface could give heights, if they are missing.
+void offerHeights(const std::vector<GroundFile>& files, const GroundFile* surface, Warnings& warnings) {
+    const std::size_t assumed = surface != nullptr ? countAssumed(files) : 0;
+    if (assumed > 0)
+        warnings.push_back(
+            {WarningKind::assumed,
+             "heights are assumed that the surface model shows: --heights-from-surface uses it",
+             fmt::format("{} buildings; {}", formatThousands(assumed), surface->name)});
+}
+
+void takeHeights(const std::vector<GroundFile>& files, const GroundFile* surface, GroundChoice& choice,
+                 HeightFacts& heights, const std::stop_token& stop) {
+    if (surface == nullptr)
+        return choice.warnings.push_back(
+            {WarningKind::leftOut, "heights from the surface: no terrain shows buildings", "the terrain"});
+    std::size_t measured = 0;
+    for (const GroundFile& file : files)
+        measured += measureOnSurface(*file.piece, *surface->piece->terrain, *choice.terrain, stop);
+    heights.fields.push_back({surface->name, "surface - ground", "median roof", "m", measured});
+    choice.warnings.push_back({WarningKind::assumed,
+                               "buildings without a height got that of the surface model above the ground",
+                               fmt::format("{} buildings; {}", formatThousands(measured), surface->name)});
+}
+
+}  // namespace
+
+GroundChoice chooseGround(const std::vector<GroundFile>& files, const ReadSettings& settings,
+                          HeightFacts& heights, const std::stop_token& stop) {
+    GroundChooser chooser(files, settings.terrainShows);
+    GroundChoice choice = chooser.choose(stop);
+    if (stop.stop_requested()) return choice;
+    if (settings.heightsFromSurface)
+        takeHeights(files, chooser.surface(), choice, heights, stop);
+    else
+        offerHeights(files, chooser.surface(), choice.warnings);
+    return choice;
+}
+
+}  // namespace noonmark

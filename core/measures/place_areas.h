@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/measures/place_shadow.h"
+#include "core/measures/step_counts.h"
+
+namespace noonmark {
+
+/// Areas of a place at one step, m2, each cell by its share.
+struct StepAreas {
+    double baselineM2 = 0;     ///< in shadow in the baseline
+    double scenarioM2 = 0;     ///< in shadow in the scenario
+    double incrementalM2 = 0;  ///< in shadow in the scenario alone
+    double gainedM2 = 0;       ///< in shadow in the baseline alone
+};
+
+/// `counts` of the same step (countStep()). O(uneven cells).
+StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCounts& counts);
+
+/// The 64 bits from `bit` on; 0 beyond the last word.
+std::uint64_t bitsAt(std::span<const std::uint64_t> words, std::size_t bit);
+
+/// Between how many neighbouring cells a mask changes: its edge passes through half of their area at most,
+/// which bounds what cells add to its true area or take from it, unless it is narrower than a cell.
+std::size_t countEdges(std::span<const std::uint64_t> words, std::span<const NeighbourCells> neighbours);
+
+}  // namespace noonmark

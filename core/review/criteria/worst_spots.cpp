@@ -1,0 +1,101 @@
+#include "core/review/criteria/worst_spots.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace noonmark {
+
+namespace {
+
+/// One round of the search: so many spots, each with points around it. In cells.
+struct SearchRound {
+    std::size_t spots;
+    double reach, spacing;
+};
+
+// A round covers the squares of the one before; the first also the strip beside a wall on which no centre is.
+constexpr std::array<SearchRound, 3> rounds{{{8, 1, 0.5}, {3, 0.25, 0.125}, {2, 0.125, spotDistanceCells}}};
+
+bool isNear(glm::dvec2 a, glm::dvec2 b, double distanceM) {
+    const glm::dvec2 apart = glm::abs(a - b);
+    return std::max(apart.x, apart.y) <= distanceM;
+}
+
+/// The worst spots of one search, at least `apartM` from each other.
+void addWorstSpots(const PlaceShadow& shadow, const SpotSearch& search,
+                   const std::function<glm::dvec2(std::size_t)>& positionOf, std::size_t count, double apartM,
+                   std::vector<glm::dvec2>& spots) {
+    const SpotRuns runs = countRuns(shadow, search.quantity, search.former, search.runs);
+    const std::vector<std::uint32_t>& steps = stepsOf(runs, search.measure);
+    const bool least = search.quantity == Quantity::sun;
+    std::vector<std::size_t> order(steps.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::size_t looked = std::min(order.size(), 16 * count);  // most of them beside each other
+    std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(looked), order.end(),
+                      [&](std::size_t a, std::size_t b) {
+                          if (steps[a] != steps[b]) return least ? steps[a] < steps[b] : steps[a] > steps[b];
+                          return a < b;
+                      });
+    std::vector<glm::dvec2> found;
+    for (std::size_t i = 0; i < looked && found.size() < count; ++i) {
+        if (!least && steps[order[i]] == 0) break;
+        const glm::dvec2 position = positionOf(order[i]);
+        if (std::ranges::none_of(found, [&](glm::dvec2 other) { return isNear(position, other, apartM); }))
+            found.push_back(position);
+    }
+    spots.insert(spots.end(), found.begin(), found.end());
+}
+
+void addSearch(std::vector<SpotSearch>& searches, const SpotSearch& search) {
+    if (std::ranges::find(searches, search) == searches.end()) searches.push_back(search);
+}
+
+}  // namespace
+
+bool isOfWorstSpot(Measure measure) {
+    return measure == Measure::spotTotal || measure == Measure::spotLongestRun ||
+           measure == Measure::spotLongestRuns;
+}
+
+std::vector<SpotSearch> listSpotSearches(const Rule& rule) {
+    std::vector<SpotSearch> searches{{Quantity::incremental, Measure::spotTotal, {}, false},
+                                     {Quantity::incremental, Measure::spotLongestRun, {}, false},
+                                     {Quantity::shadow, Measure::spotTotal, {}, false},
+                                     {Quantity::sun, Measure::spotTotal, {}, false}};
+    for (const Criterion& criterion : rule.criteria) {
+        if (!isOfWorstSpot(criterion.measure)) continue;
+        const RunSettings runs{criterion.runs, criterion.dropShorterMin};
+        addSearch(searches, {criterion.quantity, criterion.measure, runs, false});
+        if (std::ranges::any_of(criterion.limits, &Limit::ofFormer))
+            addSearch(searches, {criterion.quantity, criterion.measure, runs, true});
+    }
+    return searches;
+}
+
+const std::vector<std::uint32_t>& stepsOf(const SpotRuns& runs, Measure measure) {
+    if (measure == Measure::spotTotal) return runs.total;
+    return measure == Measure::spotLongestRun ? runs.longest : runs.longestRuns;
+}
+
+std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& shadow,
+                                          const PlacePoints& points, std::span<const SpotSearch> searches) {
+    std::vector<PlaceShadow> near;
+    if (shadow.steps.empty() || shadow.baseline.receivers == 0) return near;
+    std::vector<glm::dvec2> at;  // of the points of the round before
+    for (const SearchRound& round : rounds) {
+        std::vector<glm::dvec2> spots;
+        const PlaceShadow& coarser = near.empty() ? shadow : near.back();
+        for (const SpotSearch& search : searches)
+            addWorstSpots(
+                coarser, search,
+                [&](std::size_t i) { return near.empty() ? points.centreOf(place, i) : at[i]; }, round.spots,
+                round.reach * points.cellM(), spots);
+        at = points.around(place, spots, {round.reach * points.cellM(), round.spacing * points.cellM()});
+        if (at.empty()) return near;
+        near.push_back(points.shade(at, shadow));
+    }
+    return near;
+}
+
+}  // namespace noonmark

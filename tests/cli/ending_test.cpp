@@ -1,0 +1,117 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <thread>
+
+#include "app/cli/interrupt.h"
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+// How the program ends by what its surroundings do: signals while it writes, limits, a desktop that is not
+// there.
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::ExitedWithCode;
+namespace fs = std::filesystem;
+
+std::vector<std::string> plus(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::vector<std::string> smallStudy(const fs::path& out) {
+    return {"study",   "sample:grid", "--start",  "2026-03-21", "--at",   "12:00",
+            "--hours", "1",           "--step",   "20",         "--zone", "America/New_York",
+            "--cell",  "4",           "--region", "city",       "--out",  out.string()};
+}
+
+std::vector<std::string> facades(const fs::path& out) {
+    return plus(smallStudy(out),
+                {"--receivers", "facades", "--facades-of", "all", "--storey", "4", "--bay", "4"});
+}
+
+bool holdsHidden(const fs::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().starts_with('.')) return true;
+    return false;
+}
+
+// Two signals as soon as a file is being written: the first may reach work that listens.
+[[noreturn]] void endedWhileWriting(const std::vector<std::string>& words, const fs::path& out) {
+    const SignalWatch watch;
+    const std::jthread user([&] {
+        while (!holdsHidden(out)) std::this_thread::sleep_for(std::chrono::microseconds(100));
+        for (int i = 0; i < 2; ++i) {
+            ::kill(::getpid(), SIGTERM);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        std::this_thread::sleep_for(std::chrono::seconds(60));
+    });
+    (void)noonmarkCli(words);
+    std::_Exit(exitFailed);
+}
+
+void expectNothingLeft(std::vector<std::string> (*words)(const fs::path&)) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    constexpr const char* handedOver = "NOONMARK_TEST_ENDED";
+    const noonmark::tests::TemporaryFolder folder;
+    ::setenv(handedOver, folder.path("out").c_str(), 0);  // the child uses the folder of its parent
+    const fs::path out = std::getenv(handedOver);
+    EXPECT_EXIT(endedWhileWriting(words(out), out), ExitedWithCode(exitCancelled), "");
+    EXPECT_FALSE(holdsHidden(out));
+    ::unsetenv(handedOver);
+}
+
+TEST(EndingDeathTest, ASignalWhileFilesAreWrittenLeavesNoHiddenOnes) { expectNothingLeft(smallStudy); }
+TEST(EndingDeathTest, ASignalWhileFacadesAreWrittenLeavesNoHiddenOnes) { expectNothingLeft(facades); }
+
+[[noreturn]] void writtenWithin(rlim_t bytes, const std::vector<std::string>& words) {
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const Spoken spoken = noonmarkCli(words);
+    std::cerr << spoken.err;
+    std::_Exit(spoken.code);
+}
+
+TEST(EndingDeathTest, ALimitOfFileSizesIsAnError) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const noonmark::tests::TemporaryFolder folder;
+    EXPECT_EXIT(writtenWithin(8192, smallStudy(folder.path("out"))), ExitedWithCode(exitFailed),
+                "noonmark-cli: ");
+    EXPECT_FALSE(holdsHidden(folder.path("out")));
+    EXPECT_EXIT(writtenWithin(8192, {"sample", "grid", "--out", folder.path("a.gpkg").string()}),
+                ExitedWithCode(exitFailed), "noonmark-cli: ");
+    EXPECT_EXIT(
+        writtenWithin(8192, {"project", "new", folder.path("a.noonmark.gpkg").string(), "sample:grid"}),
+        ExitedWithCode(exitFailed), "noonmark-cli: ");
+}
+
+[[noreturn]] void drawnOnADesktop(const std::vector<std::string>& words) {
+    ::setenv("QT_QPA_PLATFORM", "wayland", 1);
+    ::setenv("QT_QPA_PLATFORMTHEME", "gtk3", 1);
+    ::setenv("QT_SCALE_FACTOR", "2", 1);
+    ::unsetenv("DISPLAY");
+    ::unsetenv("WAYLAND_DISPLAY");
+    const Spoken spoken = noonmarkCli(words);
+    std::cerr << spoken.err;
+    std::_Exit(spoken.code);
+}
+
+TEST(EndingDeathTest, NoDesktopIsNeededWhateverTheEnvironmentNames) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const noonmark::tests::TemporaryFolder folder;
+    EXPECT_EXIT(drawnOnADesktop(smallStudy(folder.path("out"))), ExitedWithCode(exitOk), "");
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests

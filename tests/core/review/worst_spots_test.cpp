@@ -1,0 +1,134 @@
+// Worst spots between the centres of cells, against the same scene on ever finer cells and against shadows
+// worked out by hand.
+
+#include "core/review/criteria/worst_spots.h"
+
+#include <gmock/gmock.h>
+
+#include "core/engines/ray/ray_reference.h"
+#include "core/review/criteria/criterion_days.h"
+#include "core/study/review_study.h"
+#include "tests/core/engines/scenes.h"
+#include "tests/core/review/paper_days.h"
+
+namespace noonmark {
+
+namespace {
+
+using tests::Box3;
+
+City cityOn(LonLat origin, const std::vector<Box3>& boxes) {
+    City city = tests::cityOf(boxes);
+    city.frame = Frame(origin);
+    return city;
+}
+
+Place streetOf(const Ring& outline) { return {"Street", PlaceKind::street, {{outline, {}}}, "test"}; }
+
+PlaceReview reviewedAt(double cellM, const Rule& rule, const City& city, const Place& place,
+                       const std::string& zone, bool refines) {
+    NoProgress quiet;
+    ReviewSettings settings{cellM, zone, 2026};
+    settings.refinesSpots = refines;
+    auto study = runReview(rule, city, city, {place}, settings, RayReference(), quiet, {});
+    if (!study) throw std::runtime_error(study.error().text());
+    return study->places.at(0);
+}
+
+// The sun stands still in the south, 45 deg high: a wall of 10 m whose north face lies at y = 0.3 shades up
+// to y = 10.3. The place is the strip from the wall to y = 0.9, in cells of 1 m: its only centres, at y =
+// 0.5, and all points nearer to the wall are in shadow, for the first of two steps. In the second the sun
+// stands 89 deg high, and shadow reaches 10 / tan(89 deg) = 0.17 m from the wall, to y = 0.47: no centre is
+// in it.
+TEST(WorstSpots, AreFoundBetweenTheCentresOfCells) {
+    const City city = tests::cityOf({{{0, -5, 0}, {20, 0.3, 10}}});
+    const std::vector<Place> places{streetOf(tests::rectangle(2, 0.3F, 18, 0.9F))};
+    const std::array<const City*, 2> cities{&city, &city};
+    const PlaceReceivers cells = placeReceiversOnPlaces(cities, places, {.cellM = 1}).value();
+    const SunSteps sun = tests::oneDay({{180, 45}, {180, 89}});
+    const PlacePoints points = PlacePoints::over(cities, places, cells, {}, sun).value();
+    StepMasks masks(cells.cellCount(0), 2);
+    for (std::size_t cell = 0; cell < masks.receivers; ++cell) masks.shade(0, cell);
+    const PlaceShadow shadow{on(2026, 3, 21), sun.steps, 1, 1, masks, masks};
+    const std::vector<SpotSearch> searches{{Quantity::shadow, Measure::spotTotal, {}, false}};
+    std::uint32_t most = 0;
+    for (const PlaceShadow& near : refineWorstSpots(0, shadow, points, searches))
+        for (const std::uint32_t steps : countRuns(near, Quantity::shadow, false).total)
+            most = std::max(most, steps);
+    EXPECT_EQ(most, 2);
+}
+
+TEST(WorstSpots, LieInThePlaceAndOutsideBuildings) {
+    const City city = tests::cityOf({{{0, 0, 0}, {10, 10, 10}}});
+    const std::vector<Place> places{streetOf(tests::rectangle(5, 5, 12, 8))};
+    const std::array<const City*, 2> cities{&city, &city};
+    const PlaceReceivers cells = placeReceiversOnPlaces(cities, places, {.cellM = 1}).value();
+    const SunSteps sun = tests::oneDay({{180, 45}});
+    const PlacePoints points = PlacePoints::over(cities, places, cells, {}, sun).value();
+    const std::vector<glm::dvec2> middles{{10.5, 7.5}, {11.5, 5.5}};
+    const auto found = points.around(0, middles, {1, 0.25});
+    // From x = 10 to 12 (east of the building, in the place) and y = 5 to 8: of the squares of 0.25 m around
+    // the first (9.5 to 11.5, 6.5 to 8.5) 6 x 6, around the second (10.5 to 12.5, 4.5 to 6.5) 6 x 6, none
+    // twice.
+    EXPECT_EQ(found.size(), 72);
+    for (const glm::dvec2 point : found) {
+        EXPECT_GT(point.x, 10);
+        EXPECT_LT(point.x, 12);
+        EXPECT_GT(point.y, 5);
+        EXPECT_LT(point.y, 8);
+    }
+}
+
+// A low building stands in a street that is askew to the grid. Its east wall lies along azimuth 162: the sun
+// leaves the wall's foot soon after noon, and ground 1 m away half an hour later. So the worst spot is at the
+// wall, where no centre of a cell is.
+TEST(WorstSpots, OfMontrealsStreetsDoNotDependOnTheCell) {
+    const auto askew = [](float x, float y) {
+        return glm::vec2(x * 0.951F - y * 0.309F, x * 0.309F + y * 0.951F);  // by 18 deg
+    };
+    const auto block = [&](float west, float south, float east, float north) {
+        return Footprint{{askew(west, south), askew(east, south), askew(east, north), askew(west, north)},
+                         {}};
+    };
+    City city;
+    city.frame = Frame({-73.57, 45.5});
+    city.buildings = {tests::buildingOf(block(-5, -7, -1, 20), 0, 3)};
+    const Place street{"Street", PlaceKind::street, {block(-20, -8, 25, 8)}, "test"};
+    const Rule rule = shippedRule("montreal-streets");
+    const auto worst = [&](double cellM, bool refines) {
+        return *reviewedAt(cellM, rule, city, street, "America/Toronto", refines).results.at(0).value;
+    };
+    const Measured finest = worst(0.25, true);
+    EXPECT_GT(finest.value, 2);
+    EXPECT_LT(finest.value, 15);
+    for (const double cellM : {2.0, 1.0, 0.5}) {
+        const Measured spot = worst(cellM, true), centres = worst(cellM, false);
+        EXPECT_NEAR(spot.value, finest.value, 5) << cellM;
+        EXPECT_LE(spot.low, finest.value) << cellM;
+        EXPECT_GE(spot.high, finest.value) << cellM;
+        EXPECT_LE(centres.low, finest.high) << "the error includes the cell, " << cellM;
+    }
+    EXPECT_GT(worst(2, false).value, finest.value + 10) << "centres alone miss the worst spot";
+}
+
+// Cells in a row with 30, 10 and 2 steps of shadow: without points around it the worst may have 20 more.
+TEST(WorstSpots, WithoutPointsHaveAnErrorThatIncludesTheirCell) {
+    const PaperDay day(on(2026, 3, 21), 480, 1, times(3, lit(60)),
+                       {shaded(30) + lit(30), shaded(10) + lit(50), shaded(2) + lit(58)});
+    const std::vector<NeighbourCells> row{{0, 1, 2}};
+    PlaceShadow shadow = day.shadow;
+    shadow.neighbours = row;
+    const Criterion most{.quantity = Quantity::shadow, .measure = Measure::spotTotal};
+    const Measured measured = measureDay(most, DayShadow(shadow, 0), false);
+    EXPECT_EQ(measured.value, 30);
+    EXPECT_EQ(measured.low, 29);
+    EXPECT_EQ(measured.high, 30 + 1 + 20);
+    const Criterion least{.quantity = Quantity::sun, .measure = Measure::spotTotal};
+    EXPECT_EQ(measureDay(least, DayShadow(shadow, 0), false).low, 30 - 1 - 20);
+    const std::vector<PlaceShadow> points{day.shadow};
+    EXPECT_EQ(measureDay(most, DayShadow(shadow, 0, points), false).high, 31);
+}
+
+}  // namespace
+
+}  // namespace noonmark
