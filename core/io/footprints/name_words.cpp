@@ -91,7 +91,7 @@ constexpr std::array vocabularies{
         "perimeter leng lat lon latitude longitude x y zip volume vol angle prinx member yearbuilt annee "
         "anno ano jahr rok flaeche umfang superficie version confidence precision prec accuracy acqu qualite "
         "quality error rmse std stddev sigma addr address adr postcode postal plz cp zipcode lod plani "
-        "insee phone tel mat material materials materiau population pop units dwellings logements logts "
+        "insee phone tel population pop units dwellings logements logts "
         "rooms beds far gfa slope azimuth "
         "orientation rotation rank class type typ category status usage use source width breite depth "
         "tiefe age reject valid pw snapping layer mat material materials materiau materiaux materialien 面積 "
