@@ -81,9 +81,8 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     const Place place = placeOf(values, rules.tagged);
     if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
     if (place == Place::contradictory)
-        warnings.push_back(
-            {WarningKind::assumed,
-             "its layer lies below the ground, but nothing else does; it stands on the ground",
+        warnings.push_back({WarningKind::assumed,
+                            "its layer lies below the ground, but nothing else does; it stands on the ground",
                             facts.id});
     return place != Place::underground;
 }

@@ -274,7 +274,7 @@ void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
     if (isOtherKind(feature, id, warnings)) return;
     if (geometry != nullptr && geometry->Is3D() != FALSE) {
         auto z = outlineZOf(*geometry, id, warnings);
-        hasZ_ = hasZ_ || !z;
+        hasZ_ = hasZ_ || (!z && !zRole_);
         if (z) values.push_back(*std::move(z));
     }
     auto polygons = geometry != nullptr ? readPolygons(*geometry) : std::vector<CrsPolygon>();

@@ -74,7 +74,7 @@ constexpr std::array vocabularies{
         "gemiddelde gjennomsnitt srednia prumer keskmine среднее 平均 평균"},
     Vocabulary{
         NameWord::greatest,
-        "max maximum highest tallest top maximale maximal maxima maximo massima massimo maks najwyzsza "
+        "max maximum highest tallest ridge top maximale maximal maxima maximo massima massimo maks najwyzsza "
         "максимальная 最大 最高 최고 최대"},
     Vocabulary{NameWord::least, "min minimum lowest minimale minimal minima minimo minim 最小 最低 최저"},
     Vocabulary{NameWord::feet, "ft feet foot pies"},
@@ -91,7 +91,8 @@ constexpr std::array vocabularies{
         "perimeter leng lat lon latitude longitude x y zip volume vol angle prinx member yearbuilt annee "
         "anno ano jahr rok flaeche umfang superficie version confidence precision prec accuracy acqu qualite "
         "quality error rmse std stddev sigma addr address adr postcode postal plz cp zipcode lod plani "
-        "insee phone tel population pop units dwellings logements logts rooms beds far gfa slope azimuth "
+        "insee phone tel population pop units dwellings logements logts "
+        "rooms beds far gfa slope azimuth "
         "orientation rotation rank class type typ category status usage use source width breite depth "
         "tiefe age reject valid pw snapping layer mat material materials materiau materiaux materialien 面積 "
         "用途 "

@@ -67,9 +67,10 @@ std::string unitInName(const NameWords& words) {
 }  // namespace
 
 void UnknownFields::add(const std::string& field, std::string_view text, std::optional<double> number) {
+    const bool code = !number && text.size() > 1 && text[0] == '0' && text[1] >= '0' && text[1] <= '9';
     if (!number) number = parseMetres(withDecimalPoint(text));
     Values& values = fields_[field];
-    if (!number || !std::isfinite(*number)) {
+    if (code || !number || !std::isfinite(*number)) {
         values.odd = true;
         return;
     }
@@ -116,7 +117,7 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
         described.kind = byStorey->kind;
     else if (storey && values.halves && values.high <= mostStoreys)
         described.kind = FieldKind::storeys;
-    else if (!values.halves || values.high > mostStoreys)
+    else if (!values.whole || values.high > mostStoreys)
         described.kind = FieldKind::heights;
     const bool bare = described.kind == FieldKind::heights && described.unit.empty();
     if (bare && byStorey != nullptr && byStorey->kind == FieldKind::heights) described.unit = byStorey->unit;

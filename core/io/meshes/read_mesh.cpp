@@ -230,10 +230,21 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     return result;
 }
 
+namespace {
+
+// What to do about a mesh without a position; what an IFC states is as good as nothing until it is repeated.
+std::string placeAdvice(const std::filesystem::path& file, const std::stop_token& stop) {
+    const std::string stated =
+        formatOf(file) == ifcFormat ? describe(readIfcSite(file, stop)) : std::string();
+    return stated.empty() ? anchorAdvice : fmt::format("{}. The IFC states {}", anchorAdvice, stated);
+}
+
+}  // namespace
+
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress, std::stop_token stop) try {
     if (!settings.frame && !settings.meshAnchor)
-        return failure("The mesh has no position", file.string(), anchorAdvice);
+        return failure("The mesh has no position", file.string(), placeAdvice(file, stop));
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);
     if (error)

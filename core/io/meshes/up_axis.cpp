@@ -52,17 +52,23 @@ UpSizes sizesFor(UpAxis axis, glm::vec3 size) {
 
 const char* letterOf(UpAxis axis) { return axis == UpAxis::z ? "z" : "y"; }
 
+std::string sizeText(float size) {
+    return size < 100 ? fmt::format("{:.3g}", size) : fmt::format("{:.0f}", size);
+}
+
 std::optional<UpAxisGuess> guessCity(const UpSizes& sizes) {
     constexpr float leastWidth = 100;
     if (sizes.narrow < leastWidth || sizes.up >= sizes.narrow / 2) return std::nullopt;
-    return UpAxisGuess{sizes.axis, fmt::format("the mesh is {:.4g} x {:.4g} and only {:.4g} in {}",
-                                               sizes.wide, sizes.narrow, sizes.up, letterOf(sizes.axis))};
+    return UpAxisGuess{sizes.axis,
+                       fmt::format("the mesh is {} x {} and only {} in {}", sizeText(sizes.wide),
+                                   sizeText(sizes.narrow), sizeText(sizes.up), letterOf(sizes.axis))};
 }
 
 std::optional<UpAxisGuess> guessTower(const UpSizes& sizes) {
     if (sizes.up <= 1.5F * sizes.wide) return std::nullopt;
-    return UpAxisGuess{sizes.axis, fmt::format("the mesh is {:.4g} x {:.4g} and {:.4g} in {}, as a tower is",
-                                               sizes.wide, sizes.narrow, sizes.up, letterOf(sizes.axis))};
+    return UpAxisGuess{sizes.axis,
+                       fmt::format("the mesh is {} x {} and {} in {}, as a tower is", sizeText(sizes.wide),
+                                   sizeText(sizes.narrow), sizeText(sizes.up), letterOf(sizes.axis))};
 }
 
 std::optional<UpAxisGuess> guessByFeet(const MeshScene& scene, const MeshExtent& extent) {

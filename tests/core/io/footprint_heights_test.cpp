@@ -66,7 +66,8 @@ TEST_F(ReadFootprints, FieldsThatCouldBeHeightsAreListed) {
     const FilePiece piece = readGeoJson(features);
     ASSERT_EQ(piece.heights.unknown.size(), 2U);
     EXPECT_EQ(piece.heights.unknown[0], (UnknownField{"a.geojson", "NIV", 1, 6, true, 20}));
-    EXPECT_EQ(piece.heights.unknown[1], (UnknownField{"a.geojson", "H_BAT", 5, 14, false, 19}));
+    EXPECT_EQ(piece.heights.unknown[1],
+              (UnknownField{"a.geojson", "H_BAT", 5, 14, false, 19, FieldKind::heights}));
     EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("NIV (1 to 6 in 20 features)")));
 
     settings.heightField = "h_bat";

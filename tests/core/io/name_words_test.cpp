@@ -125,6 +125,15 @@ TEST(UnknownFields, ANameThatSaysStoreysIsNoHeight) {
     EXPECT_EQ(selectingOptions(listed(fields)[0]), "--levels-field story_ht_");
 }
 
+TEST(UnknownFields, WithoutAWordFractionsAreHeightsAndWholeNumbersEither) {
+    UnknownFields fields;
+    for (const double value : {12.5, 13.0, 41.5})
+        fields.add("H1", "", value), fields.add("H2", "", 2 * value);
+    ASSERT_EQ(listed(fields).size(), 2U);
+    EXPECT_EQ(selectingOptions(listed(fields)[0]), "--height-field H1");
+    EXPECT_EQ(selectingOptions(listed(fields)[1]), "--levels-field H2 or --height-field H2");
+}
+
 TEST(UnknownFields, TheHeightOfOneStoreyIsNotListed) {
     UnknownFields fields;
     for (const double value : {2.8, 3.1, 3.35}) fields.add("storey_height", "", value);
@@ -133,6 +142,7 @@ TEST(UnknownFields, TheHeightOfOneStoreyIsNotListed) {
 
 TEST(UnknownFields, CodesAndQualitiesAreNotListed) {
     UnknownFields fields;
+    for (const char* code : {"01", "10", "94"}) fields.add("MURS", code, {});
     for (const char* name : {"addr:postcode", "lod", "PREC_PLANI", "yearBuilt", "floor_area", "nb_logements"})
         for (const double value : {1.0, 2.0, 2.5}) fields.add(name, "", value);
     EXPECT_TRUE(listed(fields).empty());

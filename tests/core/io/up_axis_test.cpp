@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/footprints/place_advice.h"
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/temporary_folder.h"
@@ -158,6 +159,16 @@ TEST(IfcSite, ThatOfThePublishedHouseIsKnown) {
     EXPECT_NEAR(site.trueNorthDeg.value_or(0), 50, 0.01);
     EXPECT_THAT(describe(site), HasSubstr("--mesh-anchor 8.436539,49.100435"));
     EXPECT_THAT(describe(site), HasSubstr("--mesh-north -50"));
+}
+
+TEST(IfcSite, IsOfferedWhereAPlaceIsMissing) {
+    const auto file = tests::sharedData("world/FZK.ifc");
+    if (!file) GTEST_SKIP() << "shared data is missing";
+    NoProgress quiet;
+    const auto piece = readMesh(*file, {}, quiet, {});
+    ASSERT_FALSE(piece);
+    EXPECT_TRUE(asksForPlace(piece.error()));
+    EXPECT_THAT(piece.error().advice, HasSubstr("--mesh-anchor 8.436539,49.100435"));
 }
 
 // The mesh library knows the classes of IFC 2x3; this house is IFC 4 with spaces of a kind that 2x3 has not.
