@@ -102,10 +102,13 @@ TEST(AutoStudy, TilesGoOnOneByOne) {
         << "tiles out of the roof's shadow have no reason to";
 }
 
+// In April the sun sets behind the roof as seen from the house, and shines below it.
 StudySettings atPoints(const std::string& engine) {
     StudySettings settings = winterOf(engine);
     settings.region = makeRegionFromLocalBox({{-50, -50}, {80, 60}});
-    settings.period.days = 20;
+    settings.period.start = std::chrono::year(2026) / 4 / 10;
+    settings.period.days = 10;
+    settings.period.window = SolarWindow{};
     return settings;
 }
 
@@ -118,7 +121,7 @@ ElementStudy measuredAt(const std::string& engine) {
 TEST(AutoStudy, PointsGoOnToRaysAndSaySo) {
     const ElementStudy study = measuredAt("auto"), rays = measuredAt("ray"), horizons = measuredAt("horizon");
     EXPECT_EQ(study.engineKey, "ray");
-    EXPECT_EQ(study.minutes.sunlitMin, rays.minutes.sunlitMin);
+    EXPECT_TRUE(study.minutes.sunlitMin == rays.minutes.sunlitMin);
     EXPECT_FALSE(study.error);
     EXPECT_THAT(describeEngine(study), HasSubstr("rays, since a sample of the points by horizons is off by"));
     EXPECT_EQ(nlohmann::json::parse(elementStudyJson(study, {}))["engine_settings"], describeEngine(study));
