@@ -18,12 +18,17 @@ StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCount
     double baseline = double(counts.baseline), scenario = double(counts.scenario),
            incremental = double(counts.incremental),
            gained = double(counts.baseline + counts.incremental - counts.scenario);
+    StepCounts centres = counts;
     for (const UnevenCell& cell : shadow.uneven) {
         const bool was = hasBit(before, cell.bit), is = hasBit(after, cell.bit);
         baseline += was ? cell.extra : 0;
         scenario += is ? cell.extra : 0;
         incremental += is && !was ? cell.extra : 0;
         gained += was && !is ? cell.extra : 0;
+        if (!cell.isBeside) continue;
+        centres.baseline -= was ? 1 : 0;
+        centres.scenario -= is ? 1 : 0;
+        centres.incremental -= is && !was ? 1 : 0;
     }
     // Shares that add up to nothing leave a rounding error, which is no shadow.
     const auto area = [&](double cells, std::size_t count) {
@@ -31,7 +36,20 @@ StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCount
     };
     return {area(baseline, counts.baseline), area(scenario, counts.scenario),
             area(incremental, counts.incremental),
-            area(gained, counts.baseline + counts.incremental - counts.scenario)};
+            area(gained, counts.baseline + counts.incremental - counts.scenario), centres};
+}
+
+std::size_t countCentres(const PlaceShadow& shadow) {
+    const auto beside = std::ranges::count_if(shadow.uneven, &UnevenCell::isBeside);
+    return shadow.baseline.receivers - std::size_t(beside);
+}
+
+StepMasks keepCentres(const PlaceShadow& shadow, const StepMasks& masks) {
+    StepMasks kept = masks;
+    for (const UnevenCell& cell : shadow.uneven)
+        for (std::size_t step = 0; cell.isBeside && step < kept.steps; ++step)
+            kept.at(step)[cell.bit / 64] &= ~(std::uint64_t{1} << cell.bit % 64);
+    return kept;
 }
 
 std::uint64_t bitsAt(std::span<const std::uint64_t> words, std::size_t bit) {

@@ -15,7 +15,17 @@ struct StepAreas {
     double scenarioM2 = 0;     ///< in shadow in the scenario
     double incrementalM2 = 0;  ///< in shadow in the scenario alone
     double gainedM2 = 0;       ///< in shadow in the baseline alone
+    StepCounts centres;        ///< cells whose centre lies in the place
+    [[nodiscard]] std::size_t gainedCentres() const {
+        return centres.baseline + centres.incremental - centres.scenario;
+    }
 };
+
+/// Number of cells whose centre lies in the place.
+std::size_t countCentres(const PlaceShadow& shadow);
+
+/// The masks without the cells whose centre lies beside the place: all lit.
+StepMasks keepCentres(const PlaceShadow& shadow, const StepMasks& masks);
 
 /// `counts` of the same step (countStep()). O(uneven cells).
 StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCounts& counts);

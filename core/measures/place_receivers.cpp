@@ -8,6 +8,7 @@
 
 #include "core/measures/place_areas.h"
 #include "core/measures/place_cells.h"
+#include "core/receivers/rasterize.h"
 
 namespace noonmark {
 
@@ -55,12 +56,20 @@ Region regionOfCells(const std::vector<std::vector<CellPart>>& parts, const Grid
 /// The cells of one place, bit by bit.
 class PlaceCells {
 public:
-    PlaceCells(const std::vector<CellPart>& parts, const Receivers& receivers) : receivers_(receivers) {
+    /// `place`: its polygons.
+    PlaceCells(const std::vector<CellPart>& parts, const Receivers& receivers,
+               const std::vector<Footprint>& place)
+        : receivers_(receivers) {
         for (const CellPart& part : parts)
             if (isReceiver(receivers.kind[part.cell])) cells_.push_back(part.cell);
         shares_.resize(cells_.size());
         for (const CellPart& part : parts)
             if (const auto bit = bitFor(part.cell)) shares_[*bit] += part.share;
+        const std::vector<std::uint32_t> centred = collectCells(place, receivers.grid);
+        for (const std::uint32_t cell : cells_) beside_.push_back(!std::ranges::binary_search(centred, cell));
+        const bool anyCentre = std::ranges::find(beside_, false) != beside_.end();
+        if (!anyCentre)
+            beside_.assign(cells_.size(), false);  // a narrow place: the nearest centres stand for it
     }
 
     [[nodiscard]] std::vector<CellSpan> spans() const {
@@ -79,7 +88,8 @@ public:
         constexpr double rounding = 1e-6;
         std::vector<UnevenCell> cells;
         for (std::uint32_t bit = 0; bit < shares_.size(); ++bit)
-            if (std::abs(shares_[bit] - 1) > rounding) cells.push_back({bit, shares_[bit] - 1});
+            if (beside_[bit] || std::abs(shares_[bit] - 1) > rounding)
+                cells.push_back({bit, shares_[bit] - 1, beside_[bit]});
         return cells;
     }
 
@@ -129,6 +139,7 @@ private:
     const Receivers& receivers_;
     std::vector<std::uint32_t> cells_;
     std::vector<double> shares_;
+    std::vector<bool> beside_;  // whether the centre lies beside the place
 };
 
 void orBits(std::span<std::uint64_t> words, std::size_t bit, std::uint64_t bits) {
@@ -177,8 +188,8 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
         else
             keepCommon(placed.receivers, *receivers);
     }
-    for (const auto& ofPlace : parts) {
-        const PlaceCells cells(ofPlace, placed.receivers);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const PlaceCells cells(parts[i], placed.receivers, places[i].polygons);
         placed.cellsOf.push_back(cells.spans());
         placed.unevenOf.push_back(cells.uneven());
         placed.neighboursOf.push_back(cells.neighbours());

@@ -13,6 +13,9 @@ namespace noonmark {
 struct UnevenCell {
     std::uint32_t bit = 0;  ///< of the place's masks
     double extra = 0;       ///< cells that count besides its own; -1 to 8
+    /// Its centre is beside the place: it counts for areas and shares, not for spots and times. Never of all
+    /// cells of a place.
+    bool isBeside = false;
 };
 
 /// Cells [first, first + count) of which each has its eastern or northern neighbour in [second, second +

@@ -35,14 +35,15 @@ class ShadowSum {
 public:
     ShadowSum(const PlaceShadow& shadow, ShadowOnPlace& to) : shadow_(shadow), times_(shadow), to_(to) {}
 
-    void add(std::size_t step, double areaM2) {
+    /// `cells`: those in shadow whose centre lies in the place.
+    void add(std::size_t step, double areaM2, std::size_t cells) {
         const Instant at = shadow_.steps[step].at;
         to_.areaHoursM2 += areaM2 * shadow_.stepMinutes / 60;
         if (areaM2 > to_.largestM2) {
             to_.largestM2 = areaM2;
             to_.largestAt = at;
         }
-        const bool shaded = areaM2 > 0;
+        const bool shaded = cells > 0;
         if (shaded && (!before_ || times_.breaks(step)))
             to_.intervals.push_back({at, times_.endOf(step)});
         else if (shaded)
@@ -82,7 +83,8 @@ std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const Step
 }
 
 void addLongestStays(const PlaceShadow& shadow, DayTimeline& day) {
-    const StepMasks &before = shadow.baseline, &after = shadow.scenario;
+    const StepMasks before = keepCentres(shadow, shadow.baseline),
+                    after = keepCentres(shadow, shadow.scenario);
     const bool differ = day.incremental.minutes > 0 || day.gained.minutes > 0;
     if (day.baseline.minutes > 0) day.baseline.longest = findLongestStay(shadow, before);
     if (!differ)
@@ -110,19 +112,20 @@ DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& s
     day.sunlitMinutes = double(shadow.steps.size()) * shadow.stepMinutes;
     ShadowSum baseline(shadow, day.baseline), scenario(shadow, day.scenario),
         incremental(shadow, day.incremental), gained(shadow, day.gained);
-    const std::size_t cells = shadow.baseline.receivers;
+    const std::size_t cells = countCentres(shadow);
     for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
         const StepCounts counts = countStep(shadow.baseline.at(step), shadow.scenario.at(step));
         const StepAreas weighed = weighStep(shadow, step, counts);
         const PlaceStep areas{shadow.steps[step].at, weighed.baselineM2, weighed.scenarioM2,
                               weighed.incrementalM2, weighed.gainedM2};
-        baseline.add(step, areas.baselineM2);
-        scenario.add(step, areas.scenarioM2);
-        incremental.add(step, areas.incrementalM2);
-        gained.add(step, areas.gainedM2);
-        if (cells > 0 && counts.scenario == cells) {
+        const StepCounts& centres = weighed.centres;
+        baseline.add(step, areas.baselineM2, centres.baseline);
+        scenario.add(step, areas.scenarioM2, centres.scenario);
+        incremental.add(step, areas.incrementalM2, centres.incremental);
+        gained.add(step, areas.gainedM2, weighed.gainedCentres());
+        if (cells > 0 && centres.scenario == cells) {
             day.fullCoverMin += shadow.stepMinutes;
-            if (counts.baseline < cells) day.allSunTakenMin += shadow.stepMinutes;
+            if (centres.baseline < cells) day.allSunTakenMin += shadow.stepMinutes;
         }
         if (settings.steps) day.steps.push_back(areas);
     }

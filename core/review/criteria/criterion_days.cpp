@@ -19,7 +19,7 @@ std::uint32_t cellsAt(const DayShadow& day, Quantity quantity, bool former, std:
     const ShadedCells& cells = day.cells();
     if (quantity == Quantity::incremental) return former ? 0 : cells.incremental[step];
     const std::uint32_t shaded = former ? cells.baseline[step] : cells.scenario[step];
-    return quantity == Quantity::sun ? std::uint32_t(day.shadow().baseline.receivers) - shaded : shaded;
+    return quantity == Quantity::sun ? std::uint32_t(day.centres()) - shaded : shaded;
 }
 
 /// Steps of the day for which a condition holds, as a timeline of the whole place.
@@ -55,7 +55,7 @@ double spanMin(const DayShadow& day, const StepCount& count) {
 }
 
 StepCount countFullCover(const DayShadow& day, Quantity quantity, bool former) {
-    const auto all = std::uint32_t(day.shadow().baseline.receivers);
+    const auto all = std::uint32_t(day.centres());
     return countSteps(day, [&](std::size_t step) {
         const bool litBefore = day.cells().baseline[step] < all;
         const bool covered = (former ? day.cells().baseline : day.cells().scenario)[step] == all;
@@ -85,7 +85,7 @@ double edgeErrorCells(std::size_t edges) { return std::max(1.0, double(edges) / 
 /// How far the cells may miss an area: nothing, or the whole place, has no edge.
 double areaErrorM2(const DayShadow& day, Quantity quantity, bool former, std::size_t step) {
     const double areaM2 = areaAt(day, quantity, former, step);
-    const bool isAll = cellsAt(day, quantity, former, step) == day.shadow().baseline.receivers;
+    const bool isAll = cellsAt(day, quantity, former, step) == day.centres();
     if (areaM2 <= 0 || isAll) return 0;
     return std::min(areaM2, edgeErrorCells(edgesAt(day, quantity, former, step)) * day.shadow().cellAreaM2);
 }
@@ -157,13 +157,15 @@ void takeWorse(const Criterion& criterion, const PlaceShadow& shadow, bool forme
                std::optional<WorstSpot>& worst) {
     const SpotRuns runs =
         countRuns(shadow, criterion.quantity, former, {criterion.runs, criterion.dropShorterMin});
-    const std::vector<std::uint32_t>& steps = stepsOf(runs, criterion.measure);
+    const std::vector<std::uint32_t>& all = stepsOf(runs, criterion.measure);
+    std::vector<std::uint32_t> steps = all;
+    leaveOutBeside(shadow, criterion.quantity, steps);
     if (steps.empty()) return;
     const bool least = criterion.quantity == Quantity::sun;
     const auto found = least ? std::ranges::min_element(steps) : std::ranges::max_element(steps);
     if (worst && (least ? *found >= worst->steps : *found <= worst->steps)) return;
     const auto spot = std::uint32_t(found - steps.begin());
-    worst = WorstSpot{*found, runsOf(runs, spot), findSpreadMin(shadow, steps, spot)};
+    worst = WorstSpot{*found, runsOf(runs, spot), findSpreadMin(shadow, all, spot)};
 }
 
 /// Minutes and runs of the worst spot. A spot near it may be worse: where only centres were looked at, by
@@ -280,8 +282,10 @@ Measured measureAreaOver(const Criterion& criterion, const DayShadow& day) {
     const RunError error{day.stepMin(), day.runErrorMin()};
     const double cellM2 = day.shadow().cellAreaM2;
     MeetingSpots cells(day.shadow());
+    std::vector<bool> beside(day.shadow().baseline.receivers);
+    for (const UnevenCell& cell : day.shadow().uneven) beside[cell.bit] = cell.isBeside;
     findExcesses(criterion, day.shadow(), error, [&](std::size_t cell, const ExcessOfSpot& excess) {
-        cells.take(cell, excess.surely, excess.measured, excess.possibly);
+        if (!beside[cell]) cells.take(cell, excess.surely, excess.measured, excess.possibly);
     });
     const Measured count = cells.count();
     bool anyPoint = false;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "core/measures/place_shadow.h"
+#include "core/measures/place_areas.h"
 #include "core/review/criteria/spot_measure.h"
 #include "core/review/criteria/spot_runs.h"
 
@@ -28,12 +28,15 @@ public:
           spots_(spots),
           cells_(countShadedCells(shadow)),
           areaM2_(shadow.areaM2()),
+          centres_(countCentres(shadow)),
           engineErrorMin_(engineErrorMin) {}
 
     [[nodiscard]] const PlaceShadow& shadow() const { return shadow_; }
     [[nodiscard]] std::span<const PlaceShadow> spots() const { return spots_; }
     [[nodiscard]] const ShadedCells& cells() const { return cells_; }
     [[nodiscard]] double areaM2() const { return areaM2_; }
+    /// Number of cells whose centre lies in the place.
+    [[nodiscard]] std::size_t centres() const { return centres_; }
     [[nodiscard]] double stepMin() const { return shadow_.stepMinutes; }
     /// Minutes of one step, and what the engine adds: the error of the length of one run.
     [[nodiscard]] double runErrorMin() const { return shadow_.stepMinutes + engineErrorMin_; }
@@ -43,6 +46,7 @@ private:
     std::span<const PlaceShadow> spots_;
     ShadedCells cells_;
     double areaM2_;
+    std::size_t centres_;
     double engineErrorMin_;
 };
 

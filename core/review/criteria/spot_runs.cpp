@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 #include "core/measures/place_areas.h"
 
@@ -99,6 +100,12 @@ SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former, co
     return runs;
 }
 
+void leaveOutBeside(const PlaceShadow& shadow, Quantity quantity, std::vector<std::uint32_t>& steps) {
+    constexpr auto endless = std::numeric_limits<std::uint32_t>::max();
+    for (const UnevenCell& cell : shadow.uneven)
+        if (cell.isBeside) steps[cell.bit] = quantity == Quantity::sun ? endless : 0;
+}
+
 std::vector<bool> findSpotsWithMore(const PlaceShadow& shadow, Quantity quantity) {
     std::vector<bool> more(shadow.baseline.receivers);
     for (std::size_t word = 0; word < shadow.baseline.wordsPerStep(); ++word) {
@@ -126,6 +133,9 @@ ShadedCells countShadedCells(const PlaceShadow& shadow) {
         cells.baselineM2.push_back(areas.baselineM2);
         cells.scenarioM2.push_back(areas.scenarioM2);
         cells.incrementalM2.push_back(areas.incrementalM2);
+        cells.baseline.back() = std::uint32_t(areas.centres.baseline);
+        cells.scenario.back() = std::uint32_t(areas.centres.scenario);
+        cells.incremental.back() = std::uint32_t(areas.centres.incremental);
     }
     return cells;
 }

@@ -23,6 +23,10 @@ struct SpotRuns {
     std::vector<std::uint32_t> count;        ///< number of runs
 };
 
+/// Leaves cells whose centre lies beside the place out of a search for the worst spot: they get no shadow, or
+/// sun without end.
+void leaveOutBeside(const PlaceShadow& shadow, Quantity quantity, std::vector<std::uint32_t>& steps);
+
 /// Counts the runs of a quantity; `former`: in the baseline (none of Quantity::incremental). A gap between
 /// the slots of two steps ends a run. O(cells x steps / 64 + runs).
 SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former,
@@ -31,7 +35,8 @@ SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former,
 /// Whether each cell has the quantity at a step at which the baseline does not have it.
 std::vector<bool> findSpotsWithMore(const PlaceShadow& shadow, Quantity quantity);
 
-/// Cells in shadow at each step of the day, and their areas, each cell by its share of the place.
+/// Cells in shadow at each step of the day, of those with their centre in the place; and areas, of all cells
+/// by their shares.
 struct ShadedCells {
     std::vector<std::uint32_t> baseline, scenario, incremental;
     std::vector<double> baselineM2, scenarioM2, incrementalM2;

@@ -8,7 +8,8 @@ namespace noonmark {
 
 namespace {
 
-std::uint32_t mostOf(const std::vector<std::uint32_t>& steps) {
+std::uint32_t mostOf(const PlaceShadow& spots, std::vector<std::uint32_t> steps) {
+    leaveOutBeside(spots, Quantity::shadow, steps);
     return steps.empty() ? 0 : *std::ranges::max_element(steps);
 }
 
@@ -16,15 +17,16 @@ std::uint32_t mostOf(const std::vector<std::uint32_t>& steps) {
 void takeMostShadow(ReviewRow& row, const PlaceShadow& spots) {
     const double stepMin = spots.stepMinutes;
     const SpotRuns added = countRuns(spots, Quantity::incremental, false);
-    row.maxPointMin = std::max(row.maxPointMin, mostOf(added.total) * stepMin);
-    row.maxPointRunMin = std::max(row.maxPointRunMin, mostOf(added.longest) * stepMin);
-    row.totalMaxPointMin =
-        std::max(row.totalMaxPointMin, mostOf(countRuns(spots, Quantity::shadow, false).total) * stepMin);
+    row.maxPointMin = std::max(row.maxPointMin, mostOf(spots, added.total) * stepMin);
+    row.maxPointRunMin = std::max(row.maxPointRunMin, mostOf(spots, added.longest) * stepMin);
+    row.totalMaxPointMin = std::max(row.totalMaxPointMin,
+                                    mostOf(spots, countRuns(spots, Quantity::shadow, false).total) * stepMin);
 }
 
 /// Takes the spot with least sun of these if it has less. `least`: steps of it so far.
 void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, std::optional<std::uint32_t>& least) {
-    const SpotRuns sun = countRuns(spots, Quantity::sun, false);
+    SpotRuns sun = countRuns(spots, Quantity::sun, false);
+    leaveOutBeside(spots, Quantity::sun, sun.total);
     if (sun.total.empty()) return;
     const auto spot = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
     if (least && sun.total[spot] >= *least) return;

@@ -80,6 +80,24 @@ TEST(PlaceAreas, WeighEachCellByItsShare) {
     EXPECT_DOUBLE_EQ(shadow.areaM2(), 12);
 }
 
+TEST(PlaceAreas, OfCellsBesideThePlaceCountForNoTime) {
+    // The place begins at x = 0.7: the centres of its first cells lie beside it, at x = 0.5.
+    const PlaceReceivers cells = cellsOf({}, placeOver({rectangle(0.7F, 0, 3, 1), {}}), 1);
+    ASSERT_EQ(cells.cellCount(0), 3U);
+    PlaceShadow shadow{.cellAreaM2 = 1, .uneven = cells.unevenOf[0]};
+    const SunSteps sun = oneDay({{180, 45}, {180, 45}});
+    shadow.steps = sun.steps;
+    shadow.baseline = StepMasks(3, 2);
+    shadow.scenario = StepMasks(3, 2);
+    shadow.scenario.shade(0, 0);
+    shadow.scenario.shade(1, 1);
+    const DayTimeline day = computeTimeline(shadow);
+    EXPECT_NEAR(day.steps[0].incrementalM2, 0.3, 1e-5);
+    EXPECT_EQ(day.incremental.minutes, 1) << "the second step alone, on a centre in the place";
+    EXPECT_EQ(day.incremental.longest->cell, 1U);
+    EXPECT_EQ(countCentres(shadow), 2U);
+}
+
 TEST(PlaceAreas, CountTheEdgesOfAShadow) {
     // 90 x 90 cells, of which 70 x 10 are in shadow: 70 pairs along each long side, 10 along each short one.
     const PlaceReceivers cells = cellsOf({}, placeOver({rectangle(0, 0, 90, 90), {}}), 1);
