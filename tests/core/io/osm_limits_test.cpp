@@ -87,7 +87,7 @@ std::string block(const std::string& type, const std::string& blob) {
     return size + head + blob;
 }
 
-const std::string header =
+const std::string pbfHeader =
     block("OSMHeader", bytesField(1, bytesField(4, "OsmSchema-V0.6") + bytesField(4, "DenseNodes")));
 
 // A block without elements, with a field of so many bytes that the format does not know.
@@ -100,28 +100,29 @@ std::string emptyBlock(std::size_t bytes) {
 TEST_F(OsmLimits, ABlockThatUnpacksManyHundredFoldIsRefused) {
     const std::string bomb =
         block("OSMData", numberField(2, 32'000'000) + bytesField(3, std::string(32000, 'z')));
-    const auto map = read("a.osm.pbf", header + bomb, OsmFormat::pbf);
+    const auto map = read("a.osm.pbf", pbfHeader + bomb, OsmFormat::pbf);
     ASSERT_FALSE(map);
     EXPECT_THAT(map.error().what, HasSubstr("unpacks to 32 million"));
 }
 
 TEST_F(OsmLimits, AMapIsCutIntoPiecesAtItsBlocks) {
-    std::string text = header;
+    std::string text = pbfHeader;
     for (int i = 0; i < 10; ++i) text += emptyBlock(900'000);
     PbfPieces pieces(folder_.file("a.osm.pbf", text));
     std::size_t count = 0, bytes = 0;
     for (std::string piece = pieces.next(); !piece.empty(); piece = pieces.next(), ++count) {
-        EXPECT_TRUE(piece.starts_with(header));
-        bytes += piece.size() - header.size();
+        EXPECT_TRUE(piece.starts_with(pbfHeader));
+        bytes += piece.size() - pbfHeader.size();
     }
     EXPECT_EQ(count, 4U) << "three blocks each";
-    EXPECT_EQ(bytes, text.size() - header.size());
+    EXPECT_EQ(bytes, text.size() - pbfHeader.size());
     EXPECT_TRUE(read("a.osm.pbf", text, OsmFormat::pbf));
 }
 
 TEST_F(OsmLimits, AMapThatIsCutOffIsDamaged) {
-    const std::string text = header + emptyBlock(1000);
-    for (const std::size_t bytes : {std::size_t(2), header.size() - 1, header.size() + 2, text.size() - 1})
+    const std::string text = pbfHeader + emptyBlock(1000);
+    for (const std::size_t bytes :
+         {std::size_t(2), pbfHeader.size() - 1, pbfHeader.size() + 2, text.size() - 1})
         EXPECT_FALSE(read("a.osm.pbf", text.substr(0, bytes), OsmFormat::pbf)) << bytes;
     EXPECT_TRUE(read("a.osm.pbf", text, OsmFormat::pbf));
 }
@@ -137,7 +138,7 @@ struct StopAtOnce : Progress {
 };
 
 TEST_F(OsmLimits, BlocksWithoutElementsCanBeStopped) {
-    std::string text = header;
+    std::string text = pbfHeader;
     for (int i = 0; i < 30; ++i) text += emptyBlock(900'000);
     StopAtOnce stopping;
     const auto map = readOsmMap(folder_.file("a.osm.pbf", text), OsmFormat::pbf,
