@@ -62,6 +62,7 @@ const std::array columns{
     Column{"least_sun_min", [](const P&, const R& r) { return minutesText(r.leastSunMin); }},
     Column{"least_sun_hm", [](const P&, const R& r) { return hoursMinutes(r.leastSunMin); }},
     Column{"least_sun_run_min", [](const P&, const R& r) { return minutesText(r.leastSunRunMin); }},
+    Column{"least_longest_sun_min", [](const P&, const R& r) { return minutesText(r.leastLongestSunMin); }},
     Column{"least_sun_intervals", [](const P&, const R& r) { return fmt::to_string(r.leastSunIntervals); }},
     Column{"baseline_m2h", [](const P&, const R& r) { return areaText(r.baselineM2h); }},
     Column{"scenario_m2h", [](const P&, const R& r) { return areaText(r.scenarioM2h); }},

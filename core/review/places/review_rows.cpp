@@ -1,6 +1,7 @@
 #include "core/review/places/review_rows.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/measures/place_timeline.h"
 
@@ -23,14 +24,27 @@ void takeMostShadow(ReviewRow& row, const PlaceShadow& spots) {
                                     mostOf(spots, countRuns(spots, Quantity::shadow, false).total) * stepMin);
 }
 
-/// Takes the spot with least sun of these if it has less. `least`: steps of it so far.
-void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, std::optional<std::uint32_t>& least) {
+/// Steps of sun at the spot with least of it, and of the longest run where that is shortest.
+struct LeastSun {
+    std::optional<std::uint32_t> total;
+    std::uint32_t longest = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// Takes the spots with least sun of these if they have less than those so far.
+void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, LeastSun& least) {
     SpotRuns sun = countRuns(spots, Quantity::sun, false);
     leaveOutBeside(spots, Quantity::sun, sun.total);
     if (sun.total.empty()) return;
+    std::vector<std::uint32_t> longest = sun.longest;
+    leaveOutBeside(spots, Quantity::sun, longest);
+    const std::uint32_t shortest = *std::ranges::min_element(longest);
+    if (shortest < least.longest) {
+        least.longest = shortest;
+        row.leastLongestSunMin = shortest * spots.stepMinutes;
+    }
     const auto spot = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
-    if (least && sun.total[spot] >= *least) return;
-    least = sun.total[spot];
+    if (least.total && sun.total[spot] >= *least.total) return;
+    least.total = sun.total[spot];
     row.leastSunMin = sun.total[spot] * spots.stepMinutes;
     row.leastSunRunMin = sun.longest[spot] * spots.stepMinutes;
     row.leastSunIntervals = int(sun.count[spot]);
@@ -52,7 +66,7 @@ void addTimes(ReviewRow& row, const DayTimeline& timeline, const DayClock& clock
 }
 
 void addSpots(ReviewRow& row, const DayShadow& day) {
-    std::optional<std::uint32_t> least;
+    LeastSun least;
     takeMostShadow(row, day.shadow());
     takeLeastSun(row, day.shadow(), least);
     for (const PlaceShadow& spots : day.spots()) {

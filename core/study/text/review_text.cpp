@@ -42,6 +42,7 @@ Json rowJson(const PlaceReview& review, const ReviewRow& row) {
               {"total_max_point_min", round4(row.totalMaxPointMin)},
               {"least_sun_min", round4(row.leastSunMin)},
               {"least_sun_run_min", round4(row.leastSunRunMin)},
+              {"least_longest_sun_min", round4(row.leastLongestSunMin)},
               {"least_sun_intervals", row.leastSunIntervals},
               {"baseline_m2h", round4(row.baselineM2h)},
               {"scenario_m2h", round4(row.scenarioM2h)},

@@ -246,6 +246,8 @@ TEST(RussiaRule, CountsSpotsWithUnbrokenOrEnoughBrokenSun) {
     EXPECT_EQ(review.verdict, notApplicable) << "no share is stated";
     EXPECT_DOUBLE_EQ(review.rows.at(0).leastSunMin, 130);
     EXPECT_EQ(review.rows.at(0).leastSunIntervals, 1);
+    EXPECT_DOUBLE_EQ(review.rows.at(0).leastSunRunMin, 130);     // of that spot
+    EXPECT_DOUBLE_EQ(review.rows.at(0).leastLongestSunMin, 55);  // of the fourth
 }
 
 TEST(OwnRule, AllowsAnHourAtASpot) {
