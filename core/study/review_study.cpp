@@ -178,6 +178,7 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         settings.refinesSpots ? std::optional(spotDistanceCells * settings.cellM) : std::nullopt,
         notCheckedIn(rule, baseline),
         {}};
+    study.warnings = days.warnings;
     for (const PlaceEvaluation& evaluation : evaluations) study.places.push_back(evaluation.finish());
     if (!settings.contributions) return study;
     ProgressShare second(progress, 1, 2);

@@ -118,6 +118,10 @@ void readHeading(RuleFields& fields, Rule& rule) {
         fields.trouble("key", "A key has at most 60 of a to z, 0 to 9 and hyphens", "Write my-own-rule");
     rule.name = fields.text("name");
     rule.where = fields.textOr("where", {});
+    const std::string half = fields.textOr("hemisphere", "north");
+    rule.isSouthern = half == "south";
+    if (!rule.isSouthern && half != "north")
+        fields.trouble("hemisphere", "There is no such half of the earth", "Write north or south");
     rule.summary = fields.text("summary");
     rule.source = fields.text("source");
 }

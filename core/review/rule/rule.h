@@ -216,6 +216,7 @@ struct StatedFigure {
 struct Rule {
     std::string key;  ///< a to z, 0 to 9 and hyphens
     std::string name, where, summary, source;
+    bool isSouthern = false;  ///< its dates are seasons of the southern half of the earth
     RuleDays days;
     RuleWindow window;
     RuleClock clock;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/review/rule/rule_times.h"
 
@@ -120,6 +121,25 @@ void countWholeMinutes(SunSteps& sun, double stepMinutes) {
     if (std::abs(sun.stepMinutes - stepMinutes) < hair * stepMinutes) sun.stepMinutes = stepMinutes;
 }
 
+/// The seasons of dates, from -1 (all at the December solstice) to 1 (all at the June solstice).
+double findSeason(const WeightedDates& dates) {
+    double sum = 0, weights = 0;
+    for (const auto& [date, weight] : dates) {
+        const auto sinceSolstice = std::chrono::sys_days(date) - std::chrono::sys_days(date.year() / 6 / 21);
+        sum += weight * std::cos(2 * std::numbers::pi * double(sinceSolstice.count()) / 365.25);
+        weights += weight;
+    }
+    return weights > 0 ? sum / weights : 0;
+}
+
+/// Whether a rule that was made for the other half of the earth names days of one season, such as winter.
+bool hasOtherSeasons(const Rule& rule, const WeightedDates& dates, double latitudeDeg) {
+    constexpr double tropicDeg = 23.44, oneSeason = 0.2;
+    if (std::abs(latitudeDeg) <= tropicDeg || (latitudeDeg < 0) == rule.isSouthern) return false;
+    return std::abs(findSeason(dates)) > oneSeason ||
+           std::ranges::any_of(rule.criteria, [](const Criterion& one) { return one.season.has_value(); });
+}
+
 }  // namespace
 
 Result<WeightedDates> datesOf(const RuleDays& days, int year) {
@@ -150,7 +170,14 @@ Result<RuleSun> computeRuleSun(const Rule& rule, const RuleSite& site, const std
     auto sun = computeSunSteps(windows, steps, site.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     countWholeMinutes(*sun, rule.sampling.stepMinutes);
-    return RuleSun{*std::move(sun), std::move(weights), std::move(clock), year};
+    RuleSun made{*std::move(sun), std::move(weights), std::move(clock), year};
+    if (hasOtherSeasons(rule, *dates, site.observer.place.latDeg))
+        made.warnings.push_back(
+            {WarningKind::assumed,
+             "the rule's days are seasons of the other half of the earth, for which it was made: its "
+             "winter is summer here",
+             rule.name});
+    return made;
 }
 
 }  // namespace noonmark

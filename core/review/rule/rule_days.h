@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/warnings.h"
 #include "core/review/rule/rule.h"
 #include "core/sun/day_clock.h"
 #include "core/sun/window_steps.h"
@@ -23,6 +24,7 @@ struct RuleSun {
     std::vector<double> weights;  ///< by day: days of the year that it stands for; 1 for fixed days
     DayClock clock;
     int year = 0;
+    Warnings warnings{};  ///< that the rule's seasons are those of the other half of the earth
 };
 
 /// The dates of a rule in a year, in time order, with the number of days that each stands for. The weights of

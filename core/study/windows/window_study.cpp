@@ -109,6 +109,7 @@ WindowStudy beginStudy(const WindowScene& scene, const WindowReviewSettings& set
     study.seconds["prepare"] = scene.prepareSeconds;
     study.seconds["build"] = scene.buildSeconds;
     addAssumptions(study, scene.placed, study.warnings);
+    for (const Warning& warning : scene.days.warnings) study.warnings.push_back(warning);
     return study;
 }
 

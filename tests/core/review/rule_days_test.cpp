@@ -38,6 +38,17 @@ double sumOf(const std::vector<double>& weights) {
     return sum;
 }
 
+TEST(RuleDays, AWinterOfTheOtherHalfOfTheEarthIsWarnedOf) {
+    const RuleSite melbourne = siteAt(144.96, -37.81, "Australia/Melbourne");
+    const RuleSite nairobi = siteAt(36.82, -1.29, "Africa/Nairobi");
+    EXPECT_EQ(sunOf("bre-209-windows", newYork).warnings.size(), 0U);
+    EXPECT_EQ(sunOf("bre-209-windows", melbourne).warnings.size(), 1U);
+    EXPECT_EQ(sunOf("bre-209-windows", nairobi).warnings.size(), 0U) << "no winter";
+    EXPECT_EQ(sunOf("melbourne-c278", melbourne).warnings.size(), 0U);
+    EXPECT_EQ(sunOf("melbourne-c278", newYork).warnings.size(), 1U);
+    EXPECT_EQ(sunOf("four-days", melbourne).warnings.size(), 0U) << "all seasons";
+}
+
 TEST(RuleDays, CeqrTakesItsExplicitHoursInStandardTime) {
     const RuleSun sun = sunOf("ceqr", newYork);
     ASSERT_EQ(sun.sun.days.size(), 4);
