@@ -159,7 +159,7 @@ TEST_F(CheckOutput, ACopyOfTheCityReplacesItself) {
     EXPECT_EQ(why(copy, OutputKind::cityJson, {{}, true}), "");
     EXPECT_THAT(why(copy, OutputKind::cityJson, {{copy}, true}), HasSubstr("is an input"));
     EXPECT_THAT(whyNever(copy, OutputKind::json), HasSubstr("not JSON with figures"));
-    EXPECT_THAT(whyNever(folder.file("study.json", "{" shadow ":1}"), OutputKind::cityJson),
+    EXPECT_THAT(whyNever(folder.file("study.json", R"({"shadow":1})"), OutputKind::cityJson),
                 HasSubstr("not CityJSON"));
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double houseM = 10, heightM = 12;
+constexpr double houseSideM = 10, heightM = 12;
 
 // The ground rises by 1 in 10 towards the east.
 double slope(double x, double /*y*/) { return 100 + x / 10; }
@@ -51,7 +51,7 @@ protected:
         for (const glm::dvec2 low : corners()) {
             const double ground = slope(low.x, low.y) + gapM(i++);
             features += (features.empty() ? "" : ",") +
-                        feature(sizedRectangle(float(low.x), float(low.y), houseM, houseM),
+                        feature(sizedRectangle(float(low.x), float(low.y), houseSideM, houseSideM),
                                 fmt::format(R"("height":{},"ground_elevation":{})", heightM, ground));
         }
         return folder.file("houses.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
@@ -63,7 +63,7 @@ protected:
         int vertices = 0, number = 0;
         for (const glm::dvec2 low : corners())
             addBox(text, vertices, fmt::format("house{}", number++), {low.x, low.y, base(low)},
-                   {low.x + houseM, low.y + houseM, base(low) + heightM});
+                   {low.x + houseSideM, low.y + houseSideM, base(low) + heightM});
         return text;
     }
     static void addBox(std::string& text, int& vertices, const std::string& name, glm::dvec3 low,
@@ -158,8 +158,9 @@ TEST_F(StandingTest, CityJsonAtHeightZeroIsSetDownOnAHill) {
     CityJsonMaker maker;
     int number = 0;
     for (const glm::dvec2 low : corners())
-        maker.addBuilding(fmt::format("house {}", number++),
-                          maker.boxSolid({low.x, low.y, -2}, {low.x + houseM, low.y + houseM, heightM - 2}));
+        maker.addBuilding(
+            fmt::format("house {}", number++),
+            maker.boxSolid({low.x, low.y, -2}, {low.x + houseSideM, low.y + houseSideM, heightM - 2}));
     const auto city = folder.file("town.city.json", maker.document().dump());
     const LonLat middle = read({city}).city.frame.origin();
     const CityRead read = this->read({city, writeTerrain(folder.path("amsterdam.tif"), middle, slope)});

@@ -17,12 +17,6 @@ namespace {
 
 using tests::Box3;
 
-City cityOn(LonLat origin, const std::vector<Box3>& boxes) {
-    City city = tests::cityOf(boxes);
-    city.frame = Frame(origin);
-    return city;
-}
-
 Place streetOf(const Ring& outline) { return {"Street", PlaceKind::street, {{outline, {}}}, "test"}; }
 
 PlaceReview reviewedAt(double cellM, const Rule& rule, const City& city, const Place& place,

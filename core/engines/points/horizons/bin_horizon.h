@@ -19,7 +19,7 @@ struct BinHorizon {
     std::array<std::uint32_t, SunBins::count + 1> firstGap{};
     std::vector<HiddenAltitudes> gaps;
 
-    [[nodiscard]] bool hides(BinnedSun sun) const {
+    [[nodiscard]] bool hides(SunInBin sun) const {
         if (sun.tan <= tan[sun.bin]) return true;
         for (std::uint32_t i = firstGap[sun.bin]; i < firstGap[sun.bin + 1U]; ++i)
             if (sun.tan >= float(gaps[i].lowTan) && sun.tan <= float(gaps[i].highTan)) return true;

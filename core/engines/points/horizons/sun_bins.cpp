@@ -22,7 +22,7 @@ std::vector<MonthSun> sortedSuns(const SunSteps& sun) {
     suns.reserve(sun.steps.size());
     for (const SunDay& day : sun.days)
         for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
-            const BinnedSun binned = binSun(sun.steps[i]);
+            const SunInBin binned = binSun(sun.steps[i]);
             suns.push_back({binned.bin, std::uint16_t(unsigned(day.date.month()) - 1), binned.tan});
         }
     std::ranges::sort(suns, [](const MonthSun& a, const MonthSun& b) {
@@ -57,7 +57,7 @@ void addRows(std::span<const MonthSun> suns, SunBins& bins) {
 
 }  // namespace
 
-BinnedSun binSun(const SunStep& step) {
+SunInBin binSun(const SunStep& step) {
     const glm::dvec3 direction(step.direction);
     const auto bin = int(azimuthOf(direction) / fullTurn * SunBins::count);
     const double level = std::hypot(direction.x, direction.y);

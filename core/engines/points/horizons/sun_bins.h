@@ -9,11 +9,11 @@
 namespace noonmark {
 
 /// The sun of a step as the sweep sees it.
-struct BinnedSun {
+struct SunInBin {
     std::uint16_t bin;  ///< of its azimuth, below SunBins::count
     float tan;          ///< tangent of its altitude
 };
-BinnedSun binSun(const SunStep& step);
+SunInBin binSun(const SunStep& step);
 
 /// The suns of a period by azimuth, so that the minutes above an altitude are looked up and not counted.
 /// Arrays for kernels.

@@ -34,7 +34,7 @@ SunTrack::SunTrack(const SunSteps& sun) {
     suns_.bin.reserve(sun.steps.size() + packetSteps);
     suns_.tan.reserve(sun.steps.size() + packetSteps);
     for (const SunStep& step : sun.steps) {
-        const BinnedSun binned = binSun(step);
+        const SunInBin binned = binSun(step);
         suns_.bin.push_back(binned.bin);
         suns_.tan.push_back(binned.tan);
     }
