@@ -154,7 +154,7 @@ std::vector<std::size_t> findCarriers(const FilePiece& piece) {
 
 namespace {
 
-// Whether the piece is of meshes that count from their own zero, by what stands on the ground.
+// Whether the piece is of meshes that count from their own zero, by those that no others carry.
 bool isFromOwnZero(const FilePiece& piece, const std::vector<std::size_t>& carriers) {
     std::vector<double> bases;
     for (std::size_t i = 0; i < piece.groundM.size(); ++i)
