@@ -11,7 +11,7 @@ bool standsOnGround(const Part& part, const City& city) {
     return reachesGround(part, groundAt(city, glm::dvec2(part.footprint.outer.front())));
 }
 
-/// One path per building, for what stands on the ground or for the rest: the winding rule merges overlapping
+/// One path per building, for its parts on the ground or for the rest: the winding rule merges overlapping
 /// parts.
 QPainterPath pathOf(const Building& building, const MapView& view, const City& city, bool standing) {
     QPainterPath path;
