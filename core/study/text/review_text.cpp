@@ -132,6 +132,11 @@ std::string describeReviewErrors(const ReviewStudy& study) {
                       "to {:.3g} m from each other; what the nearest found worse is in their error. ",
                       *study.spotDistanceM)
                 : "Worst spots are the worst of the cells' centres, and their error includes the cell. ";
+    text += fmt::format(
+        "Shadow enters and exits up to a step ({:.3g} min) earlier than stated, as each step has the sun of "
+        "its "
+        "beginning. ",
+        study.stepMinutes);
     return text + "A value within its error of a limit is borderline, never pass.";
 }
 
