@@ -295,10 +295,6 @@
         <translation>Zuerst Prüfen drücken</translation>
     </message>
     <message>
-        <source>The sun is below the horizon in all hours of the rule</source>
-        <translation>Die Sonne steht in allen Stunden der Regel unter dem Horizont</translation>
-    </message>
-    <message>
         <source>Check place and year</source>
         <translation>Ort und Jahr prüfen</translation>
     </message>
@@ -1366,24 +1362,12 @@ mit %2</translation>
         <translation>Bewertung %1%2 m² je m²</translation>
     </message>
     <message>
-        <source>%1 m² shadow, score %2</source>
-        <translation>%1 m² Schatten, Bewertung %2</translation>
-    </message>
-    <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>Interval of the table and its weight: shadow area in its sunlit time, and weight times shadow area</source>
-        <translation>Intervall der Tabelle und sein Gewicht: Schattenfläche in seiner besonnten Zeit, und Gewicht mal Schattenfläche</translation>
-    </message>
-    <message>
         <source>Shadow score</source>
         <translation>Schattenbewertung</translation>
-    </message>
-    <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
-        <translation>Summe über die Intervalle aus Gewicht × Anteil der besonnten Zeit im Schatten × Zellfläche. Über 0 überwiegt der erwünschte Schatten den unerwünschten</translation>
     </message>
     <message>
         <source>per m² of ground</source>
@@ -2200,13 +2184,6 @@ Alle Seiten %2, Fläche %3</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>Schattenfläche in %1 besonnten Minute und der Beitrag des Monats zur Bewertung</numerusform>
-            <numerusform>Schattenfläche in %1 besonnten Minuten und der Beitrag des Monats zur Bewertung</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 window(s): %2</source>
         <translation>
             <numerusform>%1 Fenster: %2</numerusform>
@@ -2389,6 +2366,57 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>The change reaches beyond the ground that is measured</source>
         <translation>Die Änderung reicht über den gemessenen Boden hinaus</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>Measured error of the longest shadow against rays, of the longest day: %1 % in the mean, %2 % at the 99th percentile, %3 % at most</source>
+        <translation>Gemessener Fehler des längsten Schattens gegenüber Strahlen, vom längsten Tag: %1 % im Mittel, %2 % im 99. Perzentil, höchstens %3 %</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the time in the sun</source>
+        <translation>Gemessener Fehler gegenüber Strahlen: %1 % der Zeit in der Sonne</translation>
+    </message>
+    <message>
+        <source>%1 weighted, %2 m² shadow, score %3</source>
+        <translation>%1 gewichtet, %2 m² Schatten, Bewertung %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>Gewichteter Schatten, Schattenfläche über %1 Sonnenminute und der Beitrag des Monats zur Bewertung</numerusform>
+            <numerusform>Gewichteter Schatten, Schattenfläche über %1 Sonnenminuten und der Beitrag des Monats zur Bewertung</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
+        <translation>Intervall der Tabelle und sein Gewicht: gewichteter Schatten, Schattenfläche in seiner Sonnenzeit, und Gewicht mal Schattenfläche</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Gewichteter Schatten</translation>
+    </message>
+    <message>
+        <source>Sum over the steps of weight × hours in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow. How the table is cut into intervals does not change it</source>
+        <translation>Summe über die Schritte von Gewicht × Stunden im Schatten × Zellfläche. Über 0 überwiegt erwünschter Schatten den unerwünschten. Wie die Tabelle in Intervalle geteilt ist, ändert nichts daran</translation>
+    </message>
+    <message>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area, as in the paper. An interval that is cut in two counts twice</source>
+        <translation>Summe über die Intervalle von Gewicht × Anteil der Sonnenzeit des Intervalls im Schatten × Zellfläche, wie in der Veröffentlichung. Ein geteiltes Intervall zählt doppelt</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
     </message>
 </context>
 <context>
@@ -3531,6 +3559,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Reading saved results</source>
         <translation>Lese gespeicherte Ergebnisse</translation>
     </message>
+    <message>
+        <source>Comparing buildings</source>
+        <translation>Gebäude werden verglichen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -3920,8 +3952,8 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation>Schattenfläche nach Monat, m²</translation>
     </message>
     <message>
-        <source>Score by month, m²</source>
-        <translation>Bewertung nach Monat, m²</translation>
+        <source>Weighted shade by month, m² h</source>
+        <translation>Gewichteter Schatten nach Monat, m² h</translation>
     </message>
 </context>
 <context>
@@ -4125,6 +4157,18 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     <message>
         <source>Open samp&amp;le</source>
         <translation>Beispie&amp;l öffnen</translation>
+    </message>
+    <message>
+        <source>%1 is a terrain: it holds no buildings.</source>
+        <translation>%1 ist ein Gelände und enthält keine Gebäude.</translation>
+    </message>
+    <message>
+        <source>Add to the city</source>
+        <translation>Zur Stadt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Open alone</source>
+        <translation>Allein öffnen</translation>
     </message>
 </context>
 <context>
@@ -5192,6 +5236,56 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
         <translation>Netze (OBJ, PLY, glTF, IFC, DXF)</translation>
     </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>jedes auf das Gelände gesetzt</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>auf den Höhen der Datei</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>an Stufen entlang der Umrisse erkannt</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>den bloßen Boden</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>eine Oberfläche mit Gebäuden</translation>
+    </message>
+    <message>
+        <source>Missing heights from the surface model</source>
+        <translation>Fehlende Höhen aus dem Oberflächenmodell</translation>
+    </message>
+    <message>
+        <source>Buildings stand</source>
+        <translation>Gebäude stehen</translation>
+    </message>
+    <message>
+        <source>Terrain shows</source>
+        <translation>Das Gelände zeigt</translation>
+    </message>
+    <message>
+        <source>Where buildings stand whose file states their elevations.
+Default: they are shifted by a gap that is the same for all, or set down where their bases do not follow the terrain.</source>
+        <translation>Wo Gebäude stehen, deren Datei ihre Höhenlage angibt.
+Standard: Sie werden um einen für alle gleichen Abstand verschoben oder aufgesetzt, wo ihre Fußpunkte dem Gelände nicht folgen.</translation>
+    </message>
+    <message>
+        <source>A surface model shows the roofs of buildings, which would count twice: the ground around them is used instead.</source>
+        <translation>Ein Oberflächenmodell zeigt die Dächer der Gebäude, die doppelt zählen würden: Stattdessen wird der Boden ringsum verwendet.</translation>
+    </message>
+    <message>
+        <source>Buildings without a height get that of the surface model above the ground.</source>
+        <translation>Gebäude ohne Höhe erhalten die des Oberflächenmodells über dem Boden.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RecentMenu</name>
@@ -5385,10 +5479,6 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     <message>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>Veraltete Bewertung: die Gewichtstabelle hat sich geändert; neu bewerten.</translation>
-    </message>
-    <message>
-        <source>Measured error against rays: %1 % of the time in the sun</source>
-        <translation>Gemessener Fehler gegen Strahlen: %1 % der Sonnenzeit</translation>
     </message>
 </context>
 <context>
@@ -5846,10 +5936,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Bewertung, %1</translation>
     </message>
     <message>
-        <source>Shadow weighted by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow</source>
-        <translation>Schatten, gewichtet mit der Tabelle im Feld Gewichte: über 0 überwiegt erwünschter Schatten den unerwünschten</translation>
-    </message>
-    <message>
         <source>Verdicts</source>
         <translation>Befunde</translation>
     </message>
@@ -5894,6 +5980,22 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
 %3</source>
         <translation>Verglichen mit %1. Boden, dessen Gesamtschatten sich um mehr als %2 min am Tag ändert:
 %3</translation>
+    </message>
+    <message>
+        <source>Weighted shade, m² h</source>
+        <translation>Gewichteter Schatten, m² h</translation>
+    </message>
+    <message>
+        <source>Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow. How the table is cut does not change it</source>
+        <translation>Gewicht × Stunden im Schatten × Fläche, nach der Tabelle im Bereich Gewichte: Über 0 überwiegt erwünschter Schatten den unerwünschten. Wie die Tabelle geteilt ist, ändert nichts daran</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s score: the sum of weight × share of each interval&apos;s sunlit time in shadow × area. An interval that is cut in two counts twice</source>
+        <translation>Bewertung der Veröffentlichung: Summe von Gewicht × Anteil der Sonnenzeit jedes Intervalls im Schatten × Fläche. Ein geteiltes Intervall zählt doppelt</translation>
+    </message>
+    <message>
+        <source>Measured earlier and saved with the project: press Measure all for the maps</source>
+        <translation>Früher gemessen und mit dem Projekt gespeichert: „Alle messen“ ergibt die Karten</translation>
     </message>
 </context>
 <context>
@@ -7116,6 +7218,10 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>new weight table %1</source>
         <translation>neue Gewichtstabelle %1</translation>
+    </message>
+    <message>
+        <source>Cutting an interval in two changes the score, but not the weighted shade.</source>
+        <translation>Ein Intervall zu teilen ändert die Bewertung, aber nicht den gewichteten Schatten.</translation>
     </message>
 </context>
 <context>

@@ -74,13 +74,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>Shadow area over %1 sunlit minute, and the month&apos;s contribution to the score</numerusform>
-            <numerusform>Shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 window(s): %2</source>
         <translation>
             <numerusform>%1 window: %2</numerusform>
@@ -158,6 +151,13 @@
         <translation>
             <numerusform>exact at %1 of %2 step</numerusform>
             <numerusform>exact at %1 of %2 steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>Weighted shade, shadow area over %1 sunlit minute, and the month&apos;s contribution to the score</numerusform>
+            <numerusform>Weighted shade, shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</numerusform>
         </translation>
     </message>
 </context>

@@ -295,10 +295,6 @@
         <translation>Pulse antes Evaluar</translation>
     </message>
     <message>
-        <source>The sun is below the horizon in all hours of the rule</source>
-        <translation>El sol está bajo el horizonte en todas las horas de la norma</translation>
-    </message>
-    <message>
         <source>Check place and year</source>
         <translation>Compruebe el lugar y el año</translation>
     </message>
@@ -1366,24 +1362,12 @@ con %2</translation>
         <translation>puntuación %1%2 m² por m²</translation>
     </message>
     <message>
-        <source>%1 m² shadow, score %2</source>
-        <translation>%1 m² de sombra, puntuación %2</translation>
-    </message>
-    <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>Interval of the table and its weight: shadow area in its sunlit time, and weight times shadow area</source>
-        <translation>Intervalo de la tabla y su peso: área de sombra en su tiempo de sol, y peso por área de sombra</translation>
-    </message>
-    <message>
         <source>Shadow score</source>
         <translation>Puntuación de sombra</translation>
-    </message>
-    <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
-        <translation>Suma en los intervalos de peso × parte del tiempo de sol en sombra × área de celda. Por encima de 0, la sombra deseada supera a la no deseada</translation>
     </message>
     <message>
         <source>per m² of ground</source>
@@ -2200,13 +2184,6 @@ Todos los lados %2, área %3</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>Área de sombra en %1 minuto de sol y la aportación del mes a la puntuación</numerusform>
-            <numerusform>Área de sombra en %1 minutos de sol y la aportación del mes a la puntuación</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 window(s): %2</source>
         <translation>
             <numerusform>%1 ventana: %2</numerusform>
@@ -2389,6 +2366,57 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>The change reaches beyond the ground that is measured</source>
         <translation>El cambio llega más allá del suelo medido</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>unos %1</translation>
+    </message>
+    <message>
+        <source>Measured error of the longest shadow against rays, of the longest day: %1 % in the mean, %2 % at the 99th percentile, %3 % at most</source>
+        <translation>Error medido de la sombra más larga frente a los rayos, respecto al día más largo: %1 % de media, %2 % en el percentil 99, %3 % como máximo</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the time in the sun</source>
+        <translation>Error medido frente a los rayos: %1 % del tiempo al sol</translation>
+    </message>
+    <message>
+        <source>%1 weighted, %2 m² shadow, score %3</source>
+        <translation>%1 ponderado, %2 m² de sombra, puntuación %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>Sombra ponderada, área de sombra en %1 minuto con sol y la contribución del mes a la puntuación</numerusform>
+            <numerusform>Sombra ponderada, área de sombra en %1 minutos con sol y la contribución del mes a la puntuación</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
+        <translation>Intervalo de la tabla y su peso: sombra ponderada, área de sombra en su tiempo con sol, y peso por área de sombra</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Sombra ponderada</translation>
+    </message>
+    <message>
+        <source>Sum over the steps of weight × hours in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow. How the table is cut into intervals does not change it</source>
+        <translation>Suma sobre los pasos de peso × horas en sombra × área de la celda. Por encima de 0, la sombra deseada supera a la no deseada. No cambia según cómo se divida la tabla en intervalos</translation>
+    </message>
+    <message>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area, as in the paper. An interval that is cut in two counts twice</source>
+        <translation>Suma sobre los intervalos de peso × parte del tiempo con sol del intervalo en sombra × área de la celda, como en el artículo. Un intervalo dividido en dos cuenta dos veces</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
     </message>
 </context>
 <context>
@@ -3531,6 +3559,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Reading saved results</source>
         <translation>Leyendo resultados guardados</translation>
     </message>
+    <message>
+        <source>Comparing buildings</source>
+        <translation>Comparando edificios</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -3920,8 +3952,8 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Área de sombra por mes, m²</translation>
     </message>
     <message>
-        <source>Score by month, m²</source>
-        <translation>Puntuación por mes, m²</translation>
+        <source>Weighted shade by month, m² h</source>
+        <translation>Sombra ponderada por mes, m² h</translation>
     </message>
 </context>
 <context>
@@ -4125,6 +4157,18 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Open samp&amp;le</source>
         <translation>Abrir eje&amp;mplo</translation>
+    </message>
+    <message>
+        <source>%1 is a terrain: it holds no buildings.</source>
+        <translation>%1 es un terreno: no contiene edificios.</translation>
+    </message>
+    <message>
+        <source>Add to the city</source>
+        <translation>Añadir a la ciudad</translation>
+    </message>
+    <message>
+        <source>Open alone</source>
+        <translation>Abrir solo</translation>
     </message>
 </context>
 <context>
@@ -5192,6 +5236,56 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
         <translation>Mallas (OBJ, PLY, glTF, IFC, DXF)</translation>
     </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>según encajen sus bases en el terreno</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>cada uno apoyado en el terreno</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>a las cotas del archivo</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>según sus saltos en los contornos</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>el suelo desnudo</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>una superficie con edificios</translation>
+    </message>
+    <message>
+        <source>Missing heights from the surface model</source>
+        <translation>Alturas que faltan, del modelo de superficie</translation>
+    </message>
+    <message>
+        <source>Buildings stand</source>
+        <translation>Los edificios se apoyan</translation>
+    </message>
+    <message>
+        <source>Terrain shows</source>
+        <translation>El terreno muestra</translation>
+    </message>
+    <message>
+        <source>Where buildings stand whose file states their elevations.
+Default: they are shifted by a gap that is the same for all, or set down where their bases do not follow the terrain.</source>
+        <translation>Dónde se apoyan los edificios cuyo archivo indica su cota.
+Por defecto: se desplazan si la separación es igual para todos, o se apoyan donde sus bases no siguen el terreno.</translation>
+    </message>
+    <message>
+        <source>A surface model shows the roofs of buildings, which would count twice: the ground around them is used instead.</source>
+        <translation>Un modelo de superficie muestra los tejados, que contarían dos veces: se usa el suelo de alrededor.</translation>
+    </message>
+    <message>
+        <source>Buildings without a height get that of the surface model above the ground.</source>
+        <translation>Los edificios sin altura reciben la del modelo de superficie sobre el suelo.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RecentMenu</name>
@@ -5385,10 +5479,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     <message>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>Puntuación desactualizada: la tabla de pesos ha cambiado; vuelva a puntuar.</translation>
-    </message>
-    <message>
-        <source>Measured error against rays: %1 % of the time in the sun</source>
-        <translation>Error medido frente a rayos: %1 % del tiempo de sol</translation>
     </message>
 </context>
 <context>
@@ -5846,10 +5936,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Puntuación, %1</translation>
     </message>
     <message>
-        <source>Shadow weighted by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow</source>
-        <translation>Sombra ponderada con la tabla del panel Pesos: por encima de 0, la sombra deseada pesa más que la no deseada</translation>
-    </message>
-    <message>
         <source>Verdicts</source>
         <translation>Dictámenes</translation>
     </message>
@@ -5894,6 +5980,22 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
 %3</source>
         <translation>Comparado con %1. Suelo cuya sombra total cambia más de %2 min al día:
 %3</translation>
+    </message>
+    <message>
+        <source>Weighted shade, m² h</source>
+        <translation>Sombra ponderada, m² h</translation>
+    </message>
+    <message>
+        <source>Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow. How the table is cut does not change it</source>
+        <translation>Peso × horas en sombra × área, según la tabla del panel Pesos: por encima de 0, la sombra deseada supera a la no deseada. No cambia según cómo se divida la tabla</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s score: the sum of weight × share of each interval&apos;s sunlit time in shadow × area. An interval that is cut in two counts twice</source>
+        <translation>La puntuación del artículo: suma de peso × parte del tiempo con sol de cada intervalo en sombra × área. Un intervalo dividido en dos cuenta dos veces</translation>
+    </message>
+    <message>
+        <source>Measured earlier and saved with the project: press Measure all for the maps</source>
+        <translation>Medido antes y guardado con el proyecto: pulse «Medir todos» para los mapas</translation>
     </message>
 </context>
 <context>
@@ -7116,6 +7218,10 @@ del año, otras tantas semanas</translation>
     <message>
         <source>new weight table %1</source>
         <translation>tabla de pesos nueva %1</translation>
+    </message>
+    <message>
+        <source>Cutting an interval in two changes the score, but not the weighted shade.</source>
+        <translation>Dividir un intervalo en dos cambia la puntuación, pero no la sombra ponderada.</translation>
     </message>
 </context>
 <context>

@@ -295,10 +295,6 @@
         <translation>先に「審査する」を押してください</translation>
     </message>
     <message>
-        <source>The sun is below the horizon in all hours of the rule</source>
-        <translation>規定のどの時間も太陽が地平線の下です</translation>
-    </message>
-    <message>
         <source>Check place and year</source>
         <translation>場所と年を確かめてください</translation>
     </message>
@@ -1366,24 +1362,12 @@ with %2</source>
         <translation>スコア %1%2 m²/m²</translation>
     </message>
     <message>
-        <source>%1 m² shadow, score %2</source>
-        <translation>日影 %1 m², スコア %2</translation>
-    </message>
-    <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>Interval of the table and its weight: shadow area in its sunlit time, and weight times shadow area</source>
-        <translation>表の区間と重み: その日照時間の日影面積と、重み × 日影面積</translation>
-    </message>
-    <message>
         <source>Shadow score</source>
         <translation>日影スコア</translation>
-    </message>
-    <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow</source>
-        <translation>区間ごとの 重み × 日照時間のうち影の割合 × セル面積 の合計。0 より大きいと望ましい影が上回る</translation>
     </message>
     <message>
         <source>per m² of ground</source>
@@ -2190,12 +2174,6 @@ All sides %2, area %3</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>日照 %1 分間の日影面積と、その月のスコアへの寄与</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 window(s): %2</source>
         <translation>
             <numerusform>窓 %1 か所: %2</numerusform>
@@ -2366,6 +2344,56 @@ All sides %2, area %3</source>
     <message>
         <source>The change reaches beyond the ground that is measured</source>
         <translation>変化は計測した地面の外まで及びます</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>約%1</translation>
+    </message>
+    <message>
+        <source>Measured error of the longest shadow against rays, of the longest day: %1 % in the mean, %2 % at the 99th percentile, %3 % at most</source>
+        <translation>光線に対する最長の影の実測誤差（最も長い日に対する割合）：平均 %1 %、99 パーセンタイル %2 %、最大 %3 %</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1 % of the time in the sun</source>
+        <translation>光線に対する実測誤差：日照時間の %1 %</translation>
+    </message>
+    <message>
+        <source>%1 weighted, %2 m² shadow, score %3</source>
+        <translation>重み付き %1、影 %2 m²、スコア %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
+        <translation>
+            <numerusform>重み付きの日陰、日照 %1 分間の影の面積、スコアへの月の寄与</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
+        <translation>表の区間とその重み：重み付きの日陰、区間の日照時間における影の面積、重み×影の面積</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>重み付きの日陰</translation>
+    </message>
+    <message>
+        <source>Sum over the steps of weight × hours in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow. How the table is cut into intervals does not change it</source>
+        <translation>各ステップの「重み × 影の時間 × セルの面積」の合計。0 より大きければ、望ましい日陰が望ましくない影を上回ります。表の区間の分け方によって変わりません</translation>
+    </message>
+    <message>
+        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area, as in the paper. An interval that is cut in two counts twice</source>
+        <translation>各区間の「重み × 区間の日照時間のうち影の割合 × セルの面積」の合計（論文の定義）。二つに分けた区間は二重に数えられます</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>インチ</translation>
     </message>
 </context>
 <context>
@@ -3503,6 +3531,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>Reading saved results</source>
         <translation>保存した結果を読み込み中</translation>
     </message>
+    <message>
+        <source>Comparing buildings</source>
+        <translation>建物を比較しています</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -3891,8 +3923,8 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>月別の日影面積, m²</translation>
     </message>
     <message>
-        <source>Score by month, m²</source>
-        <translation>月別スコア, m²</translation>
+        <source>Weighted shade by month, m² h</source>
+        <translation>月別の重み付き日陰、m² h</translation>
     </message>
 </context>
 <context>
@@ -4095,6 +4127,18 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Open samp&amp;le</source>
         <translation>サンプルを開く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>%1 is a terrain: it holds no buildings.</source>
+        <translation>%1 は地形で、建物を含みません。</translation>
+    </message>
+    <message>
+        <source>Add to the city</source>
+        <translation>都市に追加</translation>
+    </message>
+    <message>
+        <source>Open alone</source>
+        <translation>単独で開く</translation>
     </message>
 </context>
 <context>
@@ -5159,6 +5203,56 @@ Off: at the origin of the city from the other files.</source>
         <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
         <translation>メッシュ(OBJ、PLY、glTF、IFC、DXF)</translation>
     </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>基部と地形の合い方に応じて</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>それぞれを地形に載せる</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>ファイルの標高のまま</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>輪郭での段差から判定</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>地表面のみ</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>建物を含む表面</translation>
+    </message>
+    <message>
+        <source>Missing heights from the surface model</source>
+        <translation>欠けている高さを表面モデルから取る</translation>
+    </message>
+    <message>
+        <source>Buildings stand</source>
+        <translation>建物の置き方</translation>
+    </message>
+    <message>
+        <source>Terrain shows</source>
+        <translation>地形の内容</translation>
+    </message>
+    <message>
+        <source>Where buildings stand whose file states their elevations.
+Default: they are shifted by a gap that is the same for all, or set down where their bases do not follow the terrain.</source>
+        <translation>ファイルに標高が記された建物の位置。
+既定：差がすべて同じならまとめて移動し、基部が地形に沿わない場合は地形に載せます。</translation>
+    </message>
+    <message>
+        <source>A surface model shows the roofs of buildings, which would count twice: the ground around them is used instead.</source>
+        <translation>表面モデルには建物の屋根が含まれ、二重に数えられます。代わりに周囲の地面を使います。</translation>
+    </message>
+    <message>
+        <source>Buildings without a height get that of the surface model above the ground.</source>
+        <translation>高さのない建物には、地面からの表面モデルの高さを使います。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RecentMenu</name>
@@ -5351,10 +5445,6 @@ Off: at the origin of the city from the other files.</source>
     <message>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>古いスコア: 重み表が変わりました。再計算してください。</translation>
-    </message>
-    <message>
-        <source>Measured error against rays: %1 % of the time in the sun</source>
-        <translation>光線に対する測定誤差: 日照時間の%1 %</translation>
     </message>
 </context>
 <context>
@@ -5812,10 +5902,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>スコア, %1</translation>
     </message>
     <message>
-        <source>Shadow weighted by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow</source>
-        <translation>「重み」パネルの表で重み付けした影。0 より大きければ、望ましい影が望ましくない影を上回ります</translation>
-    </message>
-    <message>
         <source>Verdicts</source>
         <translation>判定</translation>
     </message>
@@ -5860,6 +5946,22 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
 %3</source>
         <translation>%1 との比較。累計日影が 1 日 %2 分を超えて変化する地面:
 %3</translation>
+    </message>
+    <message>
+        <source>Weighted shade, m² h</source>
+        <translation>重み付きの日陰、m² h</translation>
+    </message>
+    <message>
+        <source>Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow. How the table is cut does not change it</source>
+        <translation>重み × 影の時間 × 面積（ドック「重み」の表による）。0 より大きければ、望ましい日陰が望ましくない影を上回ります。表の分け方によって変わりません</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s score: the sum of weight × share of each interval&apos;s sunlit time in shadow × area. An interval that is cut in two counts twice</source>
+        <translation>論文のスコア：「重み × 各区間の日照時間のうち影の割合 × 面積」の合計。二つに分けた区間は二重に数えられます</translation>
+    </message>
+    <message>
+        <source>Measured earlier and saved with the project: press Measure all for the maps</source>
+        <translation>以前に測定し、プロジェクトに保存されています。地図は「すべて測定」で作成します</translation>
     </message>
 </context>
 <context>
@@ -7082,6 +7184,10 @@ of the year, as many weeks</source>
     <message>
         <source>new weight table %1</source>
         <translation>新しい重み表 %1</translation>
+    </message>
+    <message>
+        <source>Cutting an interval in two changes the score, but not the weighted shade.</source>
+        <translation>区間を二つに分けるとスコアは変わりますが、重み付きの日陰は変わりません。</translation>
     </message>
 </context>
 <context>
