@@ -105,6 +105,7 @@ private:
 
 FolderOfGdal::FolderOfGdal(const std::filesystem::path& folder)
     : folder_(std::filesystem::absolute(folder).lexically_normal()), outer_(folderOfThread) {
+    if (!folder_.has_filename()) folder_ = folder_.parent_path();  // it was named with a slash at its end
     (void)folderOfTables();  // found before it is needed: GDAL looks for it among files
     folderOfThread = this;
 }

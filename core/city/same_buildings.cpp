@@ -54,7 +54,11 @@ bool shareOutlines(const Building& a, const Building& b, bool sameId) {
                  larger = std::max(areaOf(one), areaOf(other));
     if (!sameId && smaller < sameShare * larger) return false;
     const double shared = computeSharedArea(one, other);
-    return sameId ? shared > smaller / 2 : shared >= sameShare * larger;
+    if (shared >= sameShare * larger) return true;
+    // Two copies of one building, one of which was cut at the edge of its map, are equally high; a tower on
+    // its podium is not.
+    constexpr float sameHeightM = 0.5F;
+    return sameId && shared > smaller / 2 && std::abs(topM(a) - topM(b)) <= sameHeightM;
 }
 
 bool areSame(const Building& a, const Box2& boxA, const Building& b, const Box2& boxB) {

@@ -82,6 +82,12 @@ double shareOf(const std::vector<Footprint>& polygons, const Grid& grid, std::ui
     return std::min(1.0, shared / area(square));
 }
 
+double sumAreas(const std::vector<Footprint>& polygons) {
+    double sum = 0;
+    for (const Footprint& polygon : polygons) sum += area(polygon);
+    return sum;
+}
+
 }  // namespace
 
 std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const> cities,
@@ -100,7 +106,10 @@ std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const>
 
 std::vector<Footprint> findOpenGround(const Place& place, const std::vector<Footprint>& built) {
     constexpr LeastPiece any{1e-6, 0};
-    return built.empty() ? place.polygons : cutPiecesOutside(place.polygons, built, any);
+    if (built.empty()) return place.polygons;
+    auto open = cutPiecesOutside(place.polygons, built, any);
+    // Nothing also where the overlay fails: then cells under buildings are left out by their centres alone.
+    return open.empty() && sumAreas(built) < sumAreas(place.polygons) ? place.polygons : open;
 }
 
 std::vector<CellPart> listCellParts(const std::vector<Footprint>& polygons, const Grid& grid,

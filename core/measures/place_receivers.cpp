@@ -166,6 +166,18 @@ std::uint32_t PlaceReceivers::receiverOf(std::size_t place, std::size_t cell) co
     return std::numeric_limits<std::uint32_t>::max();
 }
 
+Result<Receivers> placeCommonReceivers(std::span<const City* const> cities, const Region& region,
+                                       const Grid& grid, const std::stop_token& stop) {
+    auto common = placeReceiversInPart(*cities.front(), region, grid, stop);
+    for (const City* city : cities.subspan(1)) {
+        if (!common) return common;
+        const auto other = placeReceiversInPart(*city, region, grid, stop);
+        if (!other) return other;
+        keepCommon(*common, *other);
+    }
+    return common;
+}
+
 Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> cities,
                                               std::span<const Place> places, const ReceiverSettings& settings,
                                               const std::stop_token& stop) {
@@ -179,15 +191,9 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
         if (stop.stop_requested()) return cancelled();
     }
     const Region touched = regionOfCells(parts, *grid);
-    PlaceReceivers placed;
-    for (std::size_t i = 0; i < cities.size(); ++i) {
-        auto receivers = placeReceiversInPart(*cities[i], touched, *grid, stop);
-        if (!receivers) return tl::make_unexpected(receivers.error());
-        if (i == 0)
-            placed.receivers = *std::move(receivers);
-        else
-            keepCommon(placed.receivers, *receivers);
-    }
+    auto common = placeCommonReceivers(cities, touched, *grid, stop);
+    if (!common) return tl::make_unexpected(common.error());
+    PlaceReceivers placed{.receivers = *std::move(common)};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const PlaceCells cells(parts[i], placed.receivers, places[i].polygons);
         placed.cellsOf.push_back(cells.spans());

@@ -37,6 +37,11 @@ struct PlaceReceivers {
     [[nodiscard]] std::uint32_t receiverOf(std::size_t place, std::size_t cell) const;
 };
 
+/// The cells of a region that are receivers on the ground in every city, of which there is at least one.
+/// Errors as of placeReceiversInPart().
+Result<Receivers> placeCommonReceivers(std::span<const City* const> cities, const Region& region,
+                                       const Grid& grid, const std::stop_token& stop = {});
+
 /// The cells of the places that are receivers on the ground in every city: what a building of any of them
 /// covers is left out. Open ground in a cell whose centre is built on counts for the cell beside it. Errors
 /// as of gridOver(), of which the grid covers all places, and cancelled(). Cost: that of placing receivers

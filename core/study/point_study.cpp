@@ -127,20 +127,26 @@ std::vector<ShadedTime> findShadedTimes(const Skyline& skyline, const SunOfDay& 
                                         const std::vector<SunBand>& sunlit) {
     std::vector<ShadedTime> times;
     const auto length = std::chrono::milliseconds(std::llround(day.steps.stepMinutes * 60000));
+    std::int32_t slotBefore = -2;
     for (const SunStep& step : day.steps.steps) {
         const auto hider = skyline.findHider(step.direction);
         if (!hider) continue;
-        const Instant end = step.at + length;
-        if (!times.empty() && times.back().building == *hider && times.back().when.to == step.at)
-            times.back().when.to = end;
+        const bool follows = !times.empty() && step.slot == slotBefore + 1;
+        if (follows) times.back().when.to = step.at;  // beginnings of steps are rounded: no gap, no overlap
+        if (follows && times.back().building == *hider)
+            times.back().when.to = step.at + length;
         else
-            times.push_back({{step.at, end}, *hider});
+            times.push_back({{step.at, step.at + length}, *hider});
+        slotBefore = step.slot;
     }
-    for (ShadedTime& time : times)
-        for (const SunBand& band : sunlit) {
-            if (std::chrono::abs(time.when.from - band.to) <= length) time.when.from = band.to;
-            if (std::chrono::abs(time.when.to - band.from) <= length) time.when.to = band.from;
-        }
+    // Sunlight begins within the step before a band's first lit step, and ends before the next shaded one.
+    for (const SunBand& band : sunlit) {
+        const auto after =
+            std::ranges::find_if(times, [&](const ShadedTime& time) { return time.when.from >= band.to; });
+        if (after != times.end() && after->when.from - band.to <= length) after->when.from = band.to;
+        if (after != times.begin() && std::prev(after)->when.from < band.from)
+            std::prev(after)->when.to = std::min(std::prev(after)->when.to, band.from);
+    }
     return times;
 }
 

@@ -1,5 +1,7 @@
 #include "core/study/study.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -46,10 +48,11 @@ Result<void> breakDown(Study& study, const EngineInUse& engine, Progress& progre
     const bool byBuilding = study.settings.contributions;
     const StepSets sets = study.settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
     if (byBuilding && engine.sumsByBuildingLessClosely())
-        study.warnings.push_back({WarningKind::assumed,
-                                  "months and contributions are those of the horizon sweep, which a sample "
-                                  "shows to be off here",
-                                  study.settings.region.name});
+        study.warnings.push_back(
+            {WarningKind::assumed,
+             fmt::format("{} are those of the horizon sweep, which a sample shows to be off here",
+                         study.settings.byMonth ? "months and contributions" : "contributions"),
+             study.settings.region.name});
     return timeStage(study, "breakdown", study.breakdown, stop,
                      [&] { return engine.breakDown(study.city, sets, byBuilding, progress, stop); });
 }
@@ -106,7 +109,12 @@ bool goesOn(const Study& study, EngineInUse& engine) {
 Result<void> measureField(Study& study, EngineInUse& engine, Progress& progress,
                           const std::stop_token& stop) {
     do {
-        if (auto done = accumulate(study, engine, progress, stop); !done) return done;
+        if (auto done = accumulate(study, engine, progress, stop); !done) {
+            if (!study.error || isCancelled(done.error())) return done;
+            study.warnings.push_back(
+                {WarningKind::leftOut, "a closer engine, which failed", done.error().text()});
+            return {};
+        }
         if (auto done = measureError(study, progress, stop); !done) return done;
     } while (goesOn(study, engine));
     return breakDown(study, engine, progress, stop);

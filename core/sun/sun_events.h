@@ -9,9 +9,8 @@ namespace noonmark {
 
 /// Definition of sunrise and sunset.
 enum class SunriseRule {
-    /// Centre at -0.833 deg, from the earth's centre: upper limb on a flat horizon, as in almanacs. In air
-    /// that is
-    /// thinner or denser than the default one the 0.567 deg of refraction in it change in proportion.
+    /// Centre at -0.833 deg, from the earth's centre: upper limb on a flat horizon, as in almanacs. The 0.567
+    /// deg of refraction in it change in proportion where the air is thinner or denser than the default one.
     upperLimb,
     centre,  ///< centre at true altitude 0 deg, from the observer: geometric
 };

@@ -53,7 +53,13 @@ public:
         auto study = compare(before, after);
         while (auto other = chooseAnother(study, before, after)) {
             choice_ = std::move(other);
-            study = compare(before, after);
+            auto closer = compare(before, after);
+            if (study && !closer && !isCancelled(closer.error())) {
+                study->warnings.push_back(
+                    {WarningKind::leftOut, "a closer engine, which failed", closer.error().text()});
+                return study;
+            }
+            study = std::move(closer);
         }
         return study;
     }

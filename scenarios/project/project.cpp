@@ -77,6 +77,19 @@ Result<EditedCity> cityOf(const Project& project, const std::string& scenario) {
     return cityOf(*project.city, project.scenarios, scenario);
 }
 
+namespace {
+
+Result<void> checkSize(const std::vector<std::shared_ptr<const SavedResult>>& results) {
+    std::size_t cells = 0;
+    for (const auto& result : results) cells += result->layers.size() * result->grid.size();
+    if (cells <= mostLayerCells) return {};
+    return limitReached(
+        fmt::format("The saved results have {:.0f} million cells", double(cells) / 1e6), "saved results",
+        fmt::format("Remove some: a project holds {:.0f} million", double(mostLayerCells) / 1e6));
+}
+
+}  // namespace
+
 Result<void> validate(const Project& project) {
     Result<void> sound = validate(project.scenarios);
     if (sound) sound = checkNames(project.lots, ownName, "lot");
@@ -86,6 +99,7 @@ Result<void> validate(const Project& project) {
     if (sound) sound = checkNames(project.periods, ownName, "period");
     if (sound) sound = checkNames(project.views, ownName, "view");
     if (sound) sound = checkNames(project.results, sharedName, "result");
+    if (sound) sound = checkSize(project.results);
     for (const TimeWeights& table : project.weights)
         if (sound) sound = validate(table);
     for (const SavedView& view : project.views)

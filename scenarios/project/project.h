@@ -117,7 +117,11 @@ Result<Scenario> findScenarioByName(const Project& project, const std::string& n
 /// The city of a scenario or of existingCity.
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario);
 
-/// Error: a name is missing or used twice, or a scenario or weight table is invalid.
+/// The most cells that the layers of all results of a project have together: 2 GB of float32.
+inline constexpr std::size_t mostLayerCells = 500'000'000;
+
+/// Error: a name is missing or used twice, a scenario or weight table is invalid, or the results have more
+/// than mostLayerCells.
 Result<void> validate(const Project& project);
 
 }  // namespace noonmark

@@ -74,7 +74,7 @@ std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double lat
     if (summerMinusWinter > -least) return std::nullopt;
     return Warning{
         WarningKind::assumed,
-        fmt::format("the weights want shade in {}, which is winter at this place, and sun in its summer",
+        fmt::format("the weights want more shade in {}, the winter of this place, than in its summer",
                     latitudeDeg > 0 ? "December to February" : "June to August"),
         weights.name};
 }

@@ -42,7 +42,7 @@ TEST(BenchFiles, HoldTablesChartsAndTheSummary) {
     EXPECT_TRUE(contentOf(folder.path("out") / "report.pdf").starts_with("%PDF"));
     EXPECT_EQ(nlohmann::json::parse(contentOf(folder.path("out") / "summary.json")).size(), 9U);
     EXPECT_TRUE(contentOf(folder.path("out") / "time_by_days.csv")
-                    .starts_with("engine,setting,days,time_s,runs,estimated\nray,,1,"));
+                    .starts_with("engine,setting,days,time_s,runs,estimated\r\nray,,1,"));
 }
 
 TEST(BenchCommand, RefusesWhatItCannotUse) {

@@ -194,7 +194,7 @@ TEST_F(Descriptions, BashCompletesCommandsAndOptions) {
     EXPECT_THAT(bashOffers({"project", "ne"}), ElementsAre("new"));
     EXPECT_THAT(bashOffers({"project", "lot", ""}), IsSupersetOf({"add", "list"}));
     EXPECT_THAT(bashOffers({"study", "--height"}),
-                testing::UnorderedElementsAre("--height-field", "--height-unit"));
+                testing::UnorderedElementsAre("--height-field", "--height-unit", "--heights-from-surface"));
     EXPECT_THAT(bashOffers({"sun", "--sce"}), testing::IsEmpty());
 }
 

@@ -73,6 +73,12 @@ TEST(Point, TimesOfTheDayAreExactAtAnyStep) {
     EXPECT_NEAR(allDay, 9 * 60 + 15,
                 5);  // New York's shortest day, centre of the sun above the horizon: 9:08 to 9:15
     EXPECT_NE(coarse["shaded"][0]["building"], "");
+    std::string end, building;
+    for (const auto& time : coarse["shaded"]) {
+        EXPECT_LE(end, time["from"]) << "no time counts twice";
+        EXPECT_FALSE(end == time["from"] && building == time["building"]) << "an unbroken time is one";
+        end = time["to"], building = time["building"];
+    }
     EXPECT_GT(coarse["error"]["year_min"], fine["error"]["year_min"]);
 }
 
@@ -114,7 +120,7 @@ TEST(Point, WritesItsMinutesByMonthAndHour) {
     std::ifstream stream(file);
     std::string line;
     std::getline(stream, line);
-    EXPECT_EQ(line, "month,hour,baseline_min");
+    EXPECT_EQ(line, "month,hour,baseline_min\r");
     double sum = 0;
     int lines = 0;
     for (; std::getline(stream, line); ++lines) sum += std::stod(line.substr(line.rfind(',') + 1));

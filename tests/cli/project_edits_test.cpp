@@ -72,9 +72,11 @@ TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
     EXPECT_NEAR(bounds(building("origin")).low.y, place.y, 0.01);
     done("import", {mesh_, "--scenario", "A", "--id", "feet", "--at", "-73.975,40.77", "--mesh-unit", "ft"});
     EXPECT_NEAR(topM(building("feet")), 100 * 0.3048, 0.01);
-    EXPECT_THAT(
-        refused("import", {mesh_, "--scenario", "A", "--id", "x", "--at", "-73.975,40.77", "--up", "z"}),
-        AllOf(HasSubstr("below the ground"), HasSubstr("--up")));
+    // With another axis up it begins below its own zero: its lowest point comes to the ground, and that is
+    // said.
+    EXPECT_THAT(done("import", {mesh_, "--scenario", "A", "--id", "x", "--at", "-73.975,40.77", "--up", "z"}),
+                HasSubstr("--stand absolute leaves it"));
+    EXPECT_NEAR(topM(building("x")), 30, 0.01);
 }
 
 TEST_F(ProjectEdits, WhatStandsOnALotIsSaid) {

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/cli/spoken.h"
 
 namespace noonmark::cli::tests {
@@ -29,8 +31,16 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
     return arguments;
 }
 
+std::vector<std::string> withAir(const std::string& pressureHPa, const std::string& temperatureC) {
+    auto arguments = with(golden, {"--json"});
+    *(std::ranges::find(arguments, "--pressure") + 1) = pressureHPa;
+    *(std::ranges::find(arguments, "--temperature") + 1) = temperatureC;
+    return arguments;
+}
+
 // The example of the SPA report (NREL/TP-560-34302, table A5.1). Its day is that of UT: the sunset that it
-// prints, 17:20:19, belongs to the evening before; the sunset after this transit is 87 s earlier.
+// prints, 17:20:19, belongs to the evening before; the sunset after this transit is 87 s earlier. Its sunrise
+// and sunset bend light as at 1010 hPa and 10 C, whatever the air: those are asked for here.
 TEST(Sun, ExampleOfTheSpaReport) {
     const Spoken spoken = noonmarkCli(with(golden, {"--json"}));
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
@@ -39,9 +49,19 @@ TEST(Sun, ExampleOfTheSpaReport) {
     EXPECT_NEAR(json["altitude_apparent_deg"].get<double>(), 90 - 50.111622, 0.0005);
     EXPECT_LT(json["altitude_true_deg"], json["altitude_apparent_deg"]);
     EXPECT_EQ(json["day_kind"], "ordinary");
-    EXPECT_THAT(json["sunrise"].get<std::string>(), MatchesRegex("2003-10-17T06:12:4[23]-07:00"));
     EXPECT_THAT(json["transit"].get<std::string>(), MatchesRegex("2003-10-17T11:46:0[345]-07:00"));
-    EXPECT_THAT(json["sunset"].get<std::string>(), MatchesRegex("2003-10-17T17:18:5[123]-07:00"));
+
+    const auto standard = noonmarkCli(withAir("1010", "10")).json();
+    EXPECT_THAT(standard["sunrise"].get<std::string>(), MatchesRegex("2003-10-17T06:12:4[23]-07:00"));
+    EXPECT_THAT(standard["sunset"].get<std::string>(), MatchesRegex("2003-10-17T17:18:5[123]-07:00"));
+}
+
+// Thin air bends less: 34' x (1 - 820/1010 x 283/284) = 0.109 deg. The sun climbs 15 deg/h x cos(latitude) x
+// sin(azimuth at sunrise, 102 deg) = 0.188 deg/min: sunrise is 35 s later and sunset as much earlier.
+TEST(Sun, RisesLaterInThinAir) {
+    const auto thin = noonmarkCli(with(golden, {"--json"})).json();
+    EXPECT_THAT(thin["sunrise"].get<std::string>(), MatchesRegex("2003-10-17T06:13:1[789]-07:00"));
+    EXPECT_THAT(thin["sunset"].get<std::string>(), MatchesRegex("2003-10-17T17:18:1[678]-07:00"));
 }
 
 TEST(Sun, AZoneChangesHowTimesAreWrittenOnly) {

@@ -79,7 +79,7 @@ protected:
         EXPECT_THAT(text, testing::MatchesRegex("read [1-9][0-9]*\n")) << folder;
     }
 
-    const std::string scenario_ = "-Tower, \"A\"";
+    const std::string scenario_ = "=Tower, \"A\"";
     /// An hour in December; `from`: the option of its beginning.
     static std::vector<std::string> noon(const char* from) {
         return {"--start", "2026-12-21", from, "12:00",  "--hours",

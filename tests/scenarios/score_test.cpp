@@ -77,7 +77,7 @@ TEST(TimeWeights, AWinterThatWantsShadeIsWarnedOf) {
     EXPECT_FALSE(findSeasonMismatch(northern, -1.3));  // Nairobi has no winter
     const auto melbourne = findSeasonMismatch(northern, -37.8);
     ASSERT_TRUE(melbourne);
-    EXPECT_THAT(melbourne->what, HasSubstr("June to August, which is winter"));
+    EXPECT_THAT(melbourne->what, HasSubstr("June to August, the winter"));
     TimeWeights southern = northern;
     for (WeightedInterval& interval : southern.intervals) interval.weight = -interval.weight;
     EXPECT_FALSE(findSeasonMismatch(southern, -37.8));

@@ -181,7 +181,11 @@ QString describeSample(const TimelineChart& chart, std::size_t sample) {
 
 QString describeIncremental(const DayTimeline& day, const DayClock& clock, UnitSystem units) {
     const ShadowOnPlace& shadow = day.incremental;
-    if (!shadow.enters()) return QStringLiteral("No incremental shadow in the rule's hours");
+    if (!shadow.enters())
+        return shadow.largestM2 > 0
+                   ? QStringLiteral(
+                         "Incremental shadow on the edge of the place alone, beside all centres of cells")
+                   : QStringLiteral("No incremental shadow in the rule's hours");
     const auto at = [&](Instant time) { return QString::fromStdString(clock.timeText(day.day, time)); };
     const QString late = day.stepMinutes > 1
                              ? QStringLiteral(" (up to %1 min too late)")

@@ -25,6 +25,15 @@ LonLat findMiddle(const City& city) {
     return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
 }
 
+// How a city was read, with what is stated about the terrain that is added to it.
+ReadSettings withTerrain(ReadSettings city, const ReadSettings& terrain) {
+    const ReadSettings defaults;
+    if (terrain.terrainShows != defaults.terrainShows) city.terrainShows = terrain.terrainShows;
+    if (terrain.heightsFromSurface) city.heightsFromSurface = true;
+    if (terrain.crs && !city.crs) city.crs = terrain.crs;
+    return city;
+}
+
 bool areTerrain(const QStringList& files) {
     return std::ranges::all_of(files, [](const QString& file) {
         const auto kind = detectFileKind(file.toStdString());
@@ -96,8 +105,9 @@ void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSetting
     const bool canAdd = !workbench_.session().file() && !source.files.isEmpty() &&
                         !isSample(source.files.front().toStdString());
     if (canAdd)
-        messages_.offer(tr("Add to the city"),
-                        [this, source, files] { replaceBy(source.files + files, source.reading); });
+        messages_.offer(tr("Add to the city"), [this, source, files, reading] {
+            replaceBy(source.files + files, withTerrain(source.reading, reading));
+        });
     messages_.offerToo(tr("Open alone"), [this, files, reading] { replaceBy(files, reading); });
 }
 

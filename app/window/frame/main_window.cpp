@@ -376,7 +376,6 @@ void MainWindow::showCity() {
     study_.runAgainIfQuick();
 }
 
-// The last message stays: recovery comes before what was assumed of the files.
 // The state of the view, and what the docks show beside it.
 std::map<std::string, std::string> MainWindow::viewToSave() {
     auto view = view_.toSave();
@@ -386,6 +385,7 @@ std::map<std::string, std::string> MainWindow::viewToSave() {
     return view;
 }
 
+// The last message stays: recovery comes before what was assumed of the files.
 void MainWindow::showProject() {
     panel_->messages().hide();
     horizons_->forget();

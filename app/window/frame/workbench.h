@@ -162,7 +162,8 @@ private:
     void takeCity(Result<OpenCity> city);
     void forgetAnswers();
     void nameAnswers();
-    void measure(const QString& what, std::vector<KnownStudy> wanted);
+    /// `toSave`: the figures are work of the user's that is saved with the project.
+    void measure(const QString& what, std::vector<KnownStudy> wanted, bool toSave = false);
     using Start = std::function<void()>;
     void startUnlessLong(double fields, Start start);
     void runNow();

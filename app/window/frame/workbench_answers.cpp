@@ -79,7 +79,7 @@ void Workbench::runNow() {
     measure(tr("Study"), {{session_.city(), nullptr}});
 }
 
-void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted) {
+void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted, bool toSave) {
     using Made = std::vector<KnownStudy>;
     running_.start<Made>(
         what,
@@ -95,7 +95,10 @@ void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted) {
             }
             return made;
         },
-        [this](Result<Made> made) { takeStudies(std::move(made)); });
+        [this, toSave](Result<Made> made) {
+            if (made && !made->empty() && toSave) session_.noteFigures();
+            takeStudies(std::move(made));
+        });
 }
 
 void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
@@ -109,7 +112,6 @@ void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
     }
     if (std::ssize(known_) > mostKnown) known_.erase(known_.begin(), known_.end() - mostKnown);
     if (!made->empty()) answerSeconds_ = made->back().study->seconds.at("total");
-    if (made->size() > 1) session_.noteFigures();
     takeKnown();
     standBack();
     Q_EMIT studyDone();
@@ -135,7 +137,8 @@ std::vector<Workbench::KnownStudy> Workbench::wanted() {
 }
 
 void Workbench::measureAll() {
-    if (city_) startUnlessLong(double(wanted().size()), [this] { measure(tr("All scenarios"), wanted()); });
+    if (city_)
+        startUnlessLong(double(wanted().size()), [this] { measure(tr("All scenarios"), wanted(), true); });
 }
 
 void Workbench::runComparison() {

@@ -98,8 +98,11 @@ void ResultDisplay::showPast() {
     GroundAnswer answer = past.score        ? makeGroundAnswer(past.score)
                           : past.comparison ? makeGroundAnswer(past.comparison)
                                             : makeGroundAnswer(past.study);
-    for (QString* note : {&answer.note, &answer.runNote})
-        *note = note->isEmpty() ? outdated : tr("%1. Outdated: buildings have changed").arg(*note);
+    const auto mark = [&](QString& note) {
+        note = note.isEmpty() ? outdated : tr("%1. Outdated: buildings have changed").arg(note);
+    };
+    mark(answer.note);
+    if (!answer.runNote.isEmpty()) mark(answer.runNote);  // empty: the note holds for both
     answer.marked = true;
     places_.layer.setInFront(answer);
     if (past.score)

@@ -44,7 +44,7 @@ std::vector<ResultRow> figureRows(const SavedScore& score, const ShownResult& re
 std::vector<ResultRow> figureRows(const SavedElements& saved, const ShownResult& result) {
     return makeRows(PointFigures{saved.figures, saved.map.elements.size(), saved.map.possibleMin, saved.steps,
                                  saved.belowHorizon, saved.seconds, result.answer->origin.period, saved.error,
-                                 result.answer->origin.engine == referenceEngine});
+                                 saved.byRays, result.answer->origin.engine});
 }
 
 QString noteOf(const ShownResult& result) {

@@ -77,6 +77,8 @@ Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progre
     const auto sun = computeRuleSun(
         rule, {observerOfPlaces(*question.before), question.settings.zone, question.settings.year}, stop);
     if (!sun) return tl::make_unexpected(sun.error());
+    if (sun->sun.steps.empty())
+        return failure("No sun in these hours", rule.name, "Choose another rule or year");
     return screenPlaces(*question.before, *question.after, question.places, sun->sun, {}, AutoEngine(),
                         progress, std::move(stop));
 }

@@ -247,6 +247,7 @@ Result<WindowsRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
     if (auto done = readFeatures(layers, {file, "windows of " + file}, calls, take, progress, stop); !done)
         return tl::make_unexpected(done.error());
     for (const WindowLayer& reader : readers) reader.place(city, settings, read);
+    if (stop.stop_requested()) return cancelled();
     if (read.windows.empty()) return tl::make_unexpected(noWindows(read, file));
     return read;
 }

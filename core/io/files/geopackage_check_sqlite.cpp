@@ -89,28 +89,26 @@ struct Forbidden {
 };
 
 // The standard's own tables are checked first: the list of layers is read from them only if they are tables.
-// Views and virtual tables have no root page. Spatial indexes are virtual tables of a kind that SQLite itself
-// brings; a view of that name is none.
+// SQLite itself tells what is a view or a virtual table, however its SQL is written. Spatial indexes are
+// virtual tables of a kind that SQLite itself brings; a view of that name is none.
 constexpr const char* runsSql =
     "A layer of the GeoPackage is a view or a virtual table, whose SQL is not run";
 constexpr std::array forbidden{
-    Forbidden{"SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
-              "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
+    Forbidden{"SELECT name FROM pragma_table_list WHERE schema = 'main' AND type IN ('view', 'virtual') "
               "AND (name LIKE 'gpkg%' OR name LIKE 'sqlite%' OR name LIKE 'ogr%')",
               runsSql},
     Forbidden{
         "SELECT name FROM sqlite_master WHERE name LIKE 'rtree%' AND (type = 'view' OR "
         "(sql LIKE 'create virtual%' AND substr(sql, instr(lower(sql), 'using')) NOT LIKE 'using rtree%'))",
         runsSql},
-    Forbidden{"SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
-              "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
+    Forbidden{"SELECT name FROM pragma_table_list WHERE schema = 'main' AND type IN ('view', 'virtual') "
               "AND name COLLATE NOCASE IN (SELECT table_name FROM gpkg_contents)",
               runsSql},
     Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // mostLayers
               "The GeoPackage has more than 1,000 layers", "gpkg_contents",
               "Export the layers of buildings alone"},
-    Forbidden{"SELECT t.name || '.' || c.name FROM sqlite_master t, pragma_table_xinfo(t.name) c "
-              "WHERE t.type = 'table' AND t.rootpage > 0 AND c.hidden IN (2, 3)",
+    Forbidden{"SELECT t.name || '.' || c.name FROM pragma_table_list t, pragma_table_xinfo(t.name) c "
+              "WHERE t.schema = 'main' AND t.type = 'table' AND c.hidden IN (2, 3)",
               "A column of the GeoPackage is computed by SQL of the file, which is not run"},
     // GDAL takes 16 bytes for each pixel of a tile.
     Forbidden{"SELECT table_name FROM gpkg_tile_matrix WHERE NOT ifnull(tile_width BETWEEN 1 AND 4096 "

@@ -5,11 +5,11 @@
 
 namespace noonmark {
 
-// Where no folder can be made, the path is in none either, and whoever opens it learns the reason.
+// Where no folder can be made, nothing can be opened under the path either.
 PendingFile::PendingFile(std::filesystem::path target)
     : target_(std::move(target)),
       folder_(target_.parent_path()),
-      path_((folder_.path().empty() ? target_.parent_path() / ".none" : folder_.path()) /
+      path_((folder_.path().empty() ? std::filesystem::path("/dev/null") : folder_.path()) /
             target_.filename()) {}
 
 Result<void> PendingFile::commit() {

@@ -294,7 +294,7 @@ void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
 bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& id, Warnings& warnings) const {
     if (kindField_ < 0 || feature.IsFieldSetAndNotNull(kindField_) == FALSE) return false;
     const std::string text = textOf(feature, kindField_);
-    if (text.empty() || saysBuilding(text)) return false;
+    if (!saysOtherLayer(text)) return false;
     warnings.push_back(
         {WarningKind::leftOut,
          fmt::format("is no building but \"{}\", says the field {}", text, names_[std::size_t(kindField_)]),

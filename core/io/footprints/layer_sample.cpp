@@ -157,17 +157,25 @@ bool areOutlinesAtRoofs(const std::vector<KnownField>& fields, const LayerSample
 
 bool saysBuilding(const std::string& text) { return NameWords(text).has(NameWord::building); }
 
+bool saysOtherLayer(const std::string& text) {
+    return !saysBuilding(text) && NameWords(text).has(NameWord::otherLayer);
+}
+
 int findKindField(const std::vector<std::string>& names, const LayerSample& sample) {
     constexpr std::array<std::string_view, 6> kindNames{"type",       "featuretype", "objecttype",
                                                         "objectkind", "objekttyp",   "featurekind"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (std::ranges::find(kindNames, foldName(names[i])) == kindNames.end()) continue;
-        std::size_t filled = 0, buildings = 0;
+        std::size_t filled = 0, buildings = 0, others = 0;
         for (const SampledFeature& feature : sample.features) {
-            filled += i < feature.texts.size() && !feature.texts[i].empty() ? 1 : 0;
-            buildings += i < feature.texts.size() && saysBuilding(feature.texts[i]) ? 1 : 0;
+            if (i >= feature.texts.size() || feature.texts[i].empty()) continue;
+            ++filled;
+            buildings += saysBuilding(feature.texts[i]) ? 1 : 0;
+            others += saysOtherLayer(feature.texts[i]) ? 1 : 0;
         }
-        if (buildings > 0 && buildings < filled) return int(i);
+        // Kinds of buildings ("garage", "school") say neither: then the field does not tell buildings from
+        // others.
+        if (buildings > 0 && others > 0 && buildings + others == filled) return int(i);
     }
     return -1;
 }

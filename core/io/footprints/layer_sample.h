@@ -52,5 +52,7 @@ int findKindField(const std::vector<std::string>& names, const LayerSample& samp
 
 /// Whether such a field's text says building.
 bool saysBuilding(const std::string& text);
+/// Whether it says what layers beside those of buildings hold, and no building.
+bool saysOtherLayer(const std::string& text);
 
 }  // namespace noonmark

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/shell_word.h"
+
 namespace noonmark {
 
 namespace {
@@ -77,8 +79,7 @@ std::string describe(const BaseFit& fit) {
 }
 
 std::string selectingOptions(const UnknownField& field) {
-    const bool blank = field.field.find_first_of(" ()'\"") != std::string::npos;
-    const std::string name = blank ? "\"" + field.field + "\"" : field.field;
+    const std::string name = quoteForShell(field.field);
     const std::string unit = field.unit.empty() ? "" : " --height-unit " + field.unit;
     switch (field.kind) {
         case FieldKind::storeys:

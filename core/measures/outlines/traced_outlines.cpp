@@ -60,19 +60,20 @@ Result<std::vector<ShadowOutlines>> traceOutlines(const City& baseline, const Ci
                                                   const std::stop_token& stop) {
     std::vector<const City*> cities{&baseline};
     if (scenario != nullptr) cities.push_back(scenario);
-    const Place area{.name = "area", .polygons = makeRegionFromLocalBox(settings.area).polygons};
-    auto placed = placeReceiversOnPlaces(cities, std::span(&area, 1), {settings.cellM}, stop);
+    const Region area = makeRegionFromLocalBox(settings.area);
+    auto placed = gridOver(area, {settings.cellM}).and_then([&](const Grid& grid) {
+        return placeCommonReceivers(cities, area, grid, stop);
+    });
     if (!placed) return tl::make_unexpected(placed.error());
-    if (settings.planeM) raiseToPlane(placed->receivers, *settings.planeM);
+    if (settings.planeM) raiseToPlane(*placed, *settings.planeM);
     std::vector<ShadowOutlines> all;
     const auto take = [&](std::size_t, std::span<StepMasks> masks) -> Result<void> {
-        const MaskOutlines outlines(placed->receivers, masks.front(), masks.back());
+        const MaskOutlines outlines(*placed, masks.front(), masks.back());
         for (std::size_t step = 0; step < steps.size() && !stop.stop_requested(); ++step)
             all.push_back(outlines.trace(step));
         return stop.stop_requested() ? Result<void>(cancelled()) : Result<void>();
     };
-    const auto traced =
-        RayReference().shadeSteps(cities, placed->receivers, dayOf(steps), take, progress, stop);
+    const auto traced = RayReference().shadeSteps(cities, *placed, dayOf(steps), take, progress, stop);
     if (!traced) return tl::make_unexpected(traced.error());
     return all;
 }

@@ -31,7 +31,7 @@ int windingAt(const TriangleMesh& mesh, glm::dvec3 place) {
 
 bool isInside(const Part& part, glm::dvec3 place) {
     if (place.z < double(part.bottomM) || place.z >= double(part.topM)) return false;
-    // Below a sheet that hangs there is air
+    // Below an overhanging sheet there is air
     if (part.mesh) return windingAt(*part.mesh, place) > 0 && !(part.isOverhanging && isSheet(*part.mesh));
     return contains(part.footprint, glm::dvec2(place));
 }

@@ -85,8 +85,8 @@ double edgeErrorCells(std::size_t edges) { return std::max(1.0, double(edges) / 
 /// How far the cells may miss an area: nothing, or the whole place, has no edge.
 double areaErrorM2(const DayShadow& day, Quantity quantity, bool former, std::size_t step) {
     const double areaM2 = areaAt(day, quantity, former, step);
-    const bool isAll = cellsAt(day, quantity, former, step) == day.centres();
-    if (areaM2 <= 0 || isAll) return 0;
+    constexpr double roundingM2 = 1e-6;
+    if (areaM2 <= 0 || areaM2 >= day.areaM2() - roundingM2) return 0;
     return std::min(areaM2, edgeErrorCells(edgesAt(day, quantity, former, step)) * day.shadow().cellAreaM2);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace noonmark {
@@ -27,7 +28,8 @@ void addWorstSpots(const PlaceShadow& shadow, const SpotSearch& search,
                    const std::function<glm::dvec2(std::size_t)>& positionOf, std::size_t count, double apartM,
                    std::vector<glm::dvec2>& spots) {
     const SpotRuns runs = countRuns(shadow, search.quantity, search.former, search.runs);
-    const std::vector<std::uint32_t>& steps = stepsOf(runs, search.measure);
+    std::vector<std::uint32_t> steps = stepsOf(runs, search.measure);
+    leaveOutBeside(shadow, search.quantity, steps);
     const bool least = search.quantity == Quantity::sun;
     std::vector<std::size_t> order(steps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -39,7 +41,8 @@ void addWorstSpots(const PlaceShadow& shadow, const SpotSearch& search,
                       });
     std::vector<glm::dvec2> found;
     for (std::size_t i = 0; i < looked && found.size() < count; ++i) {
-        if (!least && steps[order[i]] == 0) break;
+        if (steps[order[i]] == (least ? std::numeric_limits<std::uint32_t>::max() : 0))
+            break;  // or beside the place
         const glm::dvec2 position = positionOf(order[i]);
         if (std::ranges::none_of(found, [&](glm::dvec2 other) { return isNear(position, other, apartM); }))
             found.push_back(position);
@@ -62,7 +65,8 @@ std::vector<SpotSearch> listSpotSearches(const Rule& rule) {
     std::vector<SpotSearch> searches{{Quantity::incremental, Measure::spotTotal, {}, false},
                                      {Quantity::incremental, Measure::spotLongestRun, {}, false},
                                      {Quantity::shadow, Measure::spotTotal, {}, false},
-                                     {Quantity::sun, Measure::spotTotal, {}, false}};
+                                     {Quantity::sun, Measure::spotTotal, {}, false},
+                                     {Quantity::sun, Measure::spotLongestRun, {}, false}};
     for (const Criterion& criterion : rule.criteria) {
         if (!isOfWorstSpot(criterion.measure)) continue;
         const RunSettings runs{criterion.runs, criterion.dropShorterMin};

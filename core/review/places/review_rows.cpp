@@ -57,12 +57,12 @@ void addTimes(ReviewRow& row, const DayTimeline& timeline, const DayClock& clock
     row.exits = incremental.exits();
     row.intervals = int(incremental.intervals.size());
     row.durationMin = incremental.minutes;
+    row.maxAreaM2 = incremental.largestM2;
+    row.maxShare = timeline.areaM2 > 0 ? incremental.largestM2 / timeline.areaM2 : 0;
+    if (incremental.largestAt) row.maxAtText = clock.timeText(row.day, *incremental.largestAt);
     if (!row.enters) return;
     row.entersText = clock.timeText(row.day, *row.enters);
     row.exitsText = clock.timeText(row.day, *row.exits);
-    row.maxAtText = clock.timeText(row.day, *incremental.largestAt);
-    row.maxAreaM2 = incremental.largestM2;
-    row.maxShare = incremental.largestM2 / timeline.areaM2;
 }
 
 void addSpots(ReviewRow& row, const DayShadow& day) {

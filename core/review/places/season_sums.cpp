@@ -14,6 +14,7 @@ void addRow(const ReviewRow& row, SeasonSum& sum) {
     sum.longestMin = std::max(sum.longestMin, row.durationMin);
     sum.maxAreaM2 = std::max(sum.maxAreaM2, row.maxAreaM2);
     // Times of a clock have two digits for the hour, so texts are in the order of times.
+    if (row.entersText.empty()) return;  // shadow between the centres of cells alone has no times
     if (sum.earliest.empty() || row.entersText < sum.earliest) sum.earliest = row.entersText;
     sum.latest = std::max(sum.latest, row.exitsText);
 }

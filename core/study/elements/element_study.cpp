@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "core/base/memory_guard.h"
@@ -109,8 +110,9 @@ std::string describeEngine(const ElementStudy& study) {
 
 std::string describe(const ElementError& error) {
     const auto text = [](const char* name, const QuantityError& of) {
-        return fmt::format("{} {:.3f} % mean, {:.3f} % at the 99th percentile, {:.3f} % largest", name,
-                           of.meanPct, of.p99Pct, of.largestPct);
+        const std::string tail =
+            std::isnan(of.p99Pct) ? "" : fmt::format("{:.3f} % at the 99th percentile, ", of.p99Pct);
+        return fmt::format("{} {:.3f} % mean, {}{:.3f} % largest", name, of.meanPct, tail, of.largestPct);
     };
     std::string words = text("sunlit time", error.gross) + "; " + text("longest shadow", error.continuous);
     if (error.longestSun) words += "; " + text("longest sun", *error.longestSun);

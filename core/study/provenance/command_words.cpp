@@ -6,21 +6,11 @@
 #include <cctype>
 #include <string_view>
 
+#include "core/base/shell_word.h"
+
 namespace noonmark {
 
 namespace {
-
-/// Unchanged if a shell cannot misread it, else in single quotes.
-std::string quoted(const std::string& text) {
-    const auto harmless = [](unsigned char c) {
-        return std::isalnum(c) != 0 || c > 127 ||
-               std::string_view("-_./,:+@%=").find(char(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::ranges::all_of(text, harmless)) return text;
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
 
 // "--region=-x": a value that looks like an option is joined to its option by =; negative numbers need not
 // be.
@@ -92,17 +82,17 @@ private:
 }  // namespace
 
 void CommandWords::file(const std::string& name) {
-    pieces_.push_back(quoted(name.starts_with('-') ? "./" + name : name));
+    pieces_.push_back(quoteForShell(name.starts_with('-') ? "./" + name : name));
 }
 
 void CommandWords::option(const char* name, const std::string& value) {
-    pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoted(value)));
+    pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoteForShell(value)));
 }
 
 void CommandWords::option(const RepeatOption& option) {
     if (option.values.size() == 1) return this->option(option.name.c_str(), option.values.front());
     std::string piece = option.name;
-    for (const std::string& value : option.values) piece += ' ' + quoted(value);
+    for (const std::string& value : option.values) piece += ' ' + quoteForShell(value);
     pieces_.push_back(std::move(piece));
 }
 

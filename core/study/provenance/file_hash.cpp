@@ -22,12 +22,15 @@ std::string sha256Of(std::istream& file) {
     return file.bad() ? std::string() : sum.hex();
 }
 
-std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
+Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
         if (entry->is_regular_file(error)) files.push_back(entry->path());
+    if (error || files.empty())
+        return failure(error ? "The folder cannot be listed" : "The folder holds no file", folder.string(),
+                       "Name a folder of Shapefiles, or a file geodatabase");
     std::ranges::sort(files);
     return files;
 }
@@ -36,7 +39,9 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) 
 Result<InputFile> describeFolder(const std::filesystem::path& folder) {
     InputFile all{folder, 0, {}};
     Sha256 sum;
-    for (const std::filesystem::path& path : filesIn(folder)) {
+    const auto files = filesIn(folder);
+    if (!files) return tl::make_unexpected(files.error());
+    for (const std::filesystem::path& path : *files) {
         const auto file = describeInputFile(path);
         if (!file) return file;
         const std::string line = path.filename().string() + " " + file->sha256 + "\n";
@@ -49,7 +54,10 @@ Result<InputFile> describeFolder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-Result<InputFile> describeInputFile(const std::filesystem::path& path) {
+Result<InputFile> describeInputFile(const std::filesystem::path& given) {
+    const std::filesystem::path path =
+        given.has_filename() ? given : given.parent_path();  // a folder, with a slash
+
     if (auto plain = checkPlainFile(path); !plain) return tl::make_unexpected(plain.error());
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return describeFolder(path);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/json_number.h"
+#include "core/engines/api/engine_registry.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/impact/impact_runs.h"
@@ -100,8 +101,9 @@ SavedScore readScore(const SavedResult& result, const Json& json) {
 
 // Earlier results have no 99th percentile, and no error of the longest sun.
 QuantityError quantityErrorOf(const Json& json) {
-    const double largest = json.at("max_pct");
-    return {json.at("mean_pct"), json.value("p99_pct", largest), largest};
+    constexpr double notMeasured =
+        std::numeric_limits<double>::quiet_NaN();  // in results of earlier versions
+    return {json.at("mean_pct"), json.value("p99_pct", notMeasured), json.at("max_pct")};
 }
 
 std::string elementErrorOf(const Json& json) {
@@ -131,6 +133,7 @@ SavedElements elementsOf(const SavedResult& result, const Json& json) {
     saved.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
     saved.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     saved.seconds = json.at("seconds").value("accumulate", 0.0);
+    saved.byRays = json.at("engine_used") == std::string(referenceEngine);
     saved.error = elementErrorOf(json);
     saved.source = sourceOf(json);
     return saved;

@@ -51,6 +51,7 @@ struct SavedElements {
     ElementFigures figures;
     std::uint64_t steps = 0, belowHorizon = 0;  ///< as of SavedStudy
     double seconds = 0;
+    bool byRays = false;  ///< the ray reference measured it
     std::string error;    ///< against rays, as text; empty: not measured
     SourceValues source;  ///< the source columns of its table, as they were when it was saved
 };

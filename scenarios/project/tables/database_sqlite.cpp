@@ -45,6 +45,7 @@ void harden(sqlite3* database) {
     set(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0);
     set(SQLITE_DBCONFIG_ENABLE_VIEW, 0);
     set(SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0);
+    set(SQLITE_DBCONFIG_DQS_DML, 0);      // a quoted name that is no column is an error, not a text
     set(SQLITE_DBCONFIG_ENABLE_FKEY, 0);  // a foreign key could delete other rows
     sqlite3_limit(database, SQLITE_LIMIT_ATTACHED, 0);
     sqlite3_limit(database, SQLITE_LIMIT_TRIGGER_DEPTH, 1);

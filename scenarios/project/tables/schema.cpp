@@ -402,8 +402,7 @@ void takeIndexesBack(Database& database) {
 
 void checkTable(Database& database, const std::string& table, const std::vector<std::string>& columns) {
     Statement kind = database.prepare(
-        "SELECT 1 FROM sqlite_master WHERE name = ? AND type = 'table' AND rootpage > 0 "
-        "AND sql NOT LIKE 'create virtual%'");
+        "SELECT 1 FROM pragma_table_list WHERE schema = 'main' AND name = ? AND type = 'table'");
     kind.begin(table);
     if (!kind.step()) throwDamaged(fmt::format("'{}' is not a table", table));
     std::set<std::string> found;

@@ -14,9 +14,9 @@ TEST(BenchTable, CsvQuotesWhatNeedsItAndLeavesWhatIsMissingEmpty) {
                       {{std::string("iam"), 0.1, std::monostate{}},
                        {std::string("a \"b\", c"), std::monostate{}, std::string("two\nlines")}}};
     EXPECT_EQ(toCsv(table),
-              "engine,time_s,refusal\n"
-              "iam,0.1,\n"
-              "\"a \"\"b\"\", c\",,\"two\nlines\"\n");
+              "engine,time_s,refusal\r\n"
+              "iam,0.1,\r\n"
+              "\"a \"\"b\"\", c\",,\"two\nlines\"\r\n");
 }
 
 TEST(BenchTable, NumbersComeBackExactly) {

@@ -218,7 +218,7 @@ TEST_F(ReadFootprints, OutlinesAtAnUnknownHeightAreOfferedAndCanBeChosen) {
     for (int i = 0; i < 6; ++i) features += (i > 0 ? "," : "") + flatOutline(i, 17.5 + i, "");
     const FilePiece offered = readGeoJson(features);
     ASSERT_EQ(offered.heights.unknown.size(), 1U);
-    EXPECT_EQ(selectingOptions(offered.heights.unknown[0]), "--height-field \"outline Z\"");
+    EXPECT_EQ(selectingOptions(offered.heights.unknown[0]), "--height-field 'outline Z'");
     EXPECT_NEAR(heightOf(*offered.buildings.at(0)), 9.6, 1e-3);
     settings.heightField = "outline Z";
     EXPECT_NEAR(heightOf(*readGeoJson(features).buildings.at(5)), 22.5, 1e-3);

@@ -16,7 +16,7 @@ TEST(TimelineCsv, NamesAreTextsInASpreadsheet) {
     const std::string csv = timelineCsv(study, {.from = "Existing", .zone = Zone::named("UTC").value()});
     EXPECT_NE(csv.find("\n'=1+1,2026-03-21,"), std::string::npos) << csv;
     EXPECT_NE(csv.find("\n\"Park, north\",2026-03-21,"), std::string::npos) << csv;
-    EXPECT_NE(csv.find(",1.00,2.50,1.50,0.00\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",1.00,2.50,1.50,0.00\r\n"), std::string::npos) << csv;
 }
 
 }  // namespace
