@@ -55,7 +55,7 @@ public:
             choice_ = std::move(other);
             auto closer = compare(before, after);
             if (study && !closer && !isCancelled(closer.error())) {
-                study->warnings.push_back(
+                study->total.warnings.push_back(
                     {WarningKind::leftOut, "a closer engine, which failed", closer.error().text()});
                 return study;
             }

@@ -4,6 +4,10 @@
 
 #include <QChart>
 #include <QChartView>
+#include <QCoreApplication>
+#include <QGraphicsTextItem>
+#include <QLocale>
+#include <QTextDocument>
 #include <QValueAxis>
 
 namespace noonmark {
@@ -33,6 +37,31 @@ TEST(MonthChart, TheAxisHoldsTheLargestMonth) {
     EXPECT_GE(area->max(), 1234);
     const auto* score = qobject_cast<QValueAxis*>(views[1]->chart()->axes(Qt::Vertical).front());
     EXPECT_LE(score->min(), -560);
+}
+
+// The months from October on are longer than January there.
+TEST(MonthChart, JapaneseMonthsKeepTheirTens) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Japanese));
+    std::vector<MonthFigures> months;
+    for (unsigned month = 1; month <= 12; ++month) months.push_back({2026y / month, 10, 5, 700});
+    MonthChart chart;
+    chart.resize(320, 320);
+    chart.show(months);
+    static_cast<QWidget&>(chart).show();
+    QCoreApplication::processEvents();
+    QLocale::setDefault(before);
+    int names = 0;
+    for (const QChartView* view : chart.findChildren<QChartView*>())
+        for (const QGraphicsItem* item : view->scene()->items()) {
+            const auto* name = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
+            if (!name || !name->toPlainText().contains(QStringLiteral("2026"))) continue;
+            ++names;
+            EXPECT_LE(name->sceneBoundingRect().bottom() - name->document()->documentMargin(),
+                      view->scene()->sceneRect().bottom())
+                << name->toPlainText().toStdString();
+        }
+    EXPECT_EQ(names, 24);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <QBarSet>
 #include <QChart>
 #include <QChartView>
+#include <QFontMetrics>
 #include <QGraphicsLayout>
 #include <QLegend>
 #include <QStackedBarSeries>
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int chartHeightPx = 150;
 constexpr int letterPx = 10;
+constexpr int marginPx = 4;
 
 QFont smallFont(QFont font, bool bold = false) {
     font.setPixelSize(letterPx);
@@ -79,6 +81,15 @@ void addAxes(QChart& chart, QStackedBarSeries& series, const QStringList& months
         amount->setRange(0, 1);  // all months are 0: an empty range would give no tick labels
 }
 
+// The axis leaves room for names as long as the first. Those of October to December are longer in some
+// languages and lost their tens.
+int roomForLongerNames(const QStringList& names, const QFont& font) {
+    const QFontMetrics metrics(smallFont(font));
+    const auto widthOf = [&](const QString& name) { return metrics.horizontalAdvance(name); };
+    const auto [least, most] = std::ranges::minmax(names, {}, widthOf);
+    return widthOf(most) - widthOf(least) + marginPx;
+}
+
 QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& font) {
     const Inks inks = inksOf(themeInUse());
     auto* chart = new QChart;
@@ -88,7 +99,7 @@ QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& fon
     chart->setTitleFont(smallFont(font, true));
     chart->setTitleBrush(inks.text);
     chart->setBackgroundBrush(inks.paper);
-    chart->setMargins({0, 0, 4, 0});
+    chart->setMargins({0, 0, marginPx, roomForLongerNames(months, font)});
     chart->layout()->setContentsMargins(0, 0, 0, 0);
     QStackedBarSeries* series = seriesOf(bars);
     chart->addSeries(series);
