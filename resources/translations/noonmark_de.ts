@@ -104,10 +104,6 @@
         <translation>Dauer prüfen</translation>
     </message>
     <message>
-        <source>Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few minutes too, in several times the time; without it, rays decide only what neighbouring bins leave in doubt</source>
-        <translation>Strahlen prüfen jede längste Dauer, damit auch schmale Lücken gefunden werden, in mehrfacher Zeit; ohne dies entscheiden Strahlen nur, was benachbarte Klassen offen lassen</translation>
-    </message>
-    <message>
         <source>Map size</source>
         <translation>Kartengröße</translation>
     </message>
@@ -178,6 +174,10 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
+        <translation>Strahlen prüfen jeden Schritt jedes längsten Zeitraums, sodass auch eine Lücke zwischen zwei Wänden in einer Linie gefunden wird; ohne dies prüfen sie, was benachbarte Richtungen offenlassen</translation>
     </message>
 </context>
 <context>

@@ -104,10 +104,6 @@
         <translation>Comprobar tramos</translation>
     </message>
     <message>
-        <source>Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few minutes too, in several times the time; without it, rays decide only what neighbouring bins leave in doubt</source>
-        <translation>Los rayos recorren cada tramo más largo para hallar huecos estrechos, con varias veces más tiempo; sin ello solo deciden lo que los intervalos vecinos dejan en duda</translation>
-    </message>
-    <message>
         <source>Map size</source>
         <translation>Tamaño del mapa</translation>
     </message>
@@ -178,6 +174,10 @@
     <message>
         <source>no</source>
         <translation>no</translation>
+    </message>
+    <message>
+        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
+        <translation>Los rayos comprueban cada paso de cada intervalo más largo, de modo que también se encuentra un hueco entre dos muros alineados; sin ello, comprueban lo que las direcciones vecinas dejan en duda</translation>
     </message>
 </context>
 <context>

@@ -104,10 +104,6 @@
         <translation>連続の検査</translation>
     </message>
     <message>
-        <source>Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few minutes too, in several times the time; without it, rays decide only what neighbouring bins leave in doubt</source>
-        <translation>最長連続をすべてレイで確かめ、刻みより狭い切れ目も見つける (数倍の時間)。なしなら隣の刻みで決まらない所だけレイで判定</translation>
-    </message>
-    <message>
         <source>Map size</source>
         <translation>マップの大きさ</translation>
     </message>
@@ -178,6 +174,10 @@
     <message>
         <source>no</source>
         <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
+        <translation>光線は最長の連続時間のすべてのステップを調べるため、一直線に並ぶ二つの壁の隙間も見つかります。使わない場合は、隣り合う方位で判定できない部分だけを調べます</translation>
     </message>
 </context>
 <context>

@@ -30,13 +30,13 @@ TEST(MonthChart, MonthsWithoutAnyShadowHaveAnAxisFromZeroToOne) {
 
 TEST(MonthChart, TheAxisHoldsTheLargestMonth) {
     MonthChart chart;
-    chart.show({{2026y / March, 1234, -560, 600}, {2026y / April, 10, 5, 700}});
+    chart.show({{2026y / March, 1234, 0, 600, -560}, {2026y / April, 10, 0, 700, 5}});
     const auto views = chart.findChildren<QChartView*>();
     ASSERT_EQ(views.size(), 2);
     const auto* area = qobject_cast<QValueAxis*>(views[0]->chart()->axes(Qt::Vertical).front());
     EXPECT_GE(area->max(), 1234);
-    const auto* score = qobject_cast<QValueAxis*>(views[1]->chart()->axes(Qt::Vertical).front());
-    EXPECT_LE(score->min(), -560);
+    const auto* weighted = qobject_cast<QValueAxis*>(views[1]->chart()->axes(Qt::Vertical).front());
+    EXPECT_LE(weighted->min(), -560);
 }
 
 // The months from October on are longer than January there.

@@ -86,7 +86,7 @@ TEST_F(Weights, WhatIsOutOfRangeIsRefusedInItsPlace) {
     EXPECT_TRUE(refusal.contains(QStringLiteral("row 6, first"))) << refusal.toStdString();
     EXPECT_FALSE(set(5, Column::toHour, "25:00"));
     EXPECT_FALSE(set(5, Column::fromHour, "24:00"));
-    EXPECT_TRUE(refusal.contains(QStringLiteral("earlier and a later hour"))) << refusal.toStdString();
+    EXPECT_TRUE(refusal.contains(QStringLiteral("two different hours"))) << refusal.toStdString();
     EXPECT_FALSE(set(5, Column::lastDay, "07-02"));
     EXPECT_TRUE(refusal.contains(QStringLiteral("'June' and 'July' overlap"))) << refusal.toStdString();
     EXPECT_EQ(undo.count(), 0);

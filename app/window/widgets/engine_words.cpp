@@ -55,10 +55,10 @@ namespace {
         "Engine",
         "The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time"),
     QT_TRANSLATE_NOOP("Engine", "Check runs"),
-    QT_TRANSLATE_NOOP("Engine",
-                      "Rays look along every longest run, so that a gap narrower than a bin is found at "
-                      "steps of a few minutes too, in several times the time; without it, rays decide only "
-                      "what neighbouring bins leave in doubt"),
+    QT_TRANSLATE_NOOP(
+        "Engine",
+        "Rays look at every step of every longest run, so that a gap between two walls in"
+        " one line is found too; without it, they look at what neighbouring bins leave in doubt"),
     QT_TRANSLATE_NOOP("Engine", "Map size"),
     QT_TRANSLATE_NOOP("Engine",
                       "Texels along a side of the depth map that is stretched over the region; no more than "
