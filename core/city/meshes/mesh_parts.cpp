@@ -205,7 +205,7 @@ private:
             warn(WarningKind::leftOut, "a level piece at its foot was taken as ground");
     }
 
-    // Eaves let the sun in below them; the house that they belong to does not.
+    // Eaves let the sun in below them; the building that they belong to does not.
     void addUneven(TriangleMesh mesh, Footprint footprint) {
         const bool isOverhanging = hasOpenAirBelow(mesh);
         auto cut = closed_ || isOverhanging ? std::nullopt : cutEaves(mesh);
