@@ -1,40 +1,41 @@
 #include "scenarios/settings_json.h"
 
 #include "core/base/version.h"
-#include "core/receivers/roof_receivers.h"
+#include "core/describe/field_json.h"
 #include "core/simd/instruction_set.h"
+#include "core/study/study_fields.h"
+#include "core/sun/period_fields.h"
 
 namespace noonmark {
 
 using Json = nlohmann::ordered_json;
 
 Json settingsJson(const StudySettings& settings) {
-    Json engine{{"key", settings.engine}, {"settings", Json::object()}};
-    for (const auto& [key, value] : settings.engineSettings) engine["settings"][key] = value;
     const Period& period = settings.period;
-    return {{"program", "Noonmark " + std::string(version())},
-            {"instruction_set", nameOf(instructionSetInUse())},
-            {"engine", engine},
-            {"period",
-             {{"text", formatText(period)},
-              {"start", formatText(period.start)},
-              {"days", period.days},
-              {"from", period.window ? Json() : Json(formatText(period.from))},
-              {"hours", period.window ? Json() : Json(period.hours)},
-              {"window", period.window ? Json(formatText(*period.window)) : Json()},
-              {"step_min", period.stepMinutes},
-              {"zone", period.zone},
-              {"refraction", period.refraction}}},
-            {"observer", {{"pressure_hpa", settings.pressureHPa}, {"temperature_c", settings.temperatureC}}},
-            {"region", settings.region.name},
-            {"cell_m", settings.receivers.cellM},
-            {"receivers_on", nameOf(settings.receivers.places)}};
+    Json times{{"text", formatText(period)}};
+    times.update(fieldsJson(periodFields().of(period), {.which = FieldJson::Which::all}));
+    if (period.window) {
+        times["from"] = times["hours"] = nullptr;
+        times["window"] = formatText(*period.window);
+    }
+    times.erase("centre");  // the text of the window states it
+    Json json{{"program", "Noonmark " + std::string(version())},
+              {"instruction_set", nameOf(instructionSetInUse())},
+              {"engine", {{"key", settings.engine}, {"settings", settings.engineSettings}}},
+              {"period", std::move(times)},
+              {"observer", fieldsJson(airFields().of(settings))},
+              {"region", settings.region.name}};
+    json.update(fieldsJson(cellFields().of(settings)));
+    json.update(fieldsJson(surfaceFields().of(settings)));
+    return json;
 }
 
 RepeatQuestion projectQuestion(const std::string& command, const StudySettings& settings,
                                const Provenance& provenance, const std::string& engineKey,
-                               std::vector<RepeatOption> options) {
-    return {command, settings, provenance, engineKey, "--at", true, std::move(options)};
+                               std::vector<CommandOption> options) {
+    RepeatQuestion question{command, settings, provenance, engineKey, "--at", true, std::move(options)};
+    question.settings.byMonth = question.settings.contributions = false;
+    return question;
 }
 
 }  // namespace noonmark

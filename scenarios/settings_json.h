@@ -18,7 +18,7 @@ nlohmann::ordered_json settingsJson(const StudySettings& settings);
 /// `options`.
 RepeatQuestion projectQuestion(const std::string& command, const StudySettings& settings,
                                const Provenance& provenance, const std::string& engineKey,
-                               std::vector<RepeatOption> options);
+                               std::vector<CommandOption> options);
 
 /// Whether the repeat command names region.geojson, which must then be written beside the outputs.
 inline bool needsRegionFile(const Provenance& provenance) { return provenance.region == regionFileName; }

@@ -67,7 +67,7 @@ Result<ElementSettings> elementsOfFiles(const StudyOptions& options, const City&
 }
 
 Result<Period> periodOfFiles(const StudyOptions& options) {
-    if (options.period.start.empty() && options.periodName.empty())
+    if (!options.period.states("--start") && options.periodName.empty())
         return failure("The start date is missing", "period", "Give --start DATE");
     if (options.periodName.empty()) return periodFrom(options.period);
     return failure("Only a project has periods by name", "--period " + options.periodName,

@@ -70,17 +70,6 @@ void addRoofs(Receivers& receivers, const City& city) {
 
 }  // namespace
 
-std::string_view nameOf(ReceiverPlaces places) {
-    constexpr std::string_view names[] = {"ground", "roofs", "both"};
-    return names[std::size_t(places)];
-}
-
-std::optional<ReceiverPlaces> parsePlaces(std::string_view name) {
-    for (const ReceiverPlaces places : allReceiverPlaces)
-        if (nameOf(places) == name) return places;
-    return std::nullopt;
-}
-
 std::string_view describe(ReceiverPlaces places) {
     constexpr std::string_view words[] = {"the ground", "roofs", "the ground and roofs"};
     return words[std::size_t(places)];

@@ -1,21 +1,23 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
+#include "core/describe/choice.h"
+#include "core/describe/text.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
 
+inline constexpr std::array receiverPlaceChoices{
+    Choice{ReceiverPlaces::ground, "ground", NM_TEXT("on the ground")},
+    Choice{ReceiverPlaces::roofs, "roofs", NM_TEXT("on roofs")},
+    Choice{ReceiverPlaces::both, "both", NM_TEXT("on the ground and roofs")}};
+
 /// "ground", "roofs" or "both": the names on the command line and in files.
-std::string_view nameOf(ReceiverPlaces places);
-
-inline constexpr std::array allReceiverPlaces{ReceiverPlaces::ground, ReceiverPlaces::roofs,
-                                              ReceiverPlaces::both};
-
-/// The places with this name; nothing for any other text.
-std::optional<ReceiverPlaces> parsePlaces(std::string_view name);
+inline std::string_view nameOf(ReceiverPlaces places) {
+    return keyOf<ReceiverPlaces>(receiverPlaceChoices, places);
+}
 
 /// In words: "the ground", "roofs", "the ground and roofs".
 std::string_view describe(ReceiverPlaces places);

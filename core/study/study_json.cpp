@@ -2,8 +2,10 @@
 #include <limits>
 
 #include "core/base/version.h"
+#include "core/describe/figure_text.h"
 #include "core/engines/api/blank_field.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/simd/instruction_set.h"
 #include "core/study/provenance/provenance_json.h"
@@ -40,16 +42,6 @@ Json cellsJson(const Study& study) {
             {"row_order", "row 0 is the southernmost; in shadow.tif the northernmost"}};
 }
 
-void addFigures(Json& json, const ShadowStatistics& statistics) {
-    json["receiver_area_m2"] = statistics.receiverAreaM2;
-    json["shadow_area_m2"] = statistics.shadowAreaM2;
-    json["mean_gross_min"] = statistics.meanGrossMin;
-    json["max_gross_min"] = statistics.maxGrossMin;
-    // NaN (runs were not counted) becomes null in JSON.
-    json["mean_continuous_min"] = statistics.meanContinuousMin;
-    json["max_continuous_min"] = statistics.maxContinuousMin;
-}
-
 // Buildings are used or skipped; each engine states in words what else it skipped.
 void addCost(Json& json, const Study& study, const FileSeconds& writeSeconds) {
     const Cost& cost = study.field.cost;
@@ -73,7 +65,6 @@ Json definitions(bool runs) {
     return {
         {"gross", "minutes per day that a receiver is in shadow, averaged over the days of the period"},
         {"continuous", runs ? continuous : continuous + "; null: it was not counted"},
-        {"shadow_area_m2", "sum over receivers of the fraction of time in shadow times the cell area"},
         {"fraction_of_time",
          "share of the period's time with the sun above the horizon; steps with the sun below it are left "
          "out"},
@@ -112,8 +103,7 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     json["steps"] = study.sun.steps.size();
     json["steps_below_horizon"] = study.sun.belowHorizon;
     json["sunlit_min_per_day"] = study.field.sunlitMinutesPerDay;
-    json["receivers"] = study.statistics.receivers;
-    addFigures(json, study.statistics);
+    json.update(figuresJson(shadowFigures().of(study.statistics)));
     json["error"] = errorJson(study);
     addCost(json, study, writeSeconds);
     if (study.settings.byMonth)
@@ -129,6 +119,7 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
     addRepeat(json, makeRepeatCommand(study, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions(hasRuns(study.statistics));
+    json["definitions"].update(definitionsJson(shadowFigures().rows()));
     json["warnings"] = warningsJson(study.warnings);
     return toJsonText(json);
 }

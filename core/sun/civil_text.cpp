@@ -11,9 +11,9 @@ namespace {
 using namespace std::chrono;
 
 /// Takes fields of digits from the left of a text.
-class Fields {
+class TextReader {
 public:
-    explicit Fields(std::string_view text) : rest_(text) {}
+    explicit TextReader(std::string_view text) : rest_(text) {}
 
     /// Exactly `count` digits; -1 if there are fewer.
     int digits(std::size_t count) {
@@ -53,7 +53,7 @@ tl::unexpected<Error> notInCalendar(std::string_view text, CivilDate date) {
 }
 
 /// "09:00", up to "24:00"
-std::optional<milliseconds> takeTime(Fields& fields) {
+std::optional<milliseconds> takeTime(TextReader& fields) {
     const int hour = fields.digits(2);
     if (hour < 0 || !fields.takeIf(':')) return std::nullopt;
     const int minute = fields.digits(2);
@@ -62,7 +62,7 @@ std::optional<milliseconds> takeTime(Fields& fields) {
 }
 
 /// ":30", ":30.5"; 0 if there is none.
-std::optional<milliseconds> takeSeconds(Fields& fields) {
+std::optional<milliseconds> takeSeconds(TextReader& fields) {
     if (!fields.takeIf(':')) return 0ms;
     const int second = fields.digits(2);
     if (second < 0 || second > 59) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<milliseconds> takeSeconds(Fields& fields) {
 }
 
 /// "-07:00", "-0700", "-07", "Z"
-std::optional<minutes> takeOffset(Fields& fields) {
+std::optional<minutes> takeOffset(TextReader& fields) {
     if (fields.takeIf('Z') || fields.takeIf('z')) return 0min;
     const bool west = fields.takeIf('-');
     if (!west && !fields.takeIf('+')) return std::nullopt;
@@ -92,7 +92,7 @@ constexpr auto instantAdvice = "Write it like 2003-10-17T12:30:30-07:00, or with
 
 /// Parses what follows the date and the T: time, seconds, offset.
 Result<Instant> instantOn(CivilDate date, std::string_view time, const Zone& zone, std::string_view whole) {
-    Fields fields(time);
+    TextReader fields(time);
     const auto minute = takeTime(fields);
     const auto second = minute ? takeSeconds(fields) : std::nullopt;
     if (!second || *minute + *second > 24h) return badText(whole, "date and time", instantAdvice);
@@ -110,7 +110,7 @@ Result<Instant> instantOn(CivilDate date, std::string_view time, const Zone& zon
 
 Result<CivilDate> parseDate(std::string_view text) {
     constexpr auto advice = "Write it like 2026-03-21: year, month, day";
-    Fields fields(text);
+    TextReader fields(text);
     const int year = fields.digits(4);
     const bool firstDash = fields.takeIf('-');
     const int month = fields.digits(2);
@@ -127,7 +127,7 @@ Result<CivilDate> parseDate(std::string_view text) {
 Result<minutes> parseTimeOfDay(std::string_view text) {
     constexpr auto advice = "Write it like 09:00, from 00:00 to 24:00";
     const std::string padded = fmt::format("{}{}", text.find(':') == 1 ? "0" : "", text);
-    Fields fields(padded);
+    TextReader fields(padded);
     const auto time = takeTime(fields);
     if (!time || !fields.atEnd()) return badText(text, "time of day", advice);
     return duration_cast<minutes>(*time);

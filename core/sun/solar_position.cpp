@@ -13,28 +13,26 @@ namespace noonmark {
 
 namespace {
 
-struct Field {
+struct ObserverNumber {
     const char* name;
     double value;
-    double lowest;
-    double highest;
+    ValueRange range;
     const char* unit;
 };
-
-bool inRange(const Field& field) { return field.value >= field.lowest && field.value <= field.highest; }
 
 }  // namespace
 
 Result<Observer> validate(const Observer& observer) {
-    const Field fields[] = {{"longitude", observer.place.lonDeg, -180, 180, "degrees"},
-                            {"latitude", observer.place.latDeg, -90, 90, "degrees"},
-                            {"elevation", observer.elevationM, -500, 9000, "m"},
-                            {"pressure", observer.pressureHPa, 0, 1200, "hPa"},
-                            {"temperature", observer.temperatureC, -90, 60, "deg C"}};
-    for (const Field& field : fields) {
-        if (inRange(field)) continue;
-        return failure(fmt::format("{:g} {} is out of range", field.value, field.unit), field.name,
-                       fmt::format("Give {:g} to {:g}", field.lowest, field.highest));
+    const ObserverNumber numbers[] = {
+        {"longitude", observer.place.lonDeg, {-180, 180}, "degrees"},
+        {"latitude", observer.place.latDeg, {-90, 90}, "degrees"},
+        {"elevation", observer.elevationM, {-500, 9000}, "m"},
+        {"pressure", observer.pressureHPa, Observer::pressureRangeHPa, "hPa"},
+        {"temperature", observer.temperatureC, Observer::temperatureRangeC, "deg C"}};
+    for (const ObserverNumber& number : numbers) {
+        if (number.range.holds(number.value)) continue;
+        return failure(fmt::format("{:g} {} is out of range", number.value, number.unit), number.name,
+                       fmt::format("Give {:g} to {:g}", number.range.min, number.range.max));
     }
     return observer;
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/describe/value.h"
 
 namespace noonmark {
 
@@ -22,9 +23,11 @@ using Instant = std::chrono::sys_time<std::chrono::milliseconds>;
 /// makes the observer of a city; it knows how the place lies in the frame of the city's geometry.
 struct Observer {
     LonLat place;
-    double elevationM = 0;      ///< above the ellipsoid, -500 to 9000
-    double pressureHPa = 1010;  ///< 0 to 1200
-    double temperatureC = 10;   ///< -90 to 60
+    double elevationM = 0;  ///< above the ellipsoid, -500 to 9000
+    static constexpr ValueRange pressureRangeHPa{0, 1200};
+    static constexpr ValueRange temperatureRangeC{-90, 60};
+    double pressureHPa = 1010;
+    double temperatureC = 10;
     /// Transforms directions from east, north and up at the place to the frame of the geometry. The identity
     /// if the place is that frame's origin. SunStep::direction is in the frame of the geometry; azimuths and
     /// altitudes remain those of the place.

@@ -1278,10 +1278,6 @@ mit %2</translation>
         <translation>Noch keine Untersuchung: Zeitraum und Gebiet wählen, dann Berechnen drücken (Strg+R)</translation>
     </message>
     <message>
-        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
-        <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
-    </message>
-    <message>
         <source>Share of ground</source>
         <translation>Anteil am Boden</translation>
     </message>
@@ -1294,24 +1290,12 @@ mit %2</translation>
         <translation>Gesamtschatten, Mittel</translation>
     </message>
     <message>
-        <source>Minutes in shadow per day, mean over days and receivers</source>
-        <translation>Minuten im Schatten am Tag, Mittel über Tage und Messpunkte</translation>
-    </message>
-    <message>
         <source>Mean continuous</source>
         <translation>Dauerschatten, Mittel</translation>
     </message>
     <message>
-        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
-        <translation>Längster ununterbrochener Schatten eines Tages, Mittel über die Messpunkte</translation>
-    </message>
-    <message>
         <source>Max continuous</source>
         <translation>Dauerschatten, größter</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow at any receiver on any day</source>
-        <translation>Längster ununterbrochener Schatten an einem Messpunkt an einem Tag</translation>
     </message>
     <message>
         <source>Against the ray reference, on a sample of the receivers over the same steps</source>
@@ -1364,10 +1348,6 @@ mit %2</translation>
     <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>Shadow score</source>
-        <translation>Schattenbewertung</translation>
     </message>
     <message>
         <source>per m² of ground</source>
@@ -1666,18 +1646,6 @@ Zellen von %2 m</translation>
         <translation>Parks und andere Orte nach der Regel einer Behörde: erfüllt oder nicht. Die Regel steht im Feld Prüfung</translation>
     </message>
     <message>
-        <source>on the ground</source>
-        <translation>auf dem Boden</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>auf Dächern</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>auf Boden und Dächern</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -1782,38 +1750,6 @@ Vorgabe: %2</translation>
     <message>
         <source>automatic</source>
         <translation>automatisch</translation>
-    </message>
-    <message>
-        <source>Y is usual in OBJ and glTF, Z in models from GIS and CAD</source>
-        <translation>Y ist in OBJ und glTF üblich, Z in Modellen aus GIS und CAD</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
-        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
-        <translation>Einheit der Koordinaten des Modells, die in der Datei fehlt</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>US survey feet</source>
-        <translation>US-Vermessungsfuß</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>Zentimeter</translation>
     </message>
     <message>
         <source> of %1</source>
@@ -1990,18 +1926,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Fassaden und Punkte</translation>
     </message>
     <message>
-        <source>on facades</source>
-        <translation>an Fassaden</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>an Fenstern einer Datei</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>auf einer waagerechten Ebene</translation>
-    </message>
-    <message>
         <source>the floor plate is smaller</source>
         <translation>die Geschossfläche ist kleiner</translation>
     </message>
@@ -2092,14 +2016,6 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source> °</source>
         <translation> °</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>auf Linien um ein Flurstück</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>an einzelnen Punkten</translation>
     </message>
     <message>
         <source>%1, top %2</source>
@@ -2394,30 +2310,6 @@ Alle Seiten %2, Fläche %3</translation>
         <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
         <translation>Intervall der Tabelle und sein Gewicht: gewichteter Schatten, Schattenfläche in seiner Sonnenzeit, und Gewicht mal Schattenfläche</translation>
     </message>
-    <message>
-        <source>Weighted shade</source>
-        <translation>Gewichteter Schatten</translation>
-    </message>
-    <message>
-        <source>Sum over the steps of weight × hours in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow. How the table is cut into intervals does not change it</source>
-        <translation>Summe über die Schritte von Gewicht × Stunden im Schatten × Zellfläche. Über 0 überwiegt erwünschter Schatten den unerwünschten. Wie die Tabelle in Intervalle geteilt ist, ändert nichts daran</translation>
-    </message>
-    <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area, as in the paper. An interval that is cut in two counts twice</source>
-        <translation>Summe über die Intervalle von Gewicht × Anteil der Sonnenzeit des Intervalls im Schatten × Zellfläche, wie in der Veröffentlichung. Ein geteiltes Intervall zählt doppelt</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>Zoll</translation>
-    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2544,6 +2436,325 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>Give it 90 storeys, so that its shadow reaches the lawn.</source>
         <translation>Ihm 90 Geschosse geben, damit sein Schatten die Wiese erreicht.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark</name>
+    <message>
+        <source>Height field</source>
+        <translation>Feld der Höhe</translation>
+    </message>
+    <message>
+        <source>Field with the heights (default: found by its name)</source>
+        <translation>Feld mit den Höhen (Standard: am Namen erkannt)</translation>
+    </message>
+    <message>
+        <source>found by name</source>
+        <translation>am Namen erkannt</translation>
+    </message>
+    <message>
+        <source>Storeys field</source>
+        <translation>Feld der Geschosse</translation>
+    </message>
+    <message>
+        <source>Field with the storeys above the ground (default: found by its name)</source>
+        <translation>Feld mit den Geschossen über dem Boden (Standard: am Namen erkannt)</translation>
+    </message>
+    <message>
+        <source>Unit of heights</source>
+        <translation>Einheit der Höhen</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)</source>
+        <translation>Einheit der Zahlen ohne Einheit: m, ft, us-ft, cm, mm oder in (Standard m)</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Height of a storey</source>
+        <translation>Höhe eines Geschosses</translation>
+    </message>
+    <message>
+        <source>Height of a storey, 2 to 6 m</source>
+        <translation>Höhe eines Geschosses, 2 bis 6 m</translation>
+    </message>
+    <message>
+        <source>Default height</source>
+        <translation>Vorgabehöhe</translation>
+    </message>
+    <message>
+        <source>Height of buildings without height data, 1 to 1000 m</source>
+        <translation>Höhe von Gebäuden ohne Höhenangabe, 1 bis 1000 m</translation>
+    </message>
+    <message>
+        <source>Terrain from building bases</source>
+        <translation>Gelände aus Gebäudefüßen</translation>
+    </message>
+    <message>
+        <source>If there is no terrain, derive one from the ground elevations of the buildings; auto (default): only where neighbours stand at different heights</source>
+        <translation>Ohne Gelände eines aus den Bodenhöhen der Gebäude ableiten; auto (Standard): nur wo Nachbarn verschieden hoch stehen</translation>
+    </message>
+    <message>
+        <source>Terrain shows</source>
+        <translation>Das Gelände zeigt</translation>
+    </message>
+    <message>
+        <source>What terrain rasters show: the bare ground, or a surface with the buildings on it; auto (default): a surface where they jump at the outlines of buildings</source>
+        <translation>Was Geländeraster zeigen: den bloßen Boden oder eine Oberfläche mit Gebäuden; auto (Standard): eine Oberfläche, wo sie an Umrissen springen</translation>
+    </message>
+    <message>
+        <source>Missing heights from the surface model</source>
+        <translation>Fehlende Höhen aus dem Oberflächenmodell</translation>
+    </message>
+    <message>
+        <source>Give buildings without a height that of the surface model above the ground</source>
+        <translation>Gebäude ohne Höhe erhalten die des Oberflächenmodells über dem Boden</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Read this layer only</source>
+        <translation>Nur diese Ebene lesen</translation>
+    </message>
+    <message>
+        <source>the polygon layers that hold buildings</source>
+        <translation>die Polygonebenen mit Gebäuden</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of files that do not state it: EPSG:2263</source>
+        <translation>Koordinatensystem von Dateien, die keines angeben: EPSG:2263</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>wie in der Datei (Beispiel: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Detailgrad</translation>
+    </message>
+    <message>
+        <source>CityJSON: level of detail (default: the highest)</source>
+        <translation>CityJSON: Detailstufe (Standard: die höchste)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>die höchste</translation>
+    </message>
+    <message>
+        <source>Maximum distance</source>
+        <translation>Größte Entfernung</translation>
+    </message>
+    <message>
+        <source>Leave out features farther than this from the middle of the data, m</source>
+        <translation>Objekte weglassen, die weiter von der Mitte der Daten entfernt sind, m</translation>
+    </message>
+    <message>
+        <source>Mesh north</source>
+        <translation>Norden des Modells</translation>
+    </message>
+    <message>
+        <source>Meshes: azimuth of the mesh&apos;s north axis from true north, clockwise, degrees</source>
+        <translation>Netze: Azimut der Nordachse des Netzes von geografisch Nord, im Uhrzeigersinn, Grad</translation>
+    </message>
+    <message>
+        <source>Origin located at</source>
+        <translation>Ursprung liegt bei</translation>
+    </message>
+    <message>
+        <source>Meshes: position of the mesh&apos;s origin, degrees</source>
+        <translation>Netze: Lage des Ursprungs des Netzes, Grad</translation>
+    </message>
+    <message>
+        <source>Buildings stand</source>
+        <translation>Gebäude stehen</translation>
+    </message>
+    <message>
+        <source>Where buildings stand: each on the terrain, or at the elevations that the file states (absolute); auto (default): as its bases lie against the terrain</source>
+        <translation>Wo Gebäude stehen: jedes auf dem Gelände oder auf den Höhen der Datei (absolute); auto (Standard): je nachdem, wie ihre Fußpunkte zum Gelände liegen</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Meshes: the axis that points up, y or z; auto (default): as the format says or the shape suggests</source>
+        <translation>Netze: die Achse nach oben, y oder z; auto (Standard): wie das Format sagt oder die Form nahelegt</translation>
+    </message>
+    <message>
+        <source>Unit of coordinates</source>
+        <translation>Einheit der Koordinaten</translation>
+    </message>
+    <message>
+        <source>Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)</source>
+        <translation>Netze: Einheit der Koordinaten: m, ft, us-ft, cm, mm oder in (Standard m)</translation>
+    </message>
+    <message>
+        <source>Receivers</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>cells or points where shadow is measured</source>
+        <translation>Zellen oder Punkte, an denen der Schatten gemessen wird</translation>
+    </message>
+    <message>
+        <source>Area of the receivers</source>
+        <translation>Fläche der Messpunkte</translation>
+    </message>
+    <message>
+        <source>area of all receivers</source>
+        <translation>Fläche aller Messpunkte</translation>
+    </message>
+    <message>
+        <source>Shadow area</source>
+        <translation>Schattenfläche</translation>
+    </message>
+    <message>
+        <source>sum over the receivers of (share of the sunlit time in shadow x cell area)</source>
+        <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten x Zellfläche)</translation>
+    </message>
+    <message>
+        <source>Mean gross</source>
+        <translation>Gesamtschatten, Mittel</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over days and receivers</source>
+        <translation>Minuten im Schatten am Tag, Mittel über Tage und Messpunkte</translation>
+    </message>
+    <message>
+        <source>Max gross</source>
+        <translation>Gesamtschatten, größter</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over the days, at the receiver that has most</source>
+        <translation>Minuten im Schatten am Tag, Mittel über die Tage, am Messpunkt mit dem meisten</translation>
+    </message>
+    <message>
+        <source>Mean continuous</source>
+        <translation>Dauerschatten, Mittel</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>längster ununterbrochener Schatten eines Tages, Mittel über die Messpunkte</translation>
+    </message>
+    <message>
+        <source>Max continuous</source>
+        <translation>Dauerschatten, größter</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow at any receiver on any day</source>
+        <translation>längster ununterbrochener Schatten an einem Messpunkt an einem Tag</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Facades: width of a bay, one point or window each</source>
+        <translation>Fassaden: Breite eines Feldes mit je einem Punkt oder Fenster</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>Height of a storey: facades have one point or window each, windows are numbered by it</source>
+        <translation>Höhe eines Geschosses: Fassaden haben je einen Punkt oder ein Fenster, Fenster werden danach nummeriert</translation>
+    </message>
+    <message>
+        <source>Above floor</source>
+        <translation>Über Fußboden</translation>
+    </message>
+    <message>
+        <source>Facades: height of the points above the floor</source>
+        <translation>Fassaden: Höhe der Punkte über dem Fußboden</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Windows: heights are elevations, as those of the city, or metres above the ground below</source>
+        <translation>Fenster: Höhen sind Höhenlagen wie die der Stadt oder Meter über dem Boden darunter</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Plane and lines: height above the mean of the ground, of the region or parcel</source>
+        <translation>Ebene und Linien: Höhe über dem Mittel des Bodens, des Gebiets oder Grundstücks</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Title block: the project</source>
+        <translation>Schriftfeld: das Projekt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Title block: the author</source>
+        <translation>Schriftfeld: der Verfasser</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Auftraggeber</translation>
+    </message>
+    <message>
+        <source>Title block: the client</source>
+        <translation>Schriftfeld: der Auftraggeber</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Title block: the date as printed (default: today)</source>
+        <translation>Schriftfeld: das Datum, wie gedruckt (Standard: heute)</translation>
+    </message>
+    <message>
+        <source>Sheet numbers</source>
+        <translation>Blattnummern</translation>
+    </message>
+    <message>
+        <source>Title block: A- numbers the sheets A-1, A-2, ...</source>
+        <translation>Schriftfeld: A- nummeriert die Blätter A-1, A-2, ...</translation>
+    </message>
+    <message>
+        <source>example: A- for A-1, A-2...</source>
+        <translation>Beispiel: A- für A-1, A-2 ...</translation>
+    </message>
+    <message>
+        <source>Sunlit time</source>
+        <translation>Besonnte Zeit</translation>
+    </message>
+    <message>
+        <source>minutes of the period with the sun above the horizon</source>
+        <translation>Minuten des Zeitraums mit der Sonne über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>from -1 (shadow is unwanted) to 1 (shade is wanted)</source>
+        <translation>von -1 (Schatten unerwünscht) bis 1 (Schatten erwünscht)</translation>
     </message>
 </context>
 <context>
@@ -3037,26 +3248,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
 <context>
     <name>noonmark::ElementForm</name>
     <message>
-        <source>Width of a bay: a wall has one point in each</source>
-        <translation>Breite eines Achsfelds: eine Wand hat in jedem einen Punkt</translation>
-    </message>
-    <message>
-        <source>Height of a storey: a wall has a row of points in each, and floors are numbered by it</source>
-        <translation>Höhe eines Geschosses: eine Wand hat in jedem eine Reihe von Punkten, und die Geschosse werden danach gezählt</translation>
-    </message>
-    <message>
-        <source>Height of the points above the floor of their storey</source>
-        <translation>Höhe der Punkte über dem Fußboden ihres Geschosses</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>Höhenlagen</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>über dem Gelände</translation>
-    </message>
-    <message>
         <source>all of the region</source>
         <translation>alle des Gebiets</translation>
     </message>
@@ -3093,52 +3284,12 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Datei</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation>Höhen</translation>
-    </message>
-    <message>
-        <source>Bay</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>Storey</source>
-        <translation>Geschoss</translation>
-    </message>
-    <message>
-        <source>Above floor</source>
-        <translation>Über Fußboden</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>bay</source>
-        <translation>Achsfeld</translation>
-    </message>
-    <message>
-        <source>storey</source>
-        <translation>Geschoss</translation>
-    </message>
-    <message>
-        <source>above floor</source>
-        <translation>über Fußboden</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
         <source>buildings</source>
         <translation>Gebäude</translation>
     </message>
     <message>
         <source>windows</source>
         <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>heights</source>
-        <translation>Höhen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3155,14 +3306,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
         <translation>Namen oder Kennungen von Gebäuden, durch Kommas getrennt. Leer: alle Gebäude</translation>
-    </message>
-    <message>
-        <source>Heights of the file, in metres: elevations as those of the city, or above the ground below the window</source>
-        <translation>Höhen der Datei in Metern: Geländehöhen wie die der Stadt, oder über dem Boden unter dem Fenster</translation>
-    </message>
-    <message>
-        <source>Height of the plane above the mean of the region&apos;s ground, or of the lines above that of the parcel&apos;s. The size of a plane&apos;s cells is that under &quot;How exactly&quot;.</source>
-        <translation>Höhe der Ebene über dem mittleren Boden des Gebiets, oder der Linien über dem des Flurstücks. Die Zellengröße einer Ebene steht unter „Wie genau“.</translation>
     </message>
     <message>
         <source>Proposed buildings only</source>
@@ -4529,14 +4672,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>Maßstab</translation>
     </message>
@@ -5000,6 +5135,25 @@ Nachher: %3
     </message>
 </context>
 <context>
+    <name>noonmark::R</name>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Gewichteter Schatten</translation>
+    </message>
+    <message>
+        <source>sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how the weight table is cut into intervals does not change it</source>
+        <translation>Summe über die Schritte von Gewicht x Stunden im Schatten x Zellfläche, m² h im Zeitraum; wie die Gewichtstabelle in Intervalle geteilt ist, ändert nichts daran</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Schattenbewertung</translation>
+    </message>
+    <message>
+        <source>sum over the intervals of the weight table of weight x share of the interval&apos;s sunlit time in shadow, times cell area; an interval that is cut in two counts twice</source>
+        <translation>Summe über die Intervalle der Gewichtstabelle von Gewicht x Anteil der Sonnenzeit des Intervalls im Schatten, mal Zellfläche; ein geteiltes Intervall zählt doppelt</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::RangePanel</name>
     <message>
         <source>Incremental shadow</source>
@@ -5045,42 +5199,6 @@ Nachher: %3
 <context>
     <name>noonmark::ReadingForm</name>
     <message>
-        <source>found by name</source>
-        <translation>am Namen erkannt</translation>
-    </message>
-    <message>
-        <source>as in the file</source>
-        <translation>wie in der Datei</translation>
-    </message>
-    <message>
-        <source>all layers with polygons</source>
-        <translation>alle Ebenen mit Polygonen</translation>
-    </message>
-    <message>
-        <source>as in the file (example: EPSG:2263)</source>
-        <translation>wie in der Datei (Beispiel: EPSG:2263)</translation>
-    </message>
-    <message>
-        <source>the highest</source>
-        <translation>die höchste</translation>
-    </message>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>immer</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>nie (ebener Boden)</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>Origin located at</source>
         <translation>Ursprung liegt bei</translation>
     </message>
@@ -5101,118 +5219,8 @@ Nachher: %3
         <translation>Höhen</translation>
     </message>
     <message>
-        <source>Height field</source>
-        <translation>Feld der Höhe</translation>
-    </message>
-    <message>
-        <source>Storeys field</source>
-        <translation>Feld der Geschosse</translation>
-    </message>
-    <message>
-        <source>Unit of heights</source>
-        <translation>Einheit der Höhen</translation>
-    </message>
-    <message>
-        <source>Height of a storey</source>
-        <translation>Höhe eines Geschosses</translation>
-    </message>
-    <message>
-        <source>Default height</source>
-        <translation>Vorgabehöhe</translation>
-    </message>
-    <message>
         <source>Place and choice of data</source>
         <translation>Lage und Auswahl der Daten</translation>
-    </message>
-    <message>
-        <source>Coordinate system</source>
-        <translation>Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>Layer</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Level of detail</source>
-        <translation>Detailgrad</translation>
-    </message>
-    <message>
-        <source>Maximum distance</source>
-        <translation>Größte Entfernung</translation>
-    </message>
-    <message>
-        <source>Terrain from building bases</source>
-        <translation>Gelände aus Gebäudefüßen</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>Unit of coordinates</source>
-        <translation>Einheit der Koordinaten</translation>
-    </message>
-    <message>
-        <source>Mesh north</source>
-        <translation>Norden des Modells</translation>
-    </message>
-    <message>
-        <source>Name of the field with the heights.
-Empty: the usual names are tried.</source>
-        <translation>Name des Felds mit den Höhen.
-Leer: die üblichen Namen werden versucht.</translation>
-    </message>
-    <message>
-        <source>Name of the field with the storeys above ground.
-Empty: the usual names are tried.</source>
-        <translation>Name des Felds mit den Geschossen über dem Boden.
-Leer: die üblichen Namen werden versucht.</translation>
-    </message>
-    <message>
-        <source>Unit of heights given as plain numbers.
-As in the file: metres, unless the value or the field states otherwise.</source>
-        <translation>Einheit von Höhen ohne Einheit.
-Wie in der Datei: Meter, wenn Wert oder Feld nichts anderes sagen.</translation>
-    </message>
-    <message>
-        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
-Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
-        <translation>Wenn kein Gelände gelesen wird: aus den Bodenhöhen der Gebäude ableiten.
-Vorgabe: wenn mehr als eines von zwanzig Nachbarpaaren um mehr als 1 m abweicht.</translation>
-    </message>
-    <message>
-        <source>For buildings with known storeys but no height, metres, 2 to 6</source>
-        <translation>Für Gebäude mit bekannten Geschossen ohne Höhe, Meter, 2 bis 6</translation>
-    </message>
-    <message>
-        <source>For buildings with neither height nor storeys, metres, 1 to 1000</source>
-        <translation>Für Gebäude ohne Höhe und Geschosse, Meter, 1 bis 1000</translation>
-    </message>
-    <message>
-        <source>Read this layer only.
-Empty: all layers with polygons.</source>
-        <translation>Nur diese Ebene lesen.
-Leer: alle Ebenen mit Polygonen.</translation>
-    </message>
-    <message>
-        <source>Coordinate reference system of files that do not state it: EPSG:number.
-Empty: as in the file.</source>
-        <translation>Koordinatensystem von Dateien, die keines nennen: EPSG:Nummer.
-Leer: wie in der Datei.</translation>
-    </message>
-    <message>
-        <source>CityJSON: read this level of detail, 2.2 for example.
-Empty: the highest available.</source>
-        <translation>CityJSON: diesen Detailgrad lesen, zum Beispiel 2.2.
-Leer: den höchsten vorhandenen.</translation>
-    </message>
-    <message>
-        <source>Objects farther from the middle of the data are left out, with a warning; metres, 100 to 200000</source>
-        <translation>Objekte weiter von der Mitte der Daten werden mit Hinweis ausgelassen; Meter, 100 bis 200000</translation>
-    </message>
-    <message>
-        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
-        <translation>Richtung der Nordachse des Modells, Grad im Uhrzeigersinn von geografisch Nord, -360 bis 360</translation>
     </message>
     <message>
         <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
@@ -5235,56 +5243,6 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     <message>
         <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
         <translation>Netze (OBJ, PLY, glTF, IFC, DXF)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>jedes auf das Gelände gesetzt</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>auf den Höhen der Datei</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>an Stufen entlang der Umrisse erkannt</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>den bloßen Boden</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>eine Oberfläche mit Gebäuden</translation>
-    </message>
-    <message>
-        <source>Missing heights from the surface model</source>
-        <translation>Fehlende Höhen aus dem Oberflächenmodell</translation>
-    </message>
-    <message>
-        <source>Buildings stand</source>
-        <translation>Gebäude stehen</translation>
-    </message>
-    <message>
-        <source>Terrain shows</source>
-        <translation>Das Gelände zeigt</translation>
-    </message>
-    <message>
-        <source>Where buildings stand whose file states their elevations.
-Default: they are shifted by a gap that is the same for all, or set down where their bases do not follow the terrain.</source>
-        <translation>Wo Gebäude stehen, deren Datei ihre Höhenlage angibt.
-Standard: Sie werden um einen für alle gleichen Abstand verschoben oder aufgesetzt, wo ihre Fußpunkte dem Gelände nicht folgen.</translation>
-    </message>
-    <message>
-        <source>A surface model shows the roofs of buildings, which would count twice: the ground around them is used instead.</source>
-        <translation>Ein Oberflächenmodell zeigt die Dächer der Gebäude, die doppelt zählen würden: Stattdessen wird der Boden ringsum verwendet.</translation>
-    </message>
-    <message>
-        <source>Buildings without a height get that of the surface model above the ground.</source>
-        <translation>Gebäude ohne Höhe erhalten die des Oberflächenmodells über dem Boden.</translation>
     </message>
 </context>
 <context>
@@ -5876,26 +5834,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Schritte seit dem Bestand, mit denen seiner Grundlagen</translation>
     </message>
     <message>
-        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
-        <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
-    </message>
-    <message>
-        <source>Mean gross, min</source>
-        <translation>Gesamt, Mittel, min</translation>
-    </message>
-    <message>
-        <source>Minutes in shadow per day, mean over days and receivers</source>
-        <translation>Minuten im Schatten am Tag, Mittel über Tage und Messpunkte</translation>
-    </message>
-    <message>
-        <source>Mean continuous, min</source>
-        <translation>Dauer, Mittel, min</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
-        <translation>Längster ununterbrochener Schatten eines Tages, Mittel über die Messpunkte</translation>
-    </message>
-    <message>
         <source>Floor area by use</source>
         <translation>Geschossfläche nach Nutzung</translation>
     </message>
@@ -5920,20 +5858,12 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Bruttogrundfläche der Türme des Szenarios. Importierte Gebäude und Türme, deren Höhe nachträglich geändert wurde, zählen nicht mit</translation>
     </message>
     <message>
-        <source>Shadow area, %1</source>
-        <translation>Schattenfläche, %1</translation>
-    </message>
-    <message>
         <source>Impact, %1</source>
         <translation>Auswirkung, %1</translation>
     </message>
     <message>
         <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
         <translation>Änderung der Schattenfläche gegenüber dem gewählten Vergleich, sonst gegenüber dem Bestand, auf den Messpunkten von beiden</translation>
-    </message>
-    <message>
-        <source>Score, %1</source>
-        <translation>Bewertung, %1</translation>
     </message>
     <message>
         <source>Verdicts</source>
@@ -5980,18 +5910,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
 %3</source>
         <translation>Verglichen mit %1. Boden, dessen Gesamtschatten sich um mehr als %2 min am Tag ändert:
 %3</translation>
-    </message>
-    <message>
-        <source>Weighted shade, m² h</source>
-        <translation>Gewichteter Schatten, m² h</translation>
-    </message>
-    <message>
-        <source>Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow. How the table is cut does not change it</source>
-        <translation>Gewicht × Stunden im Schatten × Fläche, nach der Tabelle im Bereich Gewichte: Über 0 überwiegt erwünschter Schatten den unerwünschten. Wie die Tabelle geteilt ist, ändert nichts daran</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s score: the sum of weight × share of each interval&apos;s sunlit time in shadow × area. An interval that is cut in two counts twice</source>
-        <translation>Bewertung der Veröffentlichung: Summe von Gewicht × Anteil der Sonnenzeit jedes Intervalls im Schatten × Fläche. Ein geteiltes Intervall zählt doppelt</translation>
     </message>
     <message>
         <source>Measured earlier and saved with the project: press Measure all for the maps</source>
@@ -6321,34 +6239,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Metric and imperial</source>
         <translation>Metrisch und imperial</translation>
-    </message>
-    <message>
-        <source>Project</source>
-        <translation>Projekt</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>weglassen</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>Verfasser</translation>
-    </message>
-    <message>
-        <source>Client</source>
-        <translation>Auftraggeber</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
-        <source>Sheet numbers</source>
-        <translation>Blattnummern</translation>
-    </message>
-    <message>
-        <source>example: A- for A-1, A-2...</source>
-        <translation>Beispiel: A- für A-1, A-2 ...</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -7577,6 +7467,121 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>immer</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nie (ebener Boden)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>jedes auf das Gelände gesetzt</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>auf den Höhen der Datei</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>an Stufen entlang der Umrisse erkannt</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>den bloßen Boden</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>eine Oberfläche mit Gebäuden</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>auf dem Boden</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>auf Dächern</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>auf Boden und Dächern</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>Höhenlagen</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>über dem Gelände</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>an Fassaden</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>an Fenstern einer Datei</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>auf einer waagerechten Ebene</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>auf Linien um ein Flurstück</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>an einzelnen Punkten</translation>
     </message>
 </context>
 </TS>

@@ -1278,10 +1278,6 @@ con %2</translation>
         <translation>Aún no hay estudio: elija un periodo y una zona y pulse Calcular (Ctrl+R)</translation>
     </message>
     <message>
-        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
-        <translation>Suma en los receptores de (parte del tiempo de sol en sombra × área de celda)</translation>
-    </message>
-    <message>
         <source>Share of ground</source>
         <translation>Parte del suelo</translation>
     </message>
@@ -1294,24 +1290,12 @@ con %2</translation>
         <translation>Sombra total media</translation>
     </message>
     <message>
-        <source>Minutes in shadow per day, mean over days and receivers</source>
-        <translation>Minutos en sombra al día, media de días y receptores</translation>
-    </message>
-    <message>
         <source>Mean continuous</source>
         <translation>Sombra continua media</translation>
     </message>
     <message>
-        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
-        <translation>Tramo más largo en sombra de cualquier día, media de los receptores</translation>
-    </message>
-    <message>
         <source>Max continuous</source>
         <translation>Sombra continua máxima</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow at any receiver on any day</source>
-        <translation>Tramo más largo en sombra en algún receptor en cualquier día</translation>
     </message>
     <message>
         <source>Against the ray reference, on a sample of the receivers over the same steps</source>
@@ -1364,10 +1348,6 @@ con %2</translation>
     <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>Shadow score</source>
-        <translation>Puntuación de sombra</translation>
     </message>
     <message>
         <source>per m² of ground</source>
@@ -1666,18 +1646,6 @@ celdas de %2 m</translation>
         <translation>Parques y otros lugares según la norma de una autoridad: cumplen o no. Elíjala en el panel Evaluación</translation>
     </message>
     <message>
-        <source>on the ground</source>
-        <translation>en el suelo</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>en las cubiertas</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>en el suelo y las cubiertas</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -1782,38 +1750,6 @@ Por defecto: %2</translation>
     <message>
         <source>automatic</source>
         <translation>automático</translation>
-    </message>
-    <message>
-        <source>Y is usual in OBJ and glTF, Z in models from GIS and CAD</source>
-        <translation>Y es habitual en OBJ y glTF, Z en modelos de SIG y CAD</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
-        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
-        <translation>Unidad de las coordenadas de la malla, que el archivo no indica</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>metros</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>pies</translation>
-    </message>
-    <message>
-        <source>US survey feet</source>
-        <translation>pies topográficos de EE. UU.</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centímetros</translation>
     </message>
     <message>
         <source> of %1</source>
@@ -1990,18 +1926,6 @@ Todos los lados %2, área %3</translation>
         <translation>Fachadas y puntos</translation>
     </message>
     <message>
-        <source>on facades</source>
-        <translation>en fachadas</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>en ventanas de un archivo</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>en un plano horizontal</translation>
-    </message>
-    <message>
         <source>the floor plate is smaller</source>
         <translation>la planta es menor</translation>
     </message>
@@ -2092,14 +2016,6 @@ Todos los lados %2, área %3</translation>
     <message>
         <source> °</source>
         <translation> °</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>en líneas alrededor de una parcela</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>en puntos concretos</translation>
     </message>
     <message>
         <source>%1, top %2</source>
@@ -2394,30 +2310,6 @@ Todos los lados %2, área %3</translation>
         <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
         <translation>Intervalo de la tabla y su peso: sombra ponderada, área de sombra en su tiempo con sol, y peso por área de sombra</translation>
     </message>
-    <message>
-        <source>Weighted shade</source>
-        <translation>Sombra ponderada</translation>
-    </message>
-    <message>
-        <source>Sum over the steps of weight × hours in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow. How the table is cut into intervals does not change it</source>
-        <translation>Suma sobre los pasos de peso × horas en sombra × área de la celda. Por encima de 0, la sombra deseada supera a la no deseada. No cambia según cómo se divida la tabla en intervalos</translation>
-    </message>
-    <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area, as in the paper. An interval that is cut in two counts twice</source>
-        <translation>Suma sobre los intervalos de peso × parte del tiempo con sol del intervalo en sombra × área de la celda, como en el artículo. Un intervalo dividido en dos cuenta dos veces</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automático</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>milímetros</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pulgadas</translation>
-    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2544,6 +2436,325 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Give it 90 storeys, so that its shadow reaches the lawn.</source>
         <translation>Déle 90 plantas para que su sombra alcance el césped.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark</name>
+    <message>
+        <source>Height field</source>
+        <translation>Campo de altura</translation>
+    </message>
+    <message>
+        <source>Field with the heights (default: found by its name)</source>
+        <translation>Campo con las alturas (por defecto: se reconoce por su nombre)</translation>
+    </message>
+    <message>
+        <source>found by name</source>
+        <translation>hallado por su nombre</translation>
+    </message>
+    <message>
+        <source>Storeys field</source>
+        <translation>Campo de plantas</translation>
+    </message>
+    <message>
+        <source>Field with the storeys above the ground (default: found by its name)</source>
+        <translation>Campo con las plantas sobre rasante (por defecto: se reconoce por su nombre)</translation>
+    </message>
+    <message>
+        <source>Unit of heights</source>
+        <translation>Unidad de las alturas</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)</source>
+        <translation>Unidad de los números sin unidad: m, ft, us-ft, cm, mm o in (por defecto m)</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>como en el archivo</translation>
+    </message>
+    <message>
+        <source>Height of a storey</source>
+        <translation>Altura de una planta</translation>
+    </message>
+    <message>
+        <source>Height of a storey, 2 to 6 m</source>
+        <translation>Altura de una planta, de 2 a 6 m</translation>
+    </message>
+    <message>
+        <source>Default height</source>
+        <translation>Altura por defecto</translation>
+    </message>
+    <message>
+        <source>Height of buildings without height data, 1 to 1000 m</source>
+        <translation>Altura de los edificios sin datos de altura, de 1 a 1000 m</translation>
+    </message>
+    <message>
+        <source>Terrain from building bases</source>
+        <translation>Terreno según bases de edificios</translation>
+    </message>
+    <message>
+        <source>If there is no terrain, derive one from the ground elevations of the buildings; auto (default): only where neighbours stand at different heights</source>
+        <translation>Si no hay terreno, deducir uno de las cotas del suelo de los edificios; auto (por defecto): solo donde los vecinos están a distinta altura</translation>
+    </message>
+    <message>
+        <source>Terrain shows</source>
+        <translation>El terreno muestra</translation>
+    </message>
+    <message>
+        <source>What terrain rasters show: the bare ground, or a surface with the buildings on it; auto (default): a surface where they jump at the outlines of buildings</source>
+        <translation>Qué muestran los rásteres de terreno: el suelo desnudo o una superficie con edificios; auto (por defecto): una superficie donde saltan en los contornos</translation>
+    </message>
+    <message>
+        <source>Missing heights from the surface model</source>
+        <translation>Alturas que faltan, del modelo de superficie</translation>
+    </message>
+    <message>
+        <source>Give buildings without a height that of the surface model above the ground</source>
+        <translation>Dar a los edificios sin altura la del modelo de superficie sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Capa</translation>
+    </message>
+    <message>
+        <source>Read this layer only</source>
+        <translation>Leer solo esta capa</translation>
+    </message>
+    <message>
+        <source>the polygon layers that hold buildings</source>
+        <translation>las capas de polígonos con edificios</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of files that do not state it: EPSG:2263</source>
+        <translation>Sistema de coordenadas de los archivos que no lo indican: EPSG:2263</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>como en el archivo (ejemplo: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Nivel de detalle</translation>
+    </message>
+    <message>
+        <source>CityJSON: level of detail (default: the highest)</source>
+        <translation>CityJSON: nivel de detalle (por defecto: el más alto)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>el más alto</translation>
+    </message>
+    <message>
+        <source>Maximum distance</source>
+        <translation>Distancia máxima</translation>
+    </message>
+    <message>
+        <source>Leave out features farther than this from the middle of the data, m</source>
+        <translation>Omitir los objetos más lejanos que esto del centro de los datos, m</translation>
+    </message>
+    <message>
+        <source>Mesh north</source>
+        <translation>Norte de la malla</translation>
+    </message>
+    <message>
+        <source>Meshes: azimuth of the mesh&apos;s north axis from true north, clockwise, degrees</source>
+        <translation>Mallas: acimut del eje norte de la malla desde el norte geográfico, en sentido horario, grados</translation>
+    </message>
+    <message>
+        <source>Origin located at</source>
+        <translation>Origen situado en</translation>
+    </message>
+    <message>
+        <source>Meshes: position of the mesh&apos;s origin, degrees</source>
+        <translation>Mallas: posición del origen de la malla, grados</translation>
+    </message>
+    <message>
+        <source>Buildings stand</source>
+        <translation>Los edificios se apoyan</translation>
+    </message>
+    <message>
+        <source>Where buildings stand: each on the terrain, or at the elevations that the file states (absolute); auto (default): as its bases lie against the terrain</source>
+        <translation>Dónde se apoyan los edificios: cada uno en el terreno o a las cotas del archivo (absolute); auto (por defecto): según estén sus bases respecto al terreno</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Eje vertical</translation>
+    </message>
+    <message>
+        <source>Meshes: the axis that points up, y or z; auto (default): as the format says or the shape suggests</source>
+        <translation>Mallas: el eje hacia arriba, y o z; auto (por defecto): según diga el formato o sugiera la forma</translation>
+    </message>
+    <message>
+        <source>Unit of coordinates</source>
+        <translation>Unidad de las coordenadas</translation>
+    </message>
+    <message>
+        <source>Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)</source>
+        <translation>Mallas: unidad de las coordenadas: m, ft, us-ft, cm, mm o in (por defecto m)</translation>
+    </message>
+    <message>
+        <source>Receivers</source>
+        <translation>Receptores</translation>
+    </message>
+    <message>
+        <source>cells or points where shadow is measured</source>
+        <translation>celdas o puntos donde se mide la sombra</translation>
+    </message>
+    <message>
+        <source>Area of the receivers</source>
+        <translation>Área de los receptores</translation>
+    </message>
+    <message>
+        <source>area of all receivers</source>
+        <translation>área de todos los receptores</translation>
+    </message>
+    <message>
+        <source>Shadow area</source>
+        <translation>Área de sombra</translation>
+    </message>
+    <message>
+        <source>sum over the receivers of (share of the sunlit time in shadow x cell area)</source>
+        <translation>suma sobre los receptores de (parte del tiempo con sol en sombra x área de la celda)</translation>
+    </message>
+    <message>
+        <source>Mean gross</source>
+        <translation>Sombra total media</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over days and receivers</source>
+        <translation>minutos en sombra al día, media de días y receptores</translation>
+    </message>
+    <message>
+        <source>Max gross</source>
+        <translation>Sombra total, máxima</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over the days, at the receiver that has most</source>
+        <translation>minutos en sombra al día, media de los días, en el receptor que más tiene</translation>
+    </message>
+    <message>
+        <source>Mean continuous</source>
+        <translation>Sombra continua media</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>sombra ininterrumpida más larga de un día, media de los receptores</translation>
+    </message>
+    <message>
+        <source>Max continuous</source>
+        <translation>Sombra continua máxima</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow at any receiver on any day</source>
+        <translation>sombra ininterrumpida más larga en un receptor en un día</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>Vano</translation>
+    </message>
+    <message>
+        <source>Facades: width of a bay, one point or window each</source>
+        <translation>Fachadas: ancho de un vano, con un punto o ventana cada uno</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Height of a storey: facades have one point or window each, windows are numbered by it</source>
+        <translation>Altura de una planta: las fachadas tienen un punto o ventana en cada una, las ventanas se numeran por ella</translation>
+    </message>
+    <message>
+        <source>Above floor</source>
+        <translation>Sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Facades: height of the points above the floor</source>
+        <translation>Fachadas: altura de los puntos sobre el suelo de la planta</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Alturas</translation>
+    </message>
+    <message>
+        <source>Windows: heights are elevations, as those of the city, or metres above the ground below</source>
+        <translation>Ventanas: las alturas son cotas, como las de la ciudad, o metros sobre el suelo de debajo</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Plane and lines: height above the mean of the ground, of the region or parcel</source>
+        <translation>Plano y líneas: altura sobre la media del suelo, de la región o parcela</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>Title block: the project</source>
+        <translation>Cajetín: el proyecto</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omitido</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Title block: the author</source>
+        <translation>Cajetín: el autor</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Title block: the client</source>
+        <translation>Cajetín: el cliente</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Title block: the date as printed (default: today)</source>
+        <translation>Cajetín: la fecha impresa (por defecto: hoy)</translation>
+    </message>
+    <message>
+        <source>Sheet numbers</source>
+        <translation>Números de lámina</translation>
+    </message>
+    <message>
+        <source>Title block: A- numbers the sheets A-1, A-2, ...</source>
+        <translation>Cajetín: A- numera las hojas A-1, A-2, ...</translation>
+    </message>
+    <message>
+        <source>example: A- for A-1, A-2...</source>
+        <translation>ejemplo: A- para A-1, A-2...</translation>
+    </message>
+    <message>
+        <source>Sunlit time</source>
+        <translation>Tiempo con sol</translation>
+    </message>
+    <message>
+        <source>minutes of the period with the sun above the horizon</source>
+        <translation>minutos del periodo con el sol sobre el horizonte</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>from -1 (shadow is unwanted) to 1 (shade is wanted)</source>
+        <translation>de -1 (sombra no deseada) a 1 (sombra deseada)</translation>
     </message>
 </context>
 <context>
@@ -3037,26 +3248,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
 <context>
     <name>noonmark::ElementForm</name>
     <message>
-        <source>Width of a bay: a wall has one point in each</source>
-        <translation>Ancho de un vano: una pared tiene un punto en cada uno</translation>
-    </message>
-    <message>
-        <source>Height of a storey: a wall has a row of points in each, and floors are numbered by it</source>
-        <translation>Altura de una planta: una pared tiene una fila de puntos en cada una, y las plantas se numeran según ella</translation>
-    </message>
-    <message>
-        <source>Height of the points above the floor of their storey</source>
-        <translation>Altura de los puntos sobre el suelo de su planta</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>cotas</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>sobre el terreno</translation>
-    </message>
-    <message>
         <source>all of the region</source>
         <translation>todos los de la región</translation>
     </message>
@@ -3093,52 +3284,12 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Archivo</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation>Alturas</translation>
-    </message>
-    <message>
-        <source>Bay</source>
-        <translation>Vano</translation>
-    </message>
-    <message>
-        <source>Storey</source>
-        <translation>Planta</translation>
-    </message>
-    <message>
-        <source>Above floor</source>
-        <translation>Sobre el suelo</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Altura</translation>
-    </message>
-    <message>
-        <source>bay</source>
-        <translation>vano</translation>
-    </message>
-    <message>
-        <source>storey</source>
-        <translation>planta</translation>
-    </message>
-    <message>
-        <source>above floor</source>
-        <translation>sobre el suelo</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>plano</translation>
-    </message>
-    <message>
         <source>buildings</source>
         <translation>edificios</translation>
     </message>
     <message>
         <source>windows</source>
         <translation>ventanas</translation>
-    </message>
-    <message>
-        <source>heights</source>
-        <translation>alturas</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3155,14 +3306,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
         <translation>Nombres o identificadores de edificios, separados por comas. Vacío: todos los edificios</translation>
-    </message>
-    <message>
-        <source>Heights of the file, in metres: elevations as those of the city, or above the ground below the window</source>
-        <translation>Alturas del archivo, en metros: cotas como las de la ciudad, o sobre el suelo bajo la ventana</translation>
-    </message>
-    <message>
-        <source>Height of the plane above the mean of the region&apos;s ground, or of the lines above that of the parcel&apos;s. The size of a plane&apos;s cells is that under &quot;How exactly&quot;.</source>
-        <translation>Altura del plano sobre el terreno medio de la región, o de las líneas sobre el de la parcela. El tamaño de las celdas de un plano es el de «Con qué precisión».</translation>
     </message>
     <message>
         <source>Proposed buildings only</source>
@@ -4529,14 +4672,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Up axis</source>
-        <translation>Eje vertical</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>Escala</translation>
     </message>
@@ -5000,6 +5135,25 @@ Después: %3
     </message>
 </context>
 <context>
+    <name>noonmark::R</name>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Sombra ponderada</translation>
+    </message>
+    <message>
+        <source>sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how the weight table is cut into intervals does not change it</source>
+        <translation>suma sobre los pasos de peso x horas en sombra x área de la celda, m² h en el periodo; no cambia según cómo se divida la tabla de pesos en intervalos</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Puntuación de sombra</translation>
+    </message>
+    <message>
+        <source>sum over the intervals of the weight table of weight x share of the interval&apos;s sunlit time in shadow, times cell area; an interval that is cut in two counts twice</source>
+        <translation>suma sobre los intervalos de la tabla de peso x parte del tiempo con sol del intervalo en sombra, por el área de la celda; un intervalo dividido en dos cuenta dos veces</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::RangePanel</name>
     <message>
         <source>Incremental shadow</source>
@@ -5045,42 +5199,6 @@ Después: %3
 <context>
     <name>noonmark::ReadingForm</name>
     <message>
-        <source>found by name</source>
-        <translation>hallado por su nombre</translation>
-    </message>
-    <message>
-        <source>as in the file</source>
-        <translation>como en el archivo</translation>
-    </message>
-    <message>
-        <source>all layers with polygons</source>
-        <translation>todas las capas con polígonos</translation>
-    </message>
-    <message>
-        <source>as in the file (example: EPSG:2263)</source>
-        <translation>como en el archivo (ejemplo: EPSG:2263)</translation>
-    </message>
-    <message>
-        <source>the highest</source>
-        <translation>el más alto</translation>
-    </message>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>si difiere la cota de los vecinos</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>siempre</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>nunca (suelo llano)</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>Origin located at</source>
         <translation>Origen situado en</translation>
     </message>
@@ -5101,118 +5219,8 @@ Después: %3
         <translation>Alturas</translation>
     </message>
     <message>
-        <source>Height field</source>
-        <translation>Campo de altura</translation>
-    </message>
-    <message>
-        <source>Storeys field</source>
-        <translation>Campo de plantas</translation>
-    </message>
-    <message>
-        <source>Unit of heights</source>
-        <translation>Unidad de las alturas</translation>
-    </message>
-    <message>
-        <source>Height of a storey</source>
-        <translation>Altura de una planta</translation>
-    </message>
-    <message>
-        <source>Default height</source>
-        <translation>Altura por defecto</translation>
-    </message>
-    <message>
         <source>Place and choice of data</source>
         <translation>Ubicación y selección de datos</translation>
-    </message>
-    <message>
-        <source>Coordinate system</source>
-        <translation>Sistema de coordenadas</translation>
-    </message>
-    <message>
-        <source>Layer</source>
-        <translation>Capa</translation>
-    </message>
-    <message>
-        <source>Level of detail</source>
-        <translation>Nivel de detalle</translation>
-    </message>
-    <message>
-        <source>Maximum distance</source>
-        <translation>Distancia máxima</translation>
-    </message>
-    <message>
-        <source>Terrain from building bases</source>
-        <translation>Terreno según bases de edificios</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Eje vertical</translation>
-    </message>
-    <message>
-        <source>Unit of coordinates</source>
-        <translation>Unidad de las coordenadas</translation>
-    </message>
-    <message>
-        <source>Mesh north</source>
-        <translation>Norte de la malla</translation>
-    </message>
-    <message>
-        <source>Name of the field with the heights.
-Empty: the usual names are tried.</source>
-        <translation>Nombre del campo con las alturas.
-Vacío: se prueban los nombres habituales.</translation>
-    </message>
-    <message>
-        <source>Name of the field with the storeys above ground.
-Empty: the usual names are tried.</source>
-        <translation>Nombre del campo con las plantas sobre rasante.
-Vacío: se prueban los nombres habituales.</translation>
-    </message>
-    <message>
-        <source>Unit of heights given as plain numbers.
-As in the file: metres, unless the value or the field states otherwise.</source>
-        <translation>Unidad de las alturas dadas como simples números.
-Como en el archivo: metros, salvo que el valor o el campo indiquen otra.</translation>
-    </message>
-    <message>
-        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
-Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
-        <translation>Si no se lee terreno: obtenerlo de las cotas del suelo de los edificios.
-Por defecto: si más de uno de cada veinte pares de vecinos difiere en más de 1 m.</translation>
-    </message>
-    <message>
-        <source>For buildings with known storeys but no height, metres, 2 to 6</source>
-        <translation>Para edificios con plantas conocidas y sin altura, metros, 2 a 6</translation>
-    </message>
-    <message>
-        <source>For buildings with neither height nor storeys, metres, 1 to 1000</source>
-        <translation>Para edificios sin altura ni plantas, metros, 1 a 1000</translation>
-    </message>
-    <message>
-        <source>Read this layer only.
-Empty: all layers with polygons.</source>
-        <translation>Leer solo esta capa.
-Vacío: todas las capas con polígonos.</translation>
-    </message>
-    <message>
-        <source>Coordinate reference system of files that do not state it: EPSG:number.
-Empty: as in the file.</source>
-        <translation>Sistema de coordenadas de archivos que no lo indican: EPSG:número.
-Vacío: como en el archivo.</translation>
-    </message>
-    <message>
-        <source>CityJSON: read this level of detail, 2.2 for example.
-Empty: the highest available.</source>
-        <translation>CityJSON: leer este nivel de detalle, por ejemplo 2.2.
-Vacío: el más alto disponible.</translation>
-    </message>
-    <message>
-        <source>Objects farther from the middle of the data are left out, with a warning; metres, 100 to 200000</source>
-        <translation>Los objetos más alejados del centro de los datos se omiten, con un aviso; metros, 100 a 200000</translation>
-    </message>
-    <message>
-        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
-        <translation>Dirección del eje norte de la malla, grados en sentido horario desde el norte verdadero, -360 a 360</translation>
     </message>
     <message>
         <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
@@ -5235,56 +5243,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     <message>
         <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
         <translation>Mallas (OBJ, PLY, glTF, IFC, DXF)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>según encajen sus bases en el terreno</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>cada uno apoyado en el terreno</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>a las cotas del archivo</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>según sus saltos en los contornos</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>el suelo desnudo</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>una superficie con edificios</translation>
-    </message>
-    <message>
-        <source>Missing heights from the surface model</source>
-        <translation>Alturas que faltan, del modelo de superficie</translation>
-    </message>
-    <message>
-        <source>Buildings stand</source>
-        <translation>Los edificios se apoyan</translation>
-    </message>
-    <message>
-        <source>Terrain shows</source>
-        <translation>El terreno muestra</translation>
-    </message>
-    <message>
-        <source>Where buildings stand whose file states their elevations.
-Default: they are shifted by a gap that is the same for all, or set down where their bases do not follow the terrain.</source>
-        <translation>Dónde se apoyan los edificios cuyo archivo indica su cota.
-Por defecto: se desplazan si la separación es igual para todos, o se apoyan donde sus bases no siguen el terreno.</translation>
-    </message>
-    <message>
-        <source>A surface model shows the roofs of buildings, which would count twice: the ground around them is used instead.</source>
-        <translation>Un modelo de superficie muestra los tejados, que contarían dos veces: se usa el suelo de alrededor.</translation>
-    </message>
-    <message>
-        <source>Buildings without a height get that of the surface model above the ground.</source>
-        <translation>Los edificios sin altura reciben la del modelo de superficie sobre el suelo.</translation>
     </message>
 </context>
 <context>
@@ -5876,26 +5834,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Pasos desde la ciudad existente, con los de sus bases</translation>
     </message>
     <message>
-        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
-        <translation>Suma en los receptores de (parte del tiempo de sol en sombra × área de celda)</translation>
-    </message>
-    <message>
-        <source>Mean gross, min</source>
-        <translation>Total media, min</translation>
-    </message>
-    <message>
-        <source>Minutes in shadow per day, mean over days and receivers</source>
-        <translation>Minutos en sombra al día, media de días y receptores</translation>
-    </message>
-    <message>
-        <source>Mean continuous, min</source>
-        <translation>Continua media, min</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
-        <translation>Tramo más largo en sombra de cualquier día, media de los receptores</translation>
-    </message>
-    <message>
         <source>Floor area by use</source>
         <translation>Superficie por uso</translation>
     </message>
@@ -5920,20 +5858,12 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Superficie construida total de las torres del escenario. No se cuentan los edificios importados ni las torres cuya altura se cambió después</translation>
     </message>
     <message>
-        <source>Shadow area, %1</source>
-        <translation>Área de sombra, %1</translation>
-    </message>
-    <message>
         <source>Impact, %1</source>
         <translation>Impacto, %1</translation>
     </message>
     <message>
         <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
         <translation>Cambio del área de sombra respecto a la referencia elegida o, si no, a la ciudad existente, en los receptores de ambas</translation>
-    </message>
-    <message>
-        <source>Score, %1</source>
-        <translation>Puntuación, %1</translation>
     </message>
     <message>
         <source>Verdicts</source>
@@ -5980,18 +5910,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
 %3</source>
         <translation>Comparado con %1. Suelo cuya sombra total cambia más de %2 min al día:
 %3</translation>
-    </message>
-    <message>
-        <source>Weighted shade, m² h</source>
-        <translation>Sombra ponderada, m² h</translation>
-    </message>
-    <message>
-        <source>Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow. How the table is cut does not change it</source>
-        <translation>Peso × horas en sombra × área, según la tabla del panel Pesos: por encima de 0, la sombra deseada supera a la no deseada. No cambia según cómo se divida la tabla</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s score: the sum of weight × share of each interval&apos;s sunlit time in shadow × area. An interval that is cut in two counts twice</source>
-        <translation>La puntuación del artículo: suma de peso × parte del tiempo con sol de cada intervalo en sombra × área. Un intervalo dividido en dos cuenta dos veces</translation>
     </message>
     <message>
         <source>Measured earlier and saved with the project: press Measure all for the maps</source>
@@ -6321,34 +6239,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Metric and imperial</source>
         <translation>Métrico e imperial</translation>
-    </message>
-    <message>
-        <source>Project</source>
-        <translation>Proyecto</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>omitido</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>Autor</translation>
-    </message>
-    <message>
-        <source>Client</source>
-        <translation>Cliente</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Fecha</translation>
-    </message>
-    <message>
-        <source>Sheet numbers</source>
-        <translation>Números de lámina</translation>
-    </message>
-    <message>
-        <source>example: A- for A-1, A-2...</source>
-        <translation>ejemplo: A- para A-1, A-2...</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -7577,6 +7467,121 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>pies topográficos de EE. UU.</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>si difiere la cota de los vecinos</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>siempre</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nunca (suelo llano)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>según encajen sus bases en el terreno</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>cada uno apoyado en el terreno</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>a las cotas del archivo</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>según sus saltos en los contornos</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>el suelo desnudo</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>una superficie con edificios</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>en el suelo</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>en las cubiertas</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>en el suelo y las cubiertas</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>cotas</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>sobre el terreno</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>en fachadas</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>en ventanas de un archivo</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>en un plano horizontal</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>en líneas alrededor de una parcela</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>en puntos concretos</translation>
     </message>
 </context>
 </TS>

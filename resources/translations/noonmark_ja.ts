@@ -1278,10 +1278,6 @@ with %2</source>
         <translation>まだ検討がありません。期間と範囲を選び、計算 (Ctrl+R) を押してください</translation>
     </message>
     <message>
-        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
-        <translation>測定点ごとの (日照時間のうち影の割合 × セル面積) の合計</translation>
-    </message>
-    <message>
         <source>Share of ground</source>
         <translation>地面に占める割合</translation>
     </message>
@@ -1294,24 +1290,12 @@ with %2</source>
         <translation>累計日影の平均</translation>
     </message>
     <message>
-        <source>Minutes in shadow per day, mean over days and receivers</source>
-        <translation>1 日の日影の分。日と測定点の平均</translation>
-    </message>
-    <message>
         <source>Mean continuous</source>
         <translation>連続日影の平均</translation>
     </message>
     <message>
-        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
-        <translation>1 日の最長連続日影。測定点の平均</translation>
-    </message>
-    <message>
         <source>Max continuous</source>
         <translation>連続日影の最大</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow at any receiver on any day</source>
-        <translation>いずれかの測定点・日の最長連続日影</translation>
     </message>
     <message>
         <source>Against the ray reference, on a sample of the receivers over the same steps</source>
@@ -1364,10 +1348,6 @@ with %2</source>
     <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>Shadow score</source>
-        <translation>日影スコア</translation>
     </message>
     <message>
         <source>per m² of ground</source>
@@ -1666,18 +1646,6 @@ cells of %2 m</source>
         <translation>公園などの場所が審査機関の規定に適合するか。規定は「審査」パネルで選択</translation>
     </message>
     <message>
-        <source>on the ground</source>
-        <translation>地面</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>屋根</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>地面と屋根</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>北</translation>
     </message>
@@ -1782,38 +1750,6 @@ Default: %2</source>
     <message>
         <source>automatic</source>
         <translation>自動</translation>
-    </message>
-    <message>
-        <source>Y is usual in OBJ and glTF, Z in models from GIS and CAD</source>
-        <translation>OBJ と glTF では Y、GIS と CAD のモデルでは Z が普通です</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
-        <source>Unit of the mesh&apos;s coordinates, which the file does not state</source>
-        <translation>ファイルに書かれていないメッシュ座標の単位</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>メートル</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>フィート</translation>
-    </message>
-    <message>
-        <source>US survey feet</source>
-        <translation>米国測量フィート</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>センチメートル</translation>
     </message>
     <message>
         <source> of %1</source>
@@ -1990,18 +1926,6 @@ All sides %2, area %3</source>
         <translation>ファサードと点</translation>
     </message>
     <message>
-        <source>on facades</source>
-        <translation>ファサード</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>ファイルの窓</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>水平面</translation>
-    </message>
-    <message>
         <source>the floor plate is smaller</source>
         <translation>基準階を縮小</translation>
     </message>
@@ -2092,14 +2016,6 @@ All sides %2, area %3</source>
     <message>
         <source> °</source>
         <translation> °</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>敷地まわりの線上</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>個別の点</translation>
     </message>
     <message>
         <source>%1, top %2</source>
@@ -2371,30 +2287,6 @@ All sides %2, area %3</source>
         <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
         <translation>表の区間とその重み：重み付きの日陰、区間の日照時間における影の面積、重み×影の面積</translation>
     </message>
-    <message>
-        <source>Weighted shade</source>
-        <translation>重み付きの日陰</translation>
-    </message>
-    <message>
-        <source>Sum over the steps of weight × hours in shadow × cell area. Above 0, wanted shade outweighs unwanted shadow. How the table is cut into intervals does not change it</source>
-        <translation>各ステップの「重み × 影の時間 × セルの面積」の合計。0 より大きければ、望ましい日陰が望ましくない影を上回ります。表の区間の分け方によって変わりません</translation>
-    </message>
-    <message>
-        <source>Sum over intervals of weight × share of the interval&apos;s sunlit time in shadow × cell area, as in the paper. An interval that is cut in two counts twice</source>
-        <translation>各区間の「重み × 区間の日照時間のうち影の割合 × セルの面積」の合計（論文の定義）。二つに分けた区間は二重に数えられます</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>ミリメートル</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>インチ</translation>
-    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2521,6 +2413,325 @@ All sides %2, area %3</source>
     <message>
         <source>Give it 90 storeys, so that its shadow reaches the lawn.</source>
         <translation>影が芝生に届くように 90 階にします。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark</name>
+    <message>
+        <source>Height field</source>
+        <translation>高さの項目</translation>
+    </message>
+    <message>
+        <source>Field with the heights (default: found by its name)</source>
+        <translation>高さのフィールド（既定：名前から判定）</translation>
+    </message>
+    <message>
+        <source>found by name</source>
+        <translation>名称で検出</translation>
+    </message>
+    <message>
+        <source>Storeys field</source>
+        <translation>階数の項目</translation>
+    </message>
+    <message>
+        <source>Field with the storeys above the ground (default: found by its name)</source>
+        <translation>地上階数のフィールド（既定：名前から判定）</translation>
+    </message>
+    <message>
+        <source>Unit of heights</source>
+        <translation>高さの単位</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)</source>
+        <translation>単位のない数値の単位：m、ft、us-ft、cm、mm、in（既定 m）</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>ファイルの通り</translation>
+    </message>
+    <message>
+        <source>Height of a storey</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>Height of a storey, 2 to 6 m</source>
+        <translation>階高、2～6 m</translation>
+    </message>
+    <message>
+        <source>Default height</source>
+        <translation>既定の高さ</translation>
+    </message>
+    <message>
+        <source>Height of buildings without height data, 1 to 1000 m</source>
+        <translation>高さの情報がない建物の高さ、1～1000 m</translation>
+    </message>
+    <message>
+        <source>Terrain from building bases</source>
+        <translation>建物の基部から地形</translation>
+    </message>
+    <message>
+        <source>If there is no terrain, derive one from the ground elevations of the buildings; auto (default): only where neighbours stand at different heights</source>
+        <translation>地形がない場合、建物の地盤高から作ります。auto（既定）：隣り合う建物の高さが異なる場合のみ</translation>
+    </message>
+    <message>
+        <source>Terrain shows</source>
+        <translation>地形の内容</translation>
+    </message>
+    <message>
+        <source>What terrain rasters show: the bare ground, or a surface with the buildings on it; auto (default): a surface where they jump at the outlines of buildings</source>
+        <translation>地形ラスターの内容：地表面、または建物を含む表面。auto（既定）：建物の輪郭で段差があれば表面</translation>
+    </message>
+    <message>
+        <source>Missing heights from the surface model</source>
+        <translation>欠けている高さを表面モデルから取る</translation>
+    </message>
+    <message>
+        <source>Give buildings without a height that of the surface model above the ground</source>
+        <translation>高さのない建物に、地面からの表面モデルの高さを使います</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Read this layer only</source>
+        <translation>このレイヤーだけを読み込む</translation>
+    </message>
+    <message>
+        <source>the polygon layers that hold buildings</source>
+        <translation>建物のあるポリゴンレイヤー</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of files that do not state it: EPSG:2263</source>
+        <translation>座標参照系が記されていないファイルの座標参照系：EPSG:2263</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>ファイルの通り (例: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>詳細度</translation>
+    </message>
+    <message>
+        <source>CityJSON: level of detail (default: the highest)</source>
+        <translation>CityJSON：詳細度（既定：最も高いもの）</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>最も高いもの</translation>
+    </message>
+    <message>
+        <source>Maximum distance</source>
+        <translation>最大距離</translation>
+    </message>
+    <message>
+        <source>Leave out features farther than this from the middle of the data, m</source>
+        <translation>データの中心からこの距離より遠い地物を除く、m</translation>
+    </message>
+    <message>
+        <source>Mesh north</source>
+        <translation>メッシュの北</translation>
+    </message>
+    <message>
+        <source>Meshes: azimuth of the mesh&apos;s north axis from true north, clockwise, degrees</source>
+        <translation>メッシュ：メッシュの北軸の真北からの方位角（時計回り、度）</translation>
+    </message>
+    <message>
+        <source>Origin located at</source>
+        <translation>原点の位置</translation>
+    </message>
+    <message>
+        <source>Meshes: position of the mesh&apos;s origin, degrees</source>
+        <translation>メッシュ：メッシュの原点の位置、度</translation>
+    </message>
+    <message>
+        <source>Buildings stand</source>
+        <translation>建物の置き方</translation>
+    </message>
+    <message>
+        <source>Where buildings stand: each on the terrain, or at the elevations that the file states (absolute); auto (default): as its bases lie against the terrain</source>
+        <translation>建物の位置：それぞれ地形の上、またはファイルの標高（absolute）。auto（既定）：基部と地形の関係から判定</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>上向きの軸</translation>
+    </message>
+    <message>
+        <source>Meshes: the axis that points up, y or z; auto (default): as the format says or the shape suggests</source>
+        <translation>メッシュ：上方向の軸、y または z。auto（既定）：形式または形状から判定</translation>
+    </message>
+    <message>
+        <source>Unit of coordinates</source>
+        <translation>座標の単位</translation>
+    </message>
+    <message>
+        <source>Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)</source>
+        <translation>メッシュ：座標の単位：m、ft、us-ft、cm、mm、in（既定 m）</translation>
+    </message>
+    <message>
+        <source>Receivers</source>
+        <translation>測定点</translation>
+    </message>
+    <message>
+        <source>cells or points where shadow is measured</source>
+        <translation>影を測定するセルまたは点</translation>
+    </message>
+    <message>
+        <source>Area of the receivers</source>
+        <translation>測定点の面積</translation>
+    </message>
+    <message>
+        <source>area of all receivers</source>
+        <translation>すべての測定点の面積</translation>
+    </message>
+    <message>
+        <source>Shadow area</source>
+        <translation>日影面積</translation>
+    </message>
+    <message>
+        <source>sum over the receivers of (share of the sunlit time in shadow x cell area)</source>
+        <translation>各測定点の（日照時間のうち影の割合 × セルの面積）の合計</translation>
+    </message>
+    <message>
+        <source>Mean gross</source>
+        <translation>累計日影の平均</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over days and receivers</source>
+        <translation>1 日あたりの影の分数（日と測定点の平均）</translation>
+    </message>
+    <message>
+        <source>Max gross</source>
+        <translation>総影時間の最大</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over the days, at the receiver that has most</source>
+        <translation>最も影の長い測定点における 1 日あたりの影の分数（日の平均）</translation>
+    </message>
+    <message>
+        <source>Mean continuous</source>
+        <translation>連続日影の平均</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day, mean over the receivers</source>
+        <translation>1 日で最も長く続く影（測定点の平均）</translation>
+    </message>
+    <message>
+        <source>Max continuous</source>
+        <translation>連続日影の最大</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow at any receiver on any day</source>
+        <translation>いずれかの測定点で 1 日に最も長く続く影</translation>
+    </message>
+    <message>
+        <source>Bay</source>
+        <translation>スパン</translation>
+    </message>
+    <message>
+        <source>Facades: width of a bay, one point or window each</source>
+        <translation>立面：スパンの幅（それぞれに点または窓が一つ）</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>Height of a storey: facades have one point or window each, windows are numbered by it</source>
+        <translation>階高：立面には各階に点または窓が一つあり、窓の階数はこれで数えます</translation>
+    </message>
+    <message>
+        <source>Above floor</source>
+        <translation>床からの高さ</translation>
+    </message>
+    <message>
+        <source>Facades: height of the points above the floor</source>
+        <translation>立面：床からの点の高さ</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高さの基準</translation>
+    </message>
+    <message>
+        <source>Windows: heights are elevations, as those of the city, or metres above the ground below</source>
+        <translation>窓：高さは都市と同じ標高、または真下の地面からの高さ（m）</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Plane and lines: height above the mean of the ground, of the region or parcel</source>
+        <translation>平面と線：範囲または敷地の平均地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Title block: the project</source>
+        <translation>表題欄：プロジェクト</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>記載しない</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作成者</translation>
+    </message>
+    <message>
+        <source>Title block: the author</source>
+        <translation>表題欄：作成者</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>発注者</translation>
+    </message>
+    <message>
+        <source>Title block: the client</source>
+        <translation>表題欄：依頼者</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Title block: the date as printed (default: today)</source>
+        <translation>表題欄：印刷される日付（既定：今日）</translation>
+    </message>
+    <message>
+        <source>Sheet numbers</source>
+        <translation>図面番号</translation>
+    </message>
+    <message>
+        <source>Title block: A- numbers the sheets A-1, A-2, ...</source>
+        <translation>表題欄：A- とすると図面番号は A-1、A-2、…</translation>
+    </message>
+    <message>
+        <source>example: A- for A-1, A-2...</source>
+        <translation>例: A-1, A-2... なら A-</translation>
+    </message>
+    <message>
+        <source>Sunlit time</source>
+        <translation>日照時間</translation>
+    </message>
+    <message>
+        <source>minutes of the period with the sun above the horizon</source>
+        <translation>期間のうち太陽が地平線より上にある分数</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>from -1 (shadow is unwanted) to 1 (shade is wanted)</source>
+        <translation>-1（影は望ましくない）から 1（日陰が望ましい）まで</translation>
     </message>
 </context>
 <context>
@@ -3011,26 +3222,6 @@ as published. Approximate: the legend states the measured error</source>
 <context>
     <name>noonmark::ElementForm</name>
     <message>
-        <source>Width of a bay: a wall has one point in each</source>
-        <translation>柱間の幅。壁は柱間ごとに1点を持ちます</translation>
-    </message>
-    <message>
-        <source>Height of a storey: a wall has a row of points in each, and floors are numbered by it</source>
-        <translation>階の高さ。壁は階ごとに1列の点を持ち、階数はこの高さで数えます</translation>
-    </message>
-    <message>
-        <source>Height of the points above the floor of their storey</source>
-        <translation>各階の床から点までの高さ</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>標高</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>地盤からの高さ</translation>
-    </message>
-    <message>
         <source>all of the region</source>
         <translation>領域内のすべて</translation>
     </message>
@@ -3067,52 +3258,12 @@ as published. Approximate: the legend states the measured error</source>
         <translation>ファイル</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation>高さの基準</translation>
-    </message>
-    <message>
-        <source>Bay</source>
-        <translation>スパン</translation>
-    </message>
-    <message>
-        <source>Storey</source>
-        <translation>階高</translation>
-    </message>
-    <message>
-        <source>Above floor</source>
-        <translation>床からの高さ</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高さ</translation>
-    </message>
-    <message>
-        <source>bay</source>
-        <translation>柱間</translation>
-    </message>
-    <message>
-        <source>storey</source>
-        <translation>階高</translation>
-    </message>
-    <message>
-        <source>above floor</source>
-        <translation>床からの高さ</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>水平面</translation>
-    </message>
-    <message>
         <source>buildings</source>
         <translation>建物</translation>
     </message>
     <message>
         <source>windows</source>
         <translation>窓</translation>
-    </message>
-    <message>
-        <source>heights</source>
-        <translation>高さの基準</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3129,14 +3280,6 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Names or ids of buildings, with commas between them. Empty: all buildings</source>
         <translation>建物の名前または ID をコンマで区切って入力。空欄ならすべての建物</translation>
-    </message>
-    <message>
-        <source>Heights of the file, in metres: elevations as those of the city, or above the ground below the window</source>
-        <translation>ファイルの高さ(メートル): 都市と同じ標高、または窓の下の地面からの高さ</translation>
-    </message>
-    <message>
-        <source>Height of the plane above the mean of the region&apos;s ground, or of the lines above that of the parcel&apos;s. The size of a plane&apos;s cells is that under &quot;How exactly&quot;.</source>
-        <translation>領域の平均地盤面からの面の高さ、または敷地の平均地盤面からの線の高さ。面のセルの大きさは「精度」で指定します。</translation>
     </message>
     <message>
         <source>Proposed buildings only</source>
@@ -4496,14 +4639,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Up axis</source>
-        <translation>上向きの軸</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>単位</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>倍率</translation>
     </message>
@@ -4967,6 +5102,25 @@ After: %3
     </message>
 </context>
 <context>
+    <name>noonmark::R</name>
+    <message>
+        <source>Weighted shade</source>
+        <translation>重み付きの日陰</translation>
+    </message>
+    <message>
+        <source>sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how the weight table is cut into intervals does not change it</source>
+        <translation>各ステップの「重み × 影の時間 × セルの面積」の合計（期間の m² h）。重み表の区間の分け方によって変わりません</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>日影スコア</translation>
+    </message>
+    <message>
+        <source>sum over the intervals of the weight table of weight x share of the interval&apos;s sunlit time in shadow, times cell area; an interval that is cut in two counts twice</source>
+        <translation>重み表の各区間の「重み × 区間の日照時間のうち影の割合」× セルの面積の合計。二つに分けた区間は二重に数えられます</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::RangePanel</name>
     <message>
         <source>Incremental shadow</source>
@@ -5012,42 +5166,6 @@ After: %3
 <context>
     <name>noonmark::ReadingForm</name>
     <message>
-        <source>found by name</source>
-        <translation>名称で検出</translation>
-    </message>
-    <message>
-        <source>as in the file</source>
-        <translation>ファイルの通り</translation>
-    </message>
-    <message>
-        <source>all layers with polygons</source>
-        <translation>ポリゴンのある全レイヤー</translation>
-    </message>
-    <message>
-        <source>as in the file (example: EPSG:2263)</source>
-        <translation>ファイルの通り (例: EPSG:2263)</translation>
-    </message>
-    <message>
-        <source>the highest</source>
-        <translation>最も高いもの</translation>
-    </message>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>隣接する地盤高が異なる場合</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>常に</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>しない (平らな地面)</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>Origin located at</source>
         <translation>原点の位置</translation>
     </message>
@@ -5068,118 +5186,8 @@ After: %3
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height field</source>
-        <translation>高さの項目</translation>
-    </message>
-    <message>
-        <source>Storeys field</source>
-        <translation>階数の項目</translation>
-    </message>
-    <message>
-        <source>Unit of heights</source>
-        <translation>高さの単位</translation>
-    </message>
-    <message>
-        <source>Height of a storey</source>
-        <translation>階高</translation>
-    </message>
-    <message>
-        <source>Default height</source>
-        <translation>既定の高さ</translation>
-    </message>
-    <message>
         <source>Place and choice of data</source>
         <translation>位置とデータの選択</translation>
-    </message>
-    <message>
-        <source>Coordinate system</source>
-        <translation>座標系</translation>
-    </message>
-    <message>
-        <source>Layer</source>
-        <translation>レイヤー</translation>
-    </message>
-    <message>
-        <source>Level of detail</source>
-        <translation>詳細度</translation>
-    </message>
-    <message>
-        <source>Maximum distance</source>
-        <translation>最大距離</translation>
-    </message>
-    <message>
-        <source>Terrain from building bases</source>
-        <translation>建物の基部から地形</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>上向きの軸</translation>
-    </message>
-    <message>
-        <source>Unit of coordinates</source>
-        <translation>座標の単位</translation>
-    </message>
-    <message>
-        <source>Mesh north</source>
-        <translation>メッシュの北</translation>
-    </message>
-    <message>
-        <source>Name of the field with the heights.
-Empty: the usual names are tried.</source>
-        <translation>高さの項目名。
-空欄: 一般的な名称を試します。</translation>
-    </message>
-    <message>
-        <source>Name of the field with the storeys above ground.
-Empty: the usual names are tried.</source>
-        <translation>地上階数の項目名。
-空欄: 一般的な名称を試します。</translation>
-    </message>
-    <message>
-        <source>Unit of heights given as plain numbers.
-As in the file: metres, unless the value or the field states otherwise.</source>
-        <translation>単位のない高さの単位。
-ファイルの通り: 値や項目に指定がなければメートル。</translation>
-    </message>
-    <message>
-        <source>If no terrain is read: derive it from the buildings&apos; ground elevations.
-Default: if more than one in twenty pairs of neighbours differ by more than 1 m in height.</source>
-        <translation>地形を読み込まない場合、建物の地盤高から作ります。
-既定: 隣り合う組の 20 分の 1 以上で 1 m を超える差があるとき。</translation>
-    </message>
-    <message>
-        <source>For buildings with known storeys but no height, metres, 2 to 6</source>
-        <translation>階数はあるが高さのない建物用、メートル、2 から 6</translation>
-    </message>
-    <message>
-        <source>For buildings with neither height nor storeys, metres, 1 to 1000</source>
-        <translation>高さも階数もない建物用、メートル、1 から 1000</translation>
-    </message>
-    <message>
-        <source>Read this layer only.
-Empty: all layers with polygons.</source>
-        <translation>このレイヤーだけを読み込みます。
-空欄: ポリゴンのある全レイヤー。</translation>
-    </message>
-    <message>
-        <source>Coordinate reference system of files that do not state it: EPSG:number.
-Empty: as in the file.</source>
-        <translation>座標系のないファイルの座標系: EPSG:番号。
-空欄: ファイルの通り。</translation>
-    </message>
-    <message>
-        <source>CityJSON: read this level of detail, 2.2 for example.
-Empty: the highest available.</source>
-        <translation>CityJSON: この詳細度を読み込みます (例 2.2)。
-空欄: 最も高いもの。</translation>
-    </message>
-    <message>
-        <source>Objects farther from the middle of the data are left out, with a warning; metres, 100 to 200000</source>
-        <translation>データの中央からこれより遠いものは警告を出して除きます。メートル、100 から 200000</translation>
-    </message>
-    <message>
-        <source>Direction of the mesh&apos;s north axis, degrees clockwise from true north, -360 to 360</source>
-        <translation>メッシュの北軸の向き、真北から時計回りの度、-360 から 360</translation>
     </message>
     <message>
         <source>Geographic location of the mesh&apos;s origin. Required for a mesh opened alone.
@@ -5202,56 +5210,6 @@ Off: at the origin of the city from the other files.</source>
     <message>
         <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
         <translation>メッシュ(OBJ、PLY、glTF、IFC、DXF)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>基部と地形の合い方に応じて</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>それぞれを地形に載せる</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>ファイルの標高のまま</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>輪郭での段差から判定</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>地表面のみ</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>建物を含む表面</translation>
-    </message>
-    <message>
-        <source>Missing heights from the surface model</source>
-        <translation>欠けている高さを表面モデルから取る</translation>
-    </message>
-    <message>
-        <source>Buildings stand</source>
-        <translation>建物の置き方</translation>
-    </message>
-    <message>
-        <source>Terrain shows</source>
-        <translation>地形の内容</translation>
-    </message>
-    <message>
-        <source>Where buildings stand whose file states their elevations.
-Default: they are shifted by a gap that is the same for all, or set down where their bases do not follow the terrain.</source>
-        <translation>ファイルに標高が記された建物の位置。
-既定：差がすべて同じならまとめて移動し、基部が地形に沿わない場合は地形に載せます。</translation>
-    </message>
-    <message>
-        <source>A surface model shows the roofs of buildings, which would count twice: the ground around them is used instead.</source>
-        <translation>表面モデルには建物の屋根が含まれ、二重に数えられます。代わりに周囲の地面を使います。</translation>
-    </message>
-    <message>
-        <source>Buildings without a height get that of the surface model above the ground.</source>
-        <translation>高さのない建物には、地面からの表面モデルの高さを使います。</translation>
     </message>
 </context>
 <context>
@@ -5842,26 +5800,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>現況の都市からのステップ (元のシナリオを含む)</translation>
     </message>
     <message>
-        <source>Sum over the receivers of (share of the sunlit time in shadow × cell area)</source>
-        <translation>測定点ごとの (日照時間のうち影の割合 × セル面積) の合計</translation>
-    </message>
-    <message>
-        <source>Mean gross, min</source>
-        <translation>平均累計, 分</translation>
-    </message>
-    <message>
-        <source>Minutes in shadow per day, mean over days and receivers</source>
-        <translation>1 日の日影の分。日と測定点の平均</translation>
-    </message>
-    <message>
-        <source>Mean continuous, min</source>
-        <translation>平均連続, 分</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow on any day, mean over the receivers</source>
-        <translation>1 日の最長連続日影。測定点の平均</translation>
-    </message>
-    <message>
         <source>Floor area by use</source>
         <translation>用途別床面積</translation>
     </message>
@@ -5886,20 +5824,12 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>シナリオのタワーの延床面積。読み込んだ建物と、後から高さを変えたタワーは数えません</translation>
     </message>
     <message>
-        <source>Shadow area, %1</source>
-        <translation>日影面積, %1</translation>
-    </message>
-    <message>
         <source>Impact, %1</source>
         <translation>影響, %1</translation>
     </message>
     <message>
         <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
         <translation>選んだ比較基準（なければ既存の街）に対する日影面積の変化。両方に共通する測定点について</translation>
-    </message>
-    <message>
-        <source>Score, %1</source>
-        <translation>スコア, %1</translation>
     </message>
     <message>
         <source>Verdicts</source>
@@ -5946,18 +5876,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
 %3</source>
         <translation>%1 との比較。累計日影が 1 日 %2 分を超えて変化する地面:
 %3</translation>
-    </message>
-    <message>
-        <source>Weighted shade, m² h</source>
-        <translation>重み付きの日陰、m² h</translation>
-    </message>
-    <message>
-        <source>Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted shade outweighs unwanted shadow. How the table is cut does not change it</source>
-        <translation>重み × 影の時間 × 面積（ドック「重み」の表による）。0 より大きければ、望ましい日陰が望ましくない影を上回ります。表の分け方によって変わりません</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s score: the sum of weight × share of each interval&apos;s sunlit time in shadow × area. An interval that is cut in two counts twice</source>
-        <translation>論文のスコア：「重み × 各区間の日照時間のうち影の割合 × 面積」の合計。二つに分けた区間は二重に数えられます</translation>
     </message>
     <message>
         <source>Measured earlier and saved with the project: press Measure all for the maps</source>
@@ -6287,34 +6205,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Metric and imperial</source>
         <translation>両方</translation>
-    </message>
-    <message>
-        <source>Project</source>
-        <translation>プロジェクト</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>記載しない</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>作成者</translation>
-    </message>
-    <message>
-        <source>Client</source>
-        <translation>発注者</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日付</translation>
-    </message>
-    <message>
-        <source>Sheet numbers</source>
-        <translation>図面番号</translation>
-    </message>
-    <message>
-        <source>example: A- for A-1, A-2...</source>
-        <translation>例: A-1, A-2... なら A-</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -7543,6 +7433,121 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>フィート</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>米国測量フィート</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>インチ</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>隣接する地盤高が異なる場合</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>常に</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>しない (平らな地面)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>基部と地形の合い方に応じて</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>それぞれを地形に載せる</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>ファイルの標高のまま</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>輪郭での段差から判定</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>地表面のみ</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>建物を含む表面</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>地面と屋根</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>標高</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>ファサード</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>ファイルの窓</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>水平面</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>敷地まわりの線上</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>個別の点</translation>
     </message>
 </context>
 </TS>

@@ -6,11 +6,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/base/csv_text.h"
+#include "core/describe/figure_text.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/error_json.h"
 #include "core/study/text/warnings_json.h"
+#include "scenarios/impact/impact_figure_tables.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -20,23 +21,16 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Json changeJson(const ChangeFigures& figures) {
-    if (std::isnan(figures.meanMin)) return nullptr;
-    return {{"gained_m2", figures.gainedM2},       {"lost_m2", figures.lostM2},
-            {"touched_m2", figures.touchedM2},     {"eased_m2", figures.easedM2},
-            {"mean_min", figures.meanMin},         {"most_gained_min", figures.mostGainedMin},
-            {"most_lost_min", figures.mostLostMin}};
+    return std::isnan(figures.meanMin) ? Json() : figuresJson(changeFigures().of(figures));
 }
 
 }  // namespace
 
 Json figuresJson(const ImpactFigures& figures) {
-    return {{"threshold_min", figures.thresholdMin},
-            {"receiver_area_m2", figures.receiverAreaM2},
-            {"gross", changeJson(figures.gross)},
-            {"continuous", changeJson(figures.continuous)},
-            {"shadow_area_change_m2", figures.shadowAreaChangeM2},
-            {"became_building_m2", figures.becameBuildingM2},
-            {"became_ground_m2", figures.becameGroundM2}};
+    Json json = figuresJson(impactFigures().of(figures));
+    json["gross"] = changeJson(figures.gross);
+    json["continuous"] = changeJson(figures.continuous);
+    return json;
 }
 
 namespace {
@@ -48,39 +42,40 @@ Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
 }
 
 Json definitions() {
-    return {{"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
-            {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
-            {"gained_m2", "area where the minutes rose by more than the threshold"},
-            {"touched_m2", "area where they rose at all"},
-            {"shadow_area_change_m2",
-             "change of the sum over receivers of (share of the sunlit time in shadow x cell area)"},
-            {"by_building", "`to` minus `to` without this building: its sole contribution"},
-            {"became_building_m2", "open ground in `from`, under a building in `to`: no receiver"}};
+    Json json{
+        {"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
+        {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
+        {"by_building", "`to` minus `to` without this building: its sole contribution"}};
+    json.update(definitionsJson(impactFigures().rows()));
+    json.update(definitionsJson(changeFigures().rows()));
+    return json;
+}
+
+std::vector<std::string> columnsOf() {
+    std::vector<std::string> columns{"id", "name", "threshold_min"};
+    for (std::string& column : listColumns(changeFigures().rows())) columns.push_back(std::move(column));
+    columns.insert(columns.end(), {"continuous_gained_m2", "continuous_lost_m2", "shadow_area_change_m2",
+                                   "became_building_m2", "became_ground_m2"});
+    return withSourceColumns(std::move(columns));
 }
 
 void addLine(CsvText& csv, const std::string& id, const std::string& name, const ImpactFigures& figures,
              const SourceValues& source) {
-    const ChangeFigures &gross = figures.gross, &runs = figures.continuous;
     csv.text(id).text(name).number(figures.thresholdMin);
-    for (const double m2 : {gross.gainedM2, gross.lostM2, gross.touchedM2, gross.easedM2}) csv.number(m2, 1);
-    csv.number(gross.meanMin, 3).number(gross.mostGainedMin, 2).number(gross.mostLostMin, 2);
-    if (std::isnan(runs.meanMin))  // the measure was not computed
-        csv.nothing(2);
-    else
-        csv.number(runs.gainedM2, 1).number(runs.lostM2, 1);
+    addFigures(csv, changeFigures().of(figures.gross));
+    csv.number(figures.continuous.gainedM2, 1).number(figures.continuous.lostM2, 1);
     csv.number(figures.shadowAreaChangeM2, 1);
     csv.number(figures.becameBuildingM2, 1).number(figures.becameGroundM2, 1);
     addSource(csv, source);
     csv.endRow();
 }
 
-std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
-    RepeatOption thresholds{"--threshold", {}};
+std::vector<CommandOption> optionsOf(const ImpactAnswer& answer) {
+    CommandOption thresholds{"--threshold", {}};
     for (const double threshold : answer.thresholdsMin)
         thresholds.values.push_back(fmt::format("{}", threshold));
-    std::vector<RepeatOption> options{{"--from", {answer.from}}, {"--to", {answer.to}}, thresholds};
+    std::vector<CommandOption> options{{"--from", {answer.from}}, {"--to", {answer.to}}, thresholds};
     if (answer.settings.byBuilding) options.push_back({"--by-building", {}});
-    addErrorSample(answer.settings.study.errorSample, options);
     return options;
 }
 
@@ -128,10 +123,7 @@ std::string impactJson(const ImpactAnswer& answer) {
 }
 
 std::string impactCsv(const ImpactAnswer& answer) {
-    CsvText csv(withSourceColumns({"id", "name", "threshold_min", "gained_m2", "lost_m2", "touched_m2",
-                                   "eased_m2", "mean_min", "most_gained_min", "most_lost_min",
-                                   "continuous_gained_m2", "continuous_lost_m2", "shadow_area_change_m2",
-                                   "became_building_m2", "became_ground_m2"}));
+    CsvText csv(columnsOf());
     const SourceValues source = sourceValues(answer.provenance);
     for (const double threshold : answer.thresholdsMin)
         addLine(csv, "", "all", computeFigures(answer.study.total, threshold), source);

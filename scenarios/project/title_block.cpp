@@ -7,7 +7,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "core/describe/value_text.h"
 #include "core/io/files/plain_file.h"
+#include "scenarios/project/title_fields.h"
 
 namespace noonmark {
 
@@ -25,9 +27,9 @@ bool isPicture(std::string_view bytes) {
 }  // namespace
 
 Result<void> validate(const TitleBlock& block) {
-    for (const std::string* text :
-         {&block.project, &block.author, &block.client, &block.date, &block.sheetPrefix})
-        if (text->size() > TitleBlock::mostBytesOfText || !isPrintable(*text))
+    for (const Field& field : titleFields().rows())
+        if (const std::string text = formatText(field.get(&block));
+            text.size() > TitleBlock::mostBytesOfText || !isPrintable(text))
             return failure("A text of the title block is too long or holds control characters", "title block",
                            "Use one line of at most 200 characters");
     if (!block.logo.empty() && (block.logo.size() > TitleBlock::mostBytesOfLogo || !isPicture(block.logo)))

@@ -4,10 +4,12 @@
 
 #include <limits>
 
+#include "core/describe/figure_text.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -19,27 +21,18 @@ std::string formatText(std::chrono::year_month month) {
     return fmt::format("{:04}-{:02}", int(month.year()), unsigned(month.month()));
 }
 
-Json monthsJson(const Score& score) {
+// Each with its name first.
+template <class R, class Name>
+Json listJson(const std::vector<R>& list, const char* key, Name nameOf, const Figures<R>& figures) {
     Json json = Json::array();
-    for (const MonthFigures& month : score.months)
-        json.push_back({{"month", formatText(month.month)},
-                        {"sunlit_min", month.sunlitMinutes},
-                        {"weighted_shade_m2h", month.weightedShadeM2h},
-                        {"shadow_area_m2", month.shadowAreaM2},
-                        {"score_m2", month.scoreM2}});
+    for (const R& one : list) {
+        Json& object = json.emplace_back(Json{{key, nameOf(one)}});
+        object.update(figuresJson(figures.of(one)));
+    }
     return json;
 }
 
-Json intervalsJson(const Score& score) {
-    Json json = Json::array();
-    for (const IntervalFigures& interval : score.intervals)
-        json.push_back({{"name", interval.name},
-                        {"weight", interval.weight},
-                        {"weighted_shade_m2h", interval.weightedShadeM2h},
-                        {"shadow_area_m2", interval.shadowAreaM2},
-                        {"score_m2", interval.scoreM2}});
-    return json;
-}
+std::string monthOf(const MonthFigures& month) { return formatText(month.month); }
 
 }  // namespace
 
@@ -57,25 +50,24 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
     json["receiver_area_m2"] = answer.score.receiverAreaM2;
-    json["weighted_shade_m2h"] = answer.score.weightedShadeM2h;
-    json["score_m2"] = answer.score.scoreM2;
-    json["months"] = monthsJson(answer.score);
-    json["intervals"] = intervalsJson(answer.score);
-    json["definitions"] = {
-        {"weighted_shade_m2h", weightedShadeDefinition},
-        {"score_m2", scoreDefinition},
-        {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"}};
+    json.update(figuresJson(scoreFigures().of(totalsOf(answer.score))));
+    json["months"] = listJson(answer.score.months, "month", &monthOf, scoreMonthFigures());
+    json["intervals"] = listJson(
+        answer.score.intervals, "name", [](const IntervalFigures& interval) { return interval.name; },
+        scoreIntervalFigures());
+    json["definitions"] = definitionsJson(scoreMonthFigures().rows());
     json["warnings"] = warningsJson(answer.score.warnings);
     return toJsonText(json);
 }
 
 std::string scoreCsv(const ScoreAnswer& answer) {
-    CsvText csv(
-        withSourceColumns({"month", "sunlit_min", "weighted_shade_m2h", "shadow_area_m2", "score_m2"}));
+    std::vector<std::string> columns = listColumns(scoreMonthFigures().rows());
+    columns.insert(columns.begin(), "month");
+    CsvText csv(withSourceColumns(std::move(columns)));
     const SourceValues source = sourceValues(answer.provenance);
     for (const MonthFigures& month : answer.score.months) {
-        csv.text(formatText(month.month)).number(month.sunlitMinutes, 1);
-        csv.number(month.weightedShadeM2h, 1).number(month.shadowAreaM2, 1).number(month.scoreM2, 1);
+        csv.text(monthOf(month));
+        addFigures(csv, scoreMonthFigures().of(month));
         addSource(csv, source);
         csv.endRow();
     }

@@ -417,9 +417,9 @@ TEST_F(EditToolsTest, AMeshStandsUprightWithTheAxisAndUnitThatAreSaid) {
         return built.empty() ? 0 : double(topM(*built.back()));
     };
     EXPECT_NEAR(shownHeight(), 100, 1e-3) << "ten times as high as wide: Z is up";
-    pick("upAxis", 1);
+    pick("up", 1);
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 10) < 1e-3; }, 10000)) << "Y is up";
-    pick("upAxis", 2);
+    pick("up", 2);
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 100) < 1e-3; }, 10000));
     pick("meshUnit", 1);
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 30.48) < 1e-3; }, 10000));

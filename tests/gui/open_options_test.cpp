@@ -60,7 +60,7 @@ TEST(ReadingForm, EveryFieldSaysWhatItIs) {
     const ReadingForm form;
     for (const char* name :
          {"heightField", "heightUnit", "metresPerLevel", "defaultHeight", "layer", "crs", "lod", "farAway",
-          "upAxis", "meshUnit", "meshNorth", "anchored", "longitude", "latitude", "toMiddle"}) {
+          "up", "meshUnit", "meshNorth", "anchored", "longitude", "latitude", "toMiddle"}) {
         const auto* field = form.findChild<QWidget*>(QString::fromLatin1(name));
         ASSERT_NE(field, nullptr) << name;
         EXPECT_FALSE(field->toolTip().isEmpty()) << name;

@@ -303,14 +303,14 @@ TEST_F(SheetsWindow, PagesAreShownAndTheFilesAreThoseOfTheCommandLine) {
 TEST_F(SheetsWindow, TheTitleBlockIsSavedInTheProjectAndCanBeUndone) {
     SheetsDialog& sheets = showSheets();
     const QImage before = sheets.pages().picture();
-    edit(sheets, "sheetClient", QStringLiteral("City of Rotterdam"));
+    edit(sheets, "client", QStringLiteral("City of Rotterdam"));
     EXPECT_EQ(session().project().sheets.titleBlock.client, "City of Rotterdam");
     EXPECT_NE(sheets.pages().picture(), before);
     undo().undo();
     ASSERT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().busy(); }));
     EXPECT_EQ(session().project().sheets.titleBlock.client, "");
     EXPECT_EQ(sheets.pages().picture(), before);
-    EXPECT_EQ(sheets.findChild<QLineEdit*>(QStringLiteral("sheetClient"))->text(), QString());
+    EXPECT_EQ(sheets.findChild<QLineEdit*>(QStringLiteral("client"))->text(), QString());
 }
 
 TEST_F(SheetsWindow, PaperAndScaleAreThoseChosen) {

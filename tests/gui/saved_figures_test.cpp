@@ -33,7 +33,7 @@ SavedFigures savedStudy(const Project& project, const StudySettings& settings) {
 }
 
 bool fits(const SavedFigures& saved, const StudySettings& settings) {
-    return haveSettings(saved, settings, hashQuestion(settings));
+    return haveSettings(saved, settings, listHashes(settings));
 }
 
 TEST(ReadSavedFigures, ASavedStudyGivesWhatItMeasured) {

@@ -62,10 +62,14 @@ Result<std::optional<AzimuthSector>> sectorFrom(const std::string& text) {
 // The equinoxes and solstices, from 1.5 h after sunrise to 1.5 h before sunset, if no day is given.
 Result<SunSteps> sunOf(const ScreenOptions& options, const Project& project, bool hoursGiven,
                        const std::stop_token& stop) {
-    const bool named = !options.periodName.empty(), days = !options.period.start.empty();
+    const bool named = !options.periodName.empty(), days = options.period.states("--start");
     PeriodOptions asked = options.period;
-    if (!hoursGiven) asked.window = "sunrise+1.5h..sunset-1.5h";
-    if (!named && !days) asked.start = "2026-01-01";
+    if (!hoursGiven) asked.period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(90)};
+    if (!named && !days) {
+        asked.period.start =
+            std::chrono::year_month_day(std::chrono::year(2026), std::chrono::January, std::chrono::day(1));
+        asked.given.emplace("--start");
+    }
     auto period = periodIn(project, options.periodName, asked);
     if (!period) return tl::make_unexpected(period.error());
     const Observer observer = observerOfPlaces(*project.city);
@@ -101,7 +105,7 @@ Result<ScreenAnswer> computeScreening(const ScreenOptions& options, bool hoursGi
     if (!sun) return tl::make_unexpected(sun.error());
     answer.sector = settings.noShadow ? settings.noShadow : findNoShadowSector(*sun);
     answer.lengthFactor = settings.lengthFactor.value_or(findLengthFactor(*sun));
-    const auto zone = Zone::named(options.period.zone.empty() ? "UTC" : options.period.zone);
+    const auto zone = Zone::named(options.period.period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     answer.zone = *zone;
     return screenPlaces(before->city, after->city, answer.places, *sun, settings, AutoEngine(), progress,

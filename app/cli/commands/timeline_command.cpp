@@ -55,8 +55,11 @@ Result<std::vector<Place>> placesOf(const TimelineOptions& options, const Projec
 // Without hours: from sunrise to sunset.
 Result<Period> periodOf(const TimelineOptions& options, const Project& project, bool hoursGiven) {
     PeriodOptions asked = options.period;
-    if (!hoursGiven) asked.window = "sunrise..sunset";
-    if (asked.zone.empty()) asked.zone = commonZone(project).value_or("");
+    if (!hoursGiven) asked.period.window = SolarWindow{};
+    if (const auto zone = commonZone(project); zone && !asked.states("--zone")) {
+        asked.period.zone = *zone;
+        asked.given.emplace("--zone");
+    }
     return periodIn(project, options.periodName, asked);
 }
 

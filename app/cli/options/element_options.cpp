@@ -2,9 +2,9 @@
 
 #include <tuple>
 
-#include "app/cli/options/number_range.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/study_options.h"
-#include "core/receivers/points/plane_points.h"
+#include "core/study/elements/element_fields.h"
 
 namespace noonmark::cli {
 
@@ -26,7 +26,6 @@ void takePoints(const std::vector<std::string>& texts, ElementSettings& elements
 }
 
 void addFacadeOptions(CLI::App& command, StudyOptions& options) {
-    ElementSettings& elements = options.elements;
     command
         .add_option_function<std::vector<std::string>>(
             "--facades-of",
@@ -40,54 +39,21 @@ void addFacadeOptions(CLI::App& command, StudyOptions& options) {
             "region), or those that a scenario of a project builds or changes; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME,...|all|proposed");
-    const auto addMetres = [&](const char* name, double& value, const char* help, double from, double to) {
-        command.add_option(name, value, help)->capture_default_str()->check(within(from, to))->type_name("M");
-    };
-    FacadeSettings& facades = elements.facades;
-    addMetres("--bay", facades.bayM, "Facades: width of a bay, one point each", FacadeSettings::leastM,
-              FacadeSettings::mostM);
-    addMetres("--storey", facades.storeyM,
-              "Height of a storey: facades have one point each, windows are numbered by it",
-              FacadeSettings::leastM, FacadeSettings::mostM);
-    addMetres("--above-floor", facades.aboveFloorM, "Facades: height of the points above the floor", 0, 50);
+    addFieldOptions(command, facadeFields().of(options.elements));
+    addFieldOptions(command, aboveFloorFields().of(options.elements));
 }
 
 void addLineOptions(CLI::App& command, StudyOptions& options) {
-    ElementSettings& elements = options.elements;
-    command
-        .add_option_function<std::string>(
-            "--parcel",
-            [&command, &options](const std::string& text) {
-                options.elements.parcel = text;
-                makeRegionOptional(command, options);
-            },
-            "Lines: the parcel, a polygon file or a lot, region or place of the project")
-        ->type_name("FILE|NAME");
-    command
-        .add_option("--offsets", elements.lines.offsetsM,
-                    "Lines: their distances from the parcel, with commas")
-        ->delimiter(',')
-        ->check(within(LineSettings::leastOffsetM, LineSettings::mostOffsetM))
-        ->default_str("5,10")
-        ->type_name("M,...");
-    command.add_option("--spacing", elements.lines.spacingM, "Lines: distance from point to point")
-        ->capture_default_str()
-        ->check(within(LineSettings::leastSpacingM, LineSettings::mostSpacingM))
-        ->type_name("M");
+    addFieldOptions(command, lineFields().of(options.elements));
+    command.get_option("--parcel")->each([&command, &options](const std::string&) {
+        makeRegionOptional(command, options);
+    });
 }
 
 void addListOptions(CLI::App& command, StudyOptions& options) {
-    CLI::Option* file = command
-                            .add_option_function<std::string>(
-                                "--points",
-                                [&command, &options](const std::string& name) {
-                                    options.elements.pointsFile = name;
-                                    makeRegionOptional(command, options);
-                                },
-                                "Points: a CSV file with columns lon, lat and, if known, id, height (metres "
-                                "above the ground) "
-                                "and facing (azimuth of a wall)")
-                            ->type_name("FILE.csv");
+    addFieldOptions(command, pointsFileFields().of(options.elements));
+    CLI::Option* file = command.get_option("--points");
+    file->each([&command, &options](const std::string&) { makeRegionOptional(command, options); });
     command
         .add_option_function<std::vector<std::string>>(
             "--point",
@@ -110,58 +76,12 @@ Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces
 }  // namespace
 
 void addWindowFileOptions(CLI::App& command, ElementSettings& elements) {
-    command
-        .add_option_function<std::string>(
-            "--windows", [&elements](const std::string& file) { elements.windows = file; },
-            "Windows: a file of points or polygons with heights (fields id, azimuth, floor)")
-        ->type_name("FILE");
-    command
-        .add_option("--window-id", elements.windowFile.idField,
-                    "Windows: the field with their ids (default: id, window, window_id, name)")
-        ->type_name("FIELD");
-    command
-        .add_option("--windows-crs", elements.windowFile.crs,
-                    "Windows: coordinate reference system, if the file states none")
-        ->type_name("CRS");
-    command
-        .add_option_function<std::string>(
-            "--window-heights",
-            [&elements](const std::string& what) { elements.windowFile.aboveGround = what == "ground"; },
-            "Windows: heights are elevations, as those of the city, or metres above the ground below")
-        ->check(CLI::IsMember({"elevation", "ground"}))
-        ->default_str("elevation")
-        ->type_name("WHAT");
+    addFieldOptions(command, windowsFields().of(elements));
+    addFieldOptions(command, windowFileFields().of(elements.windowFile));
 }
 
 void addFaceOptions(CLI::App& command, FaceChoice& faces) {
-    command
-        .add_option(
-            "--face", faces.faces,
-            "Facades: one face by the beginning of its points' ids, \"way 12 wall 3\"; may be repeated")
-        ->allow_extra_args(false)
-        ->type_name("ID");
-    command
-        .add_option_function<std::string>(
-            "--facing",
-            [&faces](const std::string& text) {
-                const auto range = parseAzimuthRange(text);
-                if (!range)
-                    throw CLI::ValidationError("--facing", range.error().what + ". " + range.error().advice);
-                faces.facing = *range;
-            },
-            "Facades and windows: only those that face these azimuths, degrees from true north, clockwise")
-        ->type_name("FROM-TO");
-    CLI::Option* place =
-        command
-            .add_option("--facing-place", faces.place,
-                        "Facades and windows: only those from which a level line straight out from the wall "
-                        "meets this place")
-            ->type_name("NAME");
-    command.add_option("--within", faces.withinM, "With --facing-place: at most this far away")
-        ->capture_default_str()
-        ->check(within(1.0, FaceChoice::mostWithinM))
-        ->needs(place)
-        ->type_name("M");
+    addFieldOptions(command, faceFields().of(faces));
 }
 
 void addElementOptions(CLI::App& command, StudyOptions& options) {
@@ -170,11 +90,7 @@ void addElementOptions(CLI::App& command, StudyOptions& options) {
     addWindowFileOptions(command, options.elements);
     addLineOptions(command, options);
     addListOptions(command, options);
-    command
-        .add_option("--plane-height", options.elements.planeHeightM,
-                    "Plane and lines: height above the mean of the ground, of the region or parcel")
-        ->check(within(0.0, mostPlaneHeightM))
-        ->type_name("M");
+    addFieldOptions(command, planeFields().of(options.elements));
 }
 
 Result<void> checkElementOptions(const StudyOptions& options) {

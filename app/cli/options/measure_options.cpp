@@ -1,6 +1,5 @@
 #include "app/cli/options/measure_options.h"
 
-#include "app/cli/options/engine_options.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/study_options.h"
 #include "app/cli/project/change_project.h"
@@ -20,7 +19,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
     const std::vector<CLI::Option*> before = command.get_options();
     addPeriodOptions(command, options.period);
     addNamedPeriod(command, before, options.periodName);
-    addReceiverOptions(command, options.settings);
+    addCellOptions(command, options.settings);
     addEngineOptions(command, options.settings);
     command.add_option("--out", options.out, "Folder for GeoTIFF, picture, PDF page, CSV and JSON")
         ->required()

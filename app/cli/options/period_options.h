@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <set>
 #include <string>
 
 #include "core/sun/period.h"
@@ -11,19 +13,15 @@ namespace noonmark::cli {
 struct PeriodOptions {
     std::string hourOption = "--from";    ///< option for the time of day of the first step
     std::string startOption = "--start";  ///< option for the first day
-    std::string start;
-    std::string from;
-    std::string window;
-    std::string zone;
-    bool noRefraction = false;
-    bool centre = false;  ///< sunrise rule of the window
-    Period period;        ///< the values that need no further parsing
+    Period period{};
+    std::set<std::string, std::less<>> given{};  ///< flags of periodFields() that the user gave
+    [[nodiscard]] bool states(std::string_view flag) const { return given.contains(flag); }
 };
 
 /// Returns the option of the first day, which the caller may require. `options` must outlive the parsing.
 CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options);
 
-/// Parses the period. Error: an invalid date, time, window or zone; hours without a zone.
+/// The period, checked. Error: a zone that is unknown or, where clock hours need it, not given.
 Result<Period> periodFrom(const PeriodOptions& options);
 
 }  // namespace noonmark::cli

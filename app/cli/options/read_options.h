@@ -18,10 +18,4 @@ struct ReadOptions {
 /// Adds FILE... and one option per user-visible field of ReadSettings. `options` must outlive the parsing.
 void addReadOptions(CLI::App& command, ReadOptions& options);
 
-/// Adds --stand, which states where buildings stand.
-void addStandOption(CLI::App& command, ReadSettings& settings);
-
-/// Adds the options of meshes only: the axis that points up, and the unit.
-void addMeshAxesOptions(CLI::App& command, ReadSettings& settings);
-
 }  // namespace noonmark::cli

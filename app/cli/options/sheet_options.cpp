@@ -1,20 +1,14 @@
 #include "app/cli/options/sheet_options.h"
 
 #include "app/cli/options/elevation_sheet_options.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/report/book/review/review_book.h"
+#include "scenarios/project/title_fields.h"
 
 namespace noonmark::cli {
 
 namespace {
-
-void replace(std::string& text, const std::string& by) {
-    if (!by.empty()) text = by;
-}
-
-void addText(std::vector<RepeatOption>& options, const char* name, const std::string& text) {
-    if (!text.empty()) options.push_back({name, {text}});
-}
 
 void addLayoutOptions(CLI::App& command, SheetOptions& options, const std::string& file) {
     command.add_option("--paper", options.paper, "Paper of " + file + ": A4, A3, A1, Letter or Tabloid")
@@ -22,14 +16,7 @@ void addLayoutOptions(CLI::App& command, SheetOptions& options, const std::strin
         ->check(CLI::IsMember({"A4", "A3", "A1", "Letter", "Tabloid"}, CLI::ignore_case))
         ->type_name("PAPER");
     command.add_flag("--landscape", options.landscape, "Sheets are wider than high");
-    const auto text = [&](const char* name, std::string& to, const char* what) {
-        command.add_option(name, to, what)->type_name("TEXT");
-    };
-    text("--title-project", options.project, "Title block: the project");
-    text("--author", options.author, "Title block: the author");
-    text("--client", options.client, "Title block: the client");
-    text("--date", options.date, "Title block: the date as printed (default: today)");
-    text("--sheet-prefix", options.prefix, "Title block: A- numbers the sheets A-1, A-2, ...");
+    addFieldOptions(command, titleFields().of(options.title), {.given = &options.given});
     command.add_option("--logo", options.logo, "Title block: a PNG or JPEG picture of at most 1 MiB")
         ->type_name("FILE");
 }
@@ -67,11 +54,7 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
         {*parsePaper(options.paper), options.landscape}, {}, ofProject.titleBlock, ofProject.units};
     if (options.scale > 0) settings.scale = options.scale;
     TitleBlock& block = settings.titleBlock;
-    replace(block.project, options.project);
-    replace(block.author, options.author);
-    replace(block.client, options.client);
-    replace(block.date, options.date);
-    replace(block.sheetPrefix, options.prefix);
+    copyFields(titleFields().of(options.title), titleFields().of(block), options.given);
     if (block.date.empty()) block.date = describeToday().toStdString();
     if (!options.logo.empty()) {
         auto logo = readLogo(options.logo);
@@ -81,12 +64,11 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
     return validate(block).map([&] { return settings; });
 }
 
-std::vector<RepeatOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings) {
-    std::vector<RepeatOption> repeat = noonmark::makeRepeatOptions(settings);
-    addText(repeat, "--title-project", options.project);
-    addText(repeat, "--author", options.author);
-    addText(repeat, "--client", options.client);
-    addText(repeat, "--sheet-prefix", options.prefix);
+std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings) {
+    std::vector<CommandOption> repeat = noonmark::makeRepeatOptions(settings);
+    // The date is among the book's own.
+    for (CommandOption& option : listOptions(titleFields().of(options.title)))
+        if (option.name != "--date") repeat.push_back(std::move(option));
     return repeat;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <set>
 #include <string>
 
 #include "app/report/book/book.h"
@@ -13,9 +14,11 @@ namespace noonmark::cli {
 struct SheetOptions {
     std::string paper = "A4";
     bool landscape = false;
-    bool wanted = false;  ///< --sheets
-    double scale = 0;     ///< 0: chosen to fit
-    std::string project, author, client, date, prefix, logo;
+    bool wanted = false;                         ///< --sheets
+    double scale = 0;                            ///< 0: chosen to fit
+    TitleBlock title{};                          ///< its texts that the user gave
+    std::set<std::string, std::less<>> given{};  ///< flags of titleFields() that the user gave
+    std::string logo;
 };
 
 /// Adds --paper, --landscape, and the texts of the title block. `options` must outlive the command.
@@ -31,6 +34,6 @@ void addSheetSwitch(CLI::App& command, SheetOptions& options);
 Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject);
 
 /// The options that lay out the same sheets again, with the date printed on them; all but the logo.
-std::vector<RepeatOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings);
+std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings);
 
 }  // namespace noonmark::cli

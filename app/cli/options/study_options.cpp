@@ -3,31 +3,30 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/options/engine_options.h"
-#include "app/cli/options/number_range.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/project/project_question.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/study_fields.h"
 
 namespace noonmark::cli {
 
 namespace {
 
 void takeReceivers(const std::string& name, StudyOptions& options) {
-    options.points = std::nullopt;
-    if (const auto places = parsePlaces(name)) options.settings.receivers.places = *places;
-    for (const ElementPlaces places : allElementPlaces)
-        if (name == nameOf(places)) options.points = options.elements.places = places;
+    const auto cells = findChoice<ReceiverPlaces>(receiverPlaceChoices, name);
+    if (cells) options.settings.receivers.places = *cells;
+    options.points = findChoice<ElementPlaces>(elementPlaceChoices, name);
+    if (options.points) options.elements.places = *options.points;
 }
 
 void addPlacesOption(CLI::App& command, StudyOptions& options, ReceiverChoice choice) {
     std::vector<std::string> names;
-    for (const ReceiverPlaces places : allReceiverPlaces) names.emplace_back(nameOf(places));
-    std::string help =
-        "Where shadow is measured: cells on the ground, roofs or both (roofs: engines horizon, ray, auto)";
+    for (const auto& choice : receiverPlaceChoices) names.emplace_back(choice.key);
+    std::string help(surfaceFields().rows().front().help);
     if (choice == ReceiverChoice::cellsAndPoints) {
-        for (const ElementPlaces places : allElementPlaces) names.emplace_back(nameOf(places));
+        for (const auto& choice : elementPlaceChoices) names.emplace_back(choice.key);
         help += ", or points: facades, windows of a file, a plane, lines around a parcel, single points";
     }
     command
@@ -41,32 +40,20 @@ void addPlacesOption(CLI::App& command, StudyOptions& options, ReceiverChoice ch
 }  // namespace
 
 void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
-    CLI::Option* count =
-        command
-            .add_option("--error-sample", sample.receivers,
-                        "Receivers that the ray reference recomputes to measure the error; 0: none")
-            ->capture_default_str()
-            ->check(CLI::Range(0, ErrorSampleSettings::mostReceivers))
-            ->type_name("N");
+    addFieldOptions(command, sampleFields().of(sample));
     command
         .add_flag_callback(
             "--no-error-sample", [&sample] { sample.receivers = 0; }, "Do not measure the error")
-        ->excludes(count);
+        ->excludes("--error-sample");
 }
 
-void addReceiverOptions(CLI::App& command, StudySettings& settings) {
-    command.add_option("--cell", settings.receivers.cellM, "Size of a cell, m")
-        ->capture_default_str()
-        ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
-        ->type_name("M");
-    command.add_option("--pressure", settings.pressureHPa, "Air pressure for refraction, hPa")
-        ->capture_default_str()
-        ->check(within(0.0, 1200.0))
-        ->type_name("HPA");
-    command.add_option("--temperature", settings.temperatureC, "Air temperature for refraction, deg C")
-        ->capture_default_str()
-        ->check(within(-90.0, 60.0))
-        ->type_name("C");
+void addCellOptions(CLI::App& command, StudySettings& settings) {
+    addFieldOptions(command, cellFields().of(settings));
+    addFieldOptions(command, airFields().of(settings));
+}
+
+void addEngineOptions(CLI::App& command, StudySettings& settings) {
+    addFieldOptions(command, engineFields().of(settings));
 }
 
 void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice choice) {
@@ -88,7 +75,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
             "--points and --point: city")
         ->required()
         ->type_name("W,S,E,N|FILE|city|NAME");
-    addReceiverOptions(command, settings);
+    addCellOptions(command, settings);
     addPlacesOption(command, options, choice);
     addEngineOptions(command, settings);
     addErrorOptions(command, settings.errorSample);
@@ -100,20 +87,13 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
 }
 
 void addMonthOption(CLI::App& command, StudySettings& settings) {
-    command
-        .add_option_function<std::string>(
-            "--by", [&settings](const std::string&) { settings.byMonth = true; },
-            "month: the shadow of each month, as bands and a table (engines horizon, projected)")
-        ->check(CLI::IsMember({"month"}))
-        ->type_name("SET");
+    addFieldOptions(command, monthFields().of(settings));
 }
 
 void addPieceOptions(CLI::App& command, StudyOptions& options) {
     StudySettings& settings = options.settings;
     addMonthOption(command, settings);
-    command.add_flag("--contributions", settings.contributions,
-                     "Attributed shadow and sole contribution of each building, as a table, a map and sheets "
-                     "(engine horizon)");
+    addFieldOptions(command, contributionFields().of(settings));
     addPictureOption(command, options.pictureWidth);
     command.add_flag("--cells-csv", options.cellsCsv, "Also write cells.csv: one line per receiver");
 }

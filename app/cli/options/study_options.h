@@ -63,6 +63,9 @@ void addPieceOptions(CLI::App& command, StudyOptions& options);
 void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample);
 
 /// Adds --cell, --pressure and --temperature.
-void addReceiverOptions(CLI::App& command, StudySettings& settings);
+void addCellOptions(CLI::App& command, StudySettings& settings);
+
+/// Adds --engine and --option.
+void addEngineOptions(CLI::App& command, StudySettings& settings);
 
 }  // namespace noonmark::cli

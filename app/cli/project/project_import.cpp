@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/lon_lat_option.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/read_options.h"
@@ -11,6 +12,7 @@
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
 #include "core/io/files/file_kind.h"
+#include "core/io/read_fields.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/read_shape.h"
 
@@ -145,8 +147,8 @@ void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
 
 void addShapeOptions(CLI::App& command, ShapeOptions& options) {
     addPlaceOptions(command, options);
-    addMeshAxesOptions(command, options.read);
-    addStandOption(command, options.read);
+    addFieldOptions(command, meshAxesFields().of(options.read));
+    addFieldOptions(command, standFields().of(options.read));
     command
         .add_option("--crs", options.read.crs, "CityJSON that does not state its reference system: EPSG:2263")
         ->type_name("CRS");

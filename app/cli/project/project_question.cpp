@@ -51,7 +51,7 @@ std::optional<std::string> commonZone(const Project& project) {
 Result<Period> periodIn(const Project& project, const std::string& name, const PeriodOptions& options) {
     if (!name.empty())
         return findPeriod(project, name).map([](const NamedPeriod& named) { return named.period; });
-    if (!options.start.empty()) return periodFrom(options);
+    if (options.states("--start")) return periodFrom(options);
     return failure("The period is missing", "period", "Give --start DATE, or --period NAME of the project");
 }
 

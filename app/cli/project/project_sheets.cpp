@@ -1,11 +1,14 @@
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
+#include "scenarios/project/title_fields.h"
 
 namespace noonmark::cli {
 
@@ -13,7 +16,9 @@ namespace {
 
 struct TitleBlockOptions {
     ChangeOptions change;
-    std::optional<std::string> project, author, client, date, sheetPrefix, units, logo;
+    TitleBlock title{};
+    std::set<std::string, std::less<>> given{};
+    std::optional<std::string> units, logo;
 };
 
 std::string describe(const SheetSettings& sheets) {
@@ -33,11 +38,7 @@ std::string describe(const SheetSettings& sheets) {
 
 Result<std::string> change(const TitleBlockOptions& options, Project& project) {
     TitleBlock& block = project.sheets.titleBlock;
-    if (options.project) block.project = *options.project;
-    if (options.author) block.author = *options.author;
-    if (options.client) block.client = *options.client;
-    if (options.date) block.date = *options.date;
-    if (options.sheetPrefix) block.sheetPrefix = *options.sheetPrefix;
+    copyFields(titleFields().of(options.title), titleFields().of(block), options.given);
     if (options.units) project.sheets.units = parseUnitSystem(*options.units).value_or(project.sheets.units);
     if (options.logo) {
         auto logo = options.logo->empty() ? Result<std::string>(std::string()) : readLogo(*options.logo);
@@ -55,13 +56,8 @@ void addProjectSheets(CLI::App& project, Run& run) {
     CLI::App* command =
         addChangeCommand(project, "sheets", "Set the title block of the sheets, and the units of results",
                          options, change, run);
-    command->add_option("--project", options->project, "Name of the project")->type_name("TEXT");
-    command->add_option("--author", options->author, "Author")->type_name("TEXT");
-    command->add_option("--client", options->client, "Client")->type_name("TEXT");
-    command->add_option("--date", options->date, "Date as printed; \"\": the day on which sheets are made")
-        ->type_name("TEXT");
-    command->add_option("--sheet-prefix", options->sheetPrefix, "Text before the number of each sheet: A-")
-        ->type_name("TEXT");
+    addFieldOptions(*command, titleFields().of(options->title),
+                    {.names = {{"--title-project", "--project,--title-project"}}, .given = &options->given});
     command->add_option("--logo", options->logo, "PNG or JPEG picture of at most 1 MiB; \"\" removes it")
         ->type_name("FILE");
     command->add_option("--units", options->units, "Units of lengths and areas in tables and sheets")

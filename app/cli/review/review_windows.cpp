@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/study_options.h"
 #include "app/cli/progress_line.h"
@@ -15,6 +16,7 @@
 #include "app/report/book/review/review_book.h"
 #include "app/report/files/window_files.h"
 #include "core/review/places/verdict_text.h"
+#include "core/study/elements/element_fields.h"
 #include "core/study/remaining_time.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
@@ -50,9 +52,9 @@ Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
     return rule;
 }
 
-std::vector<RepeatOption> repeatOptions(const ReviewRunOptions& options, const BookSettings& sheets) {
+std::vector<CommandOption> repeatOptions(const ReviewRunOptions& options, const BookSettings& sheets) {
     const ReviewedWindows& windows = options.windows;
-    std::vector<RepeatOption> repeated = makeRepeatOptions(windows.elements);
+    std::vector<CommandOption> repeated = makeRepeatOptions(windows.elements);
     const auto add = [&](const char* name, std::vector<std::string> values) {
         repeated.push_back({name, std::move(values)});
     };
@@ -60,7 +62,7 @@ std::vector<RepeatOption> repeatOptions(const ReviewRunOptions& options, const B
     if (windows.wallM) add("--wall", {fmt::format("{}", *windows.wallM)});
     if (!windows.sunshine.empty()) add("--sunshine", {fmt::format("{}", fmt::join(windows.sunshine, ","))});
     if (windows.engine != "auto") add("--engine", {windows.engine});
-    for (RepeatOption& option : makeRepeatOptions(sheets)) repeated.push_back(std::move(option));
+    for (CommandOption& option : makeRepeatOptions(sheets)) repeated.push_back(std::move(option));
     return repeated;
 }
 
@@ -205,15 +207,7 @@ void addFacades(CLI::App& command, ReviewedWindows& windows) {
             "the region, or of those that the scenario builds or changes; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME,...|all|proposed");
-    const auto addMetres = [&](const char* name, double& value, const char* help) {
-        command.add_option(name, value, help)
-            ->capture_default_str()
-            ->check(within(FacadeSettings::leastM, FacadeSettings::mostM))
-            ->type_name("M");
-    };
-    addMetres("--bay", windows.elements.facades.bayM, "Facades: width of a bay, one window each");
-    addMetres("--storey", windows.elements.facades.storeyM,
-              "Height of a storey: facades have one window each, windows are numbered by it");
+    addFieldOptions(command, facadeFields().of(windows.elements));
 }
 
 }  // namespace

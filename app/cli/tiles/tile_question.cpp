@@ -17,7 +17,7 @@ Result<TileQuestionRead> questionOfFiles(const TileStudyOptions& options) {
     if (!study.scenario.empty() || !study.periodName.empty() || !options.weights.empty())
         return failure("Only a project has scenarios, weights and periods by name", study.read.files.front(),
                        "Give one project file, NAME.noonmark.gpkg");
-    if (study.period.start.empty())
+    if (!study.period.states("--start"))
         return failure("The start date is missing", "period", "Give --start DATE");
     return periodFrom(study.period).map([&](const Period& period) {
         TileQuestionRead question{study.settings, std::nullopt};

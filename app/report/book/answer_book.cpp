@@ -29,7 +29,7 @@ BookPage mapPage(const PageSetup& setup, const Sheet& sheet, const SheetMap& map
     QRectF area = all;
     if (hasFigures) {
         PageTable table{{QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * scale};
-        for (const Figure& figure : sheet.figures)
+        for (const FigureText& figure : sheet.figures)
             table.rows.push_back({plainText(figure.name), plainText(figure.value)});
         const double width = setup.landscape ? all.width() * 0.3 : all.width();
         table.widthsPt = fitColumns(table, width);

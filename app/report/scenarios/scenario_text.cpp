@@ -1,12 +1,13 @@
 #include "app/report/scenarios/scenario_text.h"
 
-#include "core/base/csv_text.h"
+#include "core/describe/figure_text.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
-#include "scenarios/weights/score_text.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -14,17 +15,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json figuresJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenario) {
-    const ShadowStatistics& figures = scenario.study->statistics;
-    const bool runs = hasRuns(figures);
-    return {{"receivers", figures.receivers},
-            {"receiver_area_m2", figures.receiverAreaM2},
-            {"shadow_area_m2", figures.shadowAreaM2},
-            {"shadow_area_change_m2", computeShadowAreaChange(scenarios, scenario)},
-            {"mean_gross_min", figures.meanGrossMin},
-            {"max_gross_min", figures.maxGrossMin},
-            {"mean_continuous_min", runs ? Json(figures.meanContinuousMin) : Json()},
-            {"max_continuous_min", runs ? Json(figures.maxContinuousMin) : Json()}};
+Json measuredJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenario) {
+    Json json = figuresJson(shadowFigures().of(scenario.study->statistics));
+    json["shadow_area_change_m2"] = computeShadowAreaChange(scenarios, scenario);
+    return json;
 }
 
 Json impactJson(const std::optional<ScenarioImpact>& impact) {
@@ -39,9 +33,9 @@ Json impactJson(const std::optional<ScenarioImpact>& impact) {
 
 Json scoreJson(const std::optional<ScenarioScore>& score) {
     if (!score) return {};
-    return {{"weights", score->weights},
-            {"weighted_shade_m2h", score->totals.weightedShadeM2h},
-            {"score_m2", score->totals.scoreM2}};
+    Json json{{"weights", score->weights}};
+    json.update(figuresJson(scoreFigures().of(score->totals)));
+    return json;
 }
 
 Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
@@ -66,7 +60,7 @@ Json usesJson(const ScenarioUses& uses) {
     return json;
 }
 
-void addFigures(CsvText& csv, const ShadowStatistics& figures, double changeM2) {
+void addMeasured(CsvText& csv, const ShadowStatistics& figures, double changeM2) {
     csv.number(figures.receiverAreaM2, 1).number(figures.shadowAreaM2, 1).number(changeM2, 1);
     csv.number(figures.meanGrossMin, 3);
     csv.number(figures.meanContinuousMin, 3);  // nothing where no runs were counted
@@ -82,7 +76,8 @@ void addImpact(CsvText& csv, const std::optional<ScenarioImpact>& impact) {
 
 void addScore(CsvText& csv, const std::optional<ScenarioScore>& score) {
     if (!score) return void(csv.nothing(3));
-    csv.text(score->weights).number(score->totals.weightedShadeM2h, 1).number(score->totals.scoreM2, 1);
+    csv.text(score->weights);
+    addFigures(csv, scoreFigures().of(score->totals));
 }
 
 void addVerdicts(CsvText& csv, const std::optional<ScenarioVerdicts>& verdicts) {
@@ -122,7 +117,7 @@ std::string scenariosCsv(const ScenarioStudies& scenarios) {
     for (const ScenarioStudy& scenario : scenarios) {
         const ScenarioAnswers& answers = scenario.answers;
         csv.text(scenario.name).whole(countChanges(scenario));
-        addFigures(csv, scenario.study->statistics, computeShadowAreaChange(scenarios, scenario));
+        addMeasured(csv, scenario.study->statistics, computeShadowAreaChange(scenarios, scenario));
         csv.number(scenario.heightM, 1).number(sumFloorAreaM2(scenario.uses), 1);
         addImpact(csv, answers.impact);
         addScore(csv, answers.score);
@@ -149,7 +144,7 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         Json one{{"name", scenario.name},
                  {"changes", countChanges(scenario)},
                  {"engine", scenario.study->field.engine},
-                 {"figures", figuresJson(scenarios, scenario)},
+                 {"figures", measuredJson(scenarios, scenario)},
                  {"floor_area_by_use", usesJson(scenario.uses)},
                  {"towers_not_counted_by_use", scenario.uses.towersNotCounted},
                  {"gross_floor_m2", orNull(sumFloorAreaM2(scenario.uses))},
@@ -161,23 +156,23 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         one["warnings"] = warningsJson(scenario.study->warnings);
         json["scenarios"].push_back(std::move(one));
     }
-    json["definitions"] = {
-        {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"},
-        {"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},
-        {"floor_area_by_use",
-         "storeys and gross floor area of the scenario's towers by use; use null: none is stated. Imported "
-         "buildings and towers whose height was changed afterwards are counted in towers_not_counted_by_use"},
-        {"height_m", "greatest height above its ground of the buildings that the scenario adds"},
-        {"impact",
-         "change from the scenario baseline, on the receivers of both; gained_m2: area whose gross "
-         "shadow rises by more than threshold_min"},
-        {"weighted_shade_m2h", weightedShadeDefinition},
-        {"score_m2", scoreDefinition},
-        {"verdicts",
-         "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
-         "or was not checked"},
-        {"gross", "minutes in shadow per day, mean over the days"},
-        {"continuous", "longest unbroken run in shadow on any day, minutes"}};
+    json["definitions"] = definitionsJson(shadowFigures().rows());
+    json["definitions"].update(definitionsJson(scoreFigures().rows()));
+    json["definitions"].update(
+        {{"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},
+         {"floor_area_by_use",
+          "storeys and gross floor area of the scenario's towers by use; use null: none is stated. Imported "
+          "buildings and towers whose height was changed afterwards are counted in "
+          "towers_not_counted_by_use"},
+         {"height_m", "greatest height above its ground of the buildings that the scenario adds"},
+         {"impact",
+          "change from the scenario baseline, on the receivers of both; gained_m2: area whose gross "
+          "shadow rises by more than threshold_min"},
+         {"verdicts",
+          "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
+          "or was not checked"},
+         {"gross", "minutes in shadow per day, mean over the days"},
+         {"continuous", "longest unbroken run in shadow on any day, minutes"}});
     return toJsonText(json);
 }
 

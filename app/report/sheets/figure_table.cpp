@@ -8,7 +8,7 @@ namespace {
 
 constexpr double rowHeight = 1.62;  // times the font size
 
-void paintRow(const Canvas& canvas, const QRectF& row, const Figure& figure) {
+void paintRow(const Canvas& canvas, const QRectF& row, const FigureText& figure) {
     const QFontMetricsF metrics(canvas.painter.font());
     const double valueWidth = metrics.horizontalAdvance(figure.value);
     const double room = row.width() - valueWidth - metrics.averageCharWidth();
@@ -22,7 +22,7 @@ void paintRow(const Canvas& canvas, const QRectF& row, const Figure& figure) {
 
 }  // namespace
 
-double paintFigures(const Canvas& canvas, const QRectF& area, const std::vector<Figure>& figures,
+double paintFigures(const Canvas& canvas, const QRectF& area, const std::vector<FigureText>& figures,
                     double points) {
     QRectF row(area.left(), area.top(), area.width(), rowHeight * points * canvas.point);
     for (std::size_t i = 0; i < figures.size(); ++i) {

@@ -15,7 +15,7 @@ QString describeSigned(double value, int decimals, const char* unit) {
            QString::fromUtf8(unit);
 }
 
-void addThreshold(std::vector<Figure>& figures, const char* name, double threshold,
+void addThreshold(std::vector<FigureText>& figures, const char* name, double threshold,
                   const ChangeFigures& change) {
     const QString over =
         QStringLiteral("%1 > %2 min").arg(QString::fromUtf8(name), describeAmount(threshold, 2));
@@ -90,9 +90,9 @@ SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& reg
             legend};
 }
 
-std::vector<Figure> makeImpactFigures(const ComparisonFigures& all, const Impact& impact) {
+std::vector<FigureText> makeImpactFigures(const ComparisonFigures& all, const Impact& impact) {
     const ImpactFigures& first = all.all.front();
-    std::vector<Figure> figures{
+    std::vector<FigureText> figures{
         {QStringLiteral("Shadow area"), describeSigned(first.shadowAreaChangeM2, 0, " m²")}};
     for (const ImpactFigures& one : all.all) addThreshold(figures, "Gross", one.thresholdMin, one.gross);
     if (hasRuns(impact))

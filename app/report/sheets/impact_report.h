@@ -15,6 +15,6 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
 /// map.
 SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& region, ShadowMeasure measure,
                        const ChangeScale& scale);
-std::vector<Figure> makeImpactFigures(const ComparisonFigures& all, const Impact& impact);
+std::vector<FigureText> makeImpactFigures(const ComparisonFigures& all, const Impact& impact);
 
 }  // namespace noonmark

@@ -55,7 +55,7 @@ void addMaps(Sheet&, const SavedScore&, const SavedMaps&) {}
 // Points have no sheet of their own yet: writeSavedFiles() writes their tables.
 void addMaps(Sheet&, const SavedElements&, const SavedMaps&) {}
 SheetMap makeMainMap(const SavedElements&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
-std::vector<Figure> figuresOf(const SavedElements&) { return {}; }
+std::vector<FigureText> figuresOf(const SavedElements&) { return {}; }
 
 SheetMap makeMainMap(const SavedStudy& study, const SavedMaps& from) {
     return makeStudyMap(study.field, ShadowMeasure::gross, from);
@@ -69,15 +69,15 @@ SheetMap makeMainMap(const SavedScore& saved, const SavedMaps& from) {
     return makeScoreMap(saved.score, from.city, from.region);
 }
 
-std::vector<Figure> figuresOf(const SavedStudy& study) {
+std::vector<FigureText> figuresOf(const SavedStudy& study) {
     return makeStudyFigures(study.statistics, study.field, study.steps);
 }
 
-std::vector<Figure> figuresOf(const SavedImpact& saved) {
+std::vector<FigureText> figuresOf(const SavedImpact& saved) {
     return makeImpactFigures(saved.figures, saved.impact);
 }
 
-std::vector<Figure> figuresOf(const SavedScore& saved) { return makeScoreFigures(saved.score); }
+std::vector<FigureText> figuresOf(const SavedScore& saved) { return makeScoreFigures(saved.score); }
 
 QString describeSubject(const SavedResult& result) {
     const QString scenario = plainText(result.scenario);

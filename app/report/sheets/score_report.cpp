@@ -7,6 +7,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "core/receivers/roof_receivers.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -26,11 +27,16 @@ QString monthName(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
+QString definitionOf(std::string_view key) {
+    const std::string_view text = findFigure(scoreFigures().rows(), key).definition;
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
 TextBlocks definitions() {
     return {body(
         QStringLiteral("Weighted shade: %1. Score: %2. Positive means that wanted shade outweighs unwanted "
                        "shadow. The figures of the months add up to the total.")
-            .arg(QString::fromUtf8(weightedShadeDefinition), QString::fromUtf8(scoreDefinition)))};
+            .arg(definitionOf("weighted_shade_m2h"), definitionOf("score_m2")))};
 }
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
@@ -82,9 +88,9 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
             legend};
 }
 
-std::vector<Figure> makeScoreFigures(const Score& score) {
+std::vector<FigureText> makeScoreFigures(const Score& score) {
     const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
-    std::vector<Figure> figures{
+    std::vector<FigureText> figures{
         {QStringLiteral("Weighted shade"), signedShade(score.weightedShadeM2h)},
         {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
         {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},

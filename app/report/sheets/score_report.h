@@ -12,6 +12,6 @@ Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source);
 
 /// Map and figures of that page. All arguments must outlive the map.
 SheetMap makeScoreMap(const Score& score, const City& city, const Region& region);
-std::vector<Figure> makeScoreFigures(const Score& score);
+std::vector<FigureText> makeScoreFigures(const Score& score);
 
 }  // namespace noonmark

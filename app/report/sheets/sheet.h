@@ -37,7 +37,7 @@ struct Sheet {
     SheetMap map;
     TextBlocks definitions{};            ///< definitions of the figures, below the map
     std::optional<SheetMap> smallMap{};  ///< another measure, above the figures
-    std::vector<Figure> figures{};       ///< the first one is set in bold
+    std::vector<FigureText> figures{};   ///< the first one is set in bold
     std::vector<TextBlocks> sections{};  ///< at least two; each begins with its heading and is not split
     TextBlocks repeat{};                 ///< across the bottom of the page; may be empty
     QString credit{};                    ///< credit of the data

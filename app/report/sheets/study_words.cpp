@@ -24,7 +24,7 @@ QString describeShadowArea(const ShadowStatistics& s) {
     return QStringLiteral("%1 m² (%2 %)").arg(describeAmount(s.shadowAreaM2, 0), describeAmount(share));
 }
 
-void addMinutes(std::vector<Figure>& figures, const ShadowStatistics& s, double sunlit) {
+void addMinutes(std::vector<FigureText>& figures, const ShadowStatistics& s, double sunlit) {
     figures.push_back({QStringLiteral("Gross shadow, mean"), describeMinutesADay(sunlit, s.meanGrossMin)});
     figures.push_back({QStringLiteral("Gross shadow, largest"), describeMinutesADay(sunlit, s.maxGrossMin)});
     if (hasRuns(s)) {
@@ -89,13 +89,13 @@ QString describeProgram() {
     return QStringLiteral("Noonmark ") + QString::fromUtf8(number.data(), qsizetype(number.size()));
 }
 
-std::vector<Figure> computeFigures(const Study& study) {
+std::vector<FigureText> computeFigures(const Study& study) {
     return makeStudyFigures(study.statistics, study.field, study.sun.steps.size());
 }
 
-std::vector<Figure> makeStudyFigures(const ShadowStatistics& s, const ShadowField& field,
-                                     std::uint64_t steps) {
-    std::vector<Figure> figures{{QStringLiteral("Shadow area"), describeShadowArea(s)}};
+std::vector<FigureText> makeStudyFigures(const ShadowStatistics& s, const ShadowField& field,
+                                         std::uint64_t steps) {
+    std::vector<FigureText> figures{{QStringLiteral("Shadow area"), describeShadowArea(s)}};
     if (!isInstant(field)) addMinutes(figures, s, field.sunlitMinutesPerDay);
     figures.push_back({QStringLiteral("Receivers"), describeCount(s.receivers)});
     figures.push_back(

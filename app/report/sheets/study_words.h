@@ -20,14 +20,14 @@ QString describeData(const std::string& attribution);
 QString describeEngineUsed(const std::string& engine);
 QString describeProgram();  ///< "Noonmark 0.1.0"
 
-/// A row of the table of figures.
-struct Figure {
+/// A figure as sheets print it: a row of their table.
+struct FigureText {
     QString name;
     QString value;  ///< including its unit
 };
-std::vector<Figure> computeFigures(const Study& study);
+std::vector<FigureText> computeFigures(const Study& study);
 /// The same of a study whose settings are not known. `steps` of the sun.
-std::vector<Figure> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
-                                     std::uint64_t steps);
+std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
+                                         std::uint64_t steps);
 
 }  // namespace noonmark

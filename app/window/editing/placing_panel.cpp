@@ -1,16 +1,16 @@
 #include "app/window/editing/placing_panel.h"
 
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/window/widgets/field_rows.h"
 #include "app/window/widgets/height_words.h"
 #include "app/window/widgets/length_field.h"
-#include "app/window/widgets/mesh_fields.h"
 #include "app/window/widgets/number_fields.h"
+#include "core/io/read_fields.h"
 
 namespace noonmark {
 
@@ -24,8 +24,7 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     : QWidget(parent),
       what_(new QLabel),
       warnings_(new QLabel),
-      upAxis_(upAxisField()),
-      unit_(meshUnitField()),
+      axes_(new FieldRows(meshAxesFields().rows(), this)),
       scale_(numberField(0.001, 1000, 3, 0.1, {})),
       turn_(numberField(-360, 360, 1, 5, QStringLiteral("°"))),
       storeyHeight_(lengthField(0, 10, 2, 0.1)),
@@ -50,15 +49,13 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     buttons->addWidget(cancel);
     auto* form = new QFormLayout(this);
     form->addRow(what_);
-    form->addRow(tr("Up axis"), upAxis_);
-    form->addRow(tr("Unit"), unit_);
+    axes_->addRows(*form, {"--up", "--mesh-unit"});
     form->addRow(tr("Scale"), scale_);
     form->addRow(tr("Rotation"), turn_);
     form->addRow(tr("Storey height"), storeyHeight_);
     form->addRow(buttons);
     form->addRow(warnings_);  // below the fields, since their number varies
-    for (QComboBox* field : {upAxis_, unit_})
-        connect(field, &QComboBox::activated, this, &PlacingPanel::readingEdited);
+    connect(axes_, &FieldRows::edited, this, &PlacingPanel::readingEdited);
     for (QDoubleSpinBox* field : {scale_, turn_, storeyHeight_})
         connect(field, &QDoubleSpinBox::valueChanged, this, &PlacingPanel::edited);
     connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applied);
@@ -75,8 +72,8 @@ void PlacingPanel::begin(const QString& file) {
 }
 
 void PlacingPanel::setStated(bool axes, bool unit) {
-    upAxis_->setEnabled(!axes);
-    unit_->setEnabled(!unit);
+    axes_->widget("--up")->setEnabled(!axes);
+    axes_->widget("--mesh-unit")->setEnabled(!unit);
 }
 
 void PlacingPanel::showPlaced(double heightM, double groundElevationM) {
@@ -96,8 +93,7 @@ void PlacingPanel::showWarnings(const Warnings& warnings) {
 
 ReadSettings PlacingPanel::reading() const {
     ReadSettings settings;
-    settings.upAxis = UpAxis(upAxis_->currentData().toInt());
-    settings.meshUnit = LengthUnit(unit_->currentData().toInt());
+    axes_->take(meshAxesFields().of(settings));
     return settings;
 }
 

@@ -4,12 +4,13 @@
 
 #include "core/io/read_city.h"
 
-class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace noonmark {
+
+class FieldRows;
 
 /// Reading settings, scale and rotation of a mesh being placed. The place itself is clicked in the view.
 class PlacingPanel final : public QWidget {
@@ -37,8 +38,7 @@ Q_SIGNALS:
 private:
     QLabel* what_;
     QLabel* warnings_;
-    QComboBox* upAxis_;
-    QComboBox* unit_;
+    FieldRows* axes_;
     QDoubleSpinBox* scale_;
     QDoubleSpinBox* turn_;
     QDoubleSpinBox* storeyHeight_;

@@ -8,8 +8,8 @@
 namespace noonmark {
 
 /// Where the points of a study, or the windows of a review, lie; as the project's view state holds it.
-nlohmann::json elementSettingsJson(const ElementSettings& elements);
+nlohmann::ordered_json elementSettingsJson(const ElementSettings& elements);
 /// None for JSON of another structure, and where a length is out of its range.
-std::optional<ElementSettings> elementSettingsFrom(const nlohmann::json& json);
+std::optional<ElementSettings> elementSettingsFrom(const nlohmann::ordered_json& json);
 
 }  // namespace noonmark

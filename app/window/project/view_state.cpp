@@ -5,7 +5,9 @@
 
 #include "app/window/project/element_settings_json.h"
 #include "core/city/footprints/repair_footprint.h"
-#include "core/receivers/roof_receivers.h"
+#include "core/describe/field_checks.h"
+#include "core/describe/field_json.h"
+#include "core/study/study_fields.h"
 #include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
@@ -38,73 +40,37 @@ Region regionFrom(const Json& json) {
     return region;
 }
 
-Json windowJson(const SolarWindow& window) {
-    return {{"after_sunrise_min", window.afterSunrise.count()},
-            {"before_sunset_min", window.beforeSunset.count()},
-            {"rule", int(window.rule)}};
-}
-
-SolarWindow windowFrom(const Json& json) {
-    return {std::chrono::minutes(json.at("after_sunrise_min").get<int>()),
-            std::chrono::minutes(json.at("before_sunset_min").get<int>()),
-            json.at("rule") == int(SunriseRule::centre) ? SunriseRule::centre : SunriseRule::upperLimb};
-}
-
-Json periodJson(const Period& period) {
-    Json json{{"start", formatText(period.start)}, {"days", period.days},
-              {"from_min", period.from.count()},   {"hours", period.hours},
-              {"step_min", period.stepMinutes},    {"zone", period.zone},
-              {"refraction", period.refraction}};
-    if (period.window) json["window"] = windowJson(*period.window);
+Json studyJson(const StudySettings& study) {
+    Json json = fieldsJson(studyFields().of(study), {.which = FieldJson::Which::all});
+    json["region"] = regionJson(study.region);
     return json;
 }
 
-Period periodFrom(const Json& json) {
-    Period period{.days = json.at("days"),
-                  .from = std::chrono::minutes(json.at("from_min").get<int>()),
-                  .hours = json.at("hours"),
-                  .stepMinutes = json.at("step_min"),
-                  .zone = json.at("zone"),
-                  .refraction = json.at("refraction")};
-    if (const auto start = parseDate(json.at("start").get<std::string>())) period.start = *start;
-    if (json.contains("window")) period.window = windowFrom(json.at("window"));
-    return period;
-}
-
-Json studyJson(const StudySettings& study) {
-    Json options = Json::object();
-    for (const auto& [key, value] : study.engineSettings) options[key] = value;
-    return {{"region", regionJson(study.region)},
-            {"cell_m", study.receivers.cellM},
-            {"receivers_on", nameOf(study.receivers.places)},
-            {"period", periodJson(study.period)},
-            {"pressure_hpa", study.pressureHPa},
-            {"temperature_c", study.temperatureC},
-            {"engine", study.engine},
-            {"options", std::move(options)},
-            {"by_month", study.byMonth},
-            {"contributions", study.contributions}};
+// As versions wrote it whose times were numbers and whose months were yes or no.
+void renameOldFields(Json& study) {
+    Json& period = study.at("period");
+    if (period.contains("from_min"))
+        period["from"] = formatText(std::chrono::minutes(period.at("from_min").get<int>()));
+    if (const Json window = period.value("window", Json()); window.is_object()) {
+        const SolarWindow read{std::chrono::minutes(window.at("after_sunrise_min").get<int>()),
+                               std::chrono::minutes(window.at("before_sunset_min").get<int>())};
+        period["window"] = formatText(read);
+        period["centre"] = window.at("rule") == int(SunriseRule::centre);
+    }
+    if (study.value("by_month", false)) study["by"] = "month";
 }
 
 std::optional<StudySettings> studyFrom(const std::string& text) try {
-    const Json json = Json::parse(text);
+    Json json = Json::parse(text);
+    renameOldFields(json);
     StudySettings study;
-    study.region = regionFrom(json.at("region"));
-    study.receivers.cellM = json.at("cell_m");
-    if (json.contains("receivers_on"))
-        study.receivers.places = parsePlaces(json.at("receivers_on").get<std::string>()).value();
-    study.period = periodFrom(json.at("period"));
-    study.pressureHPa = json.value("pressure_hpa", study.pressureHPa);
-    study.temperatureC = json.value("temperature_c", study.temperatureC);
-    const bool isAir = study.pressureHPa >= 0 && study.pressureHPa <= 1200 && study.temperatureC >= -90 &&
-                       study.temperatureC <= 60;
-    study.engine = json.at("engine");
-    for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
-    study.byMonth = json.at("by_month");
-    study.contributions = json.at("contributions");
-    if (!validate(study.period) || !(study.receivers.cellM > 0) || !isAir) return std::nullopt;
+    const Region region = regionFrom(json.at("region"));
+    json.erase("region");
+    const Editable fields = studyFields().of(study);
+    if (!readFieldsJson(fields, json) || !checkRanges(fields) || !validate(study.period)) return std::nullopt;
+    study.region = region;
     return study;
-} catch (const std::exception&) {  // unexpected JSON structure, a ring of two points, unnamed places
+} catch (const std::exception&) {  // unexpected JSON structure, a ring of two points
     return std::nullopt;
 }
 

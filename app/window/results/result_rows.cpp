@@ -4,8 +4,10 @@
 
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_words.h"
+#include "app/window/results/figure_row.h"
 #include "app/window/widgets/number_words.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
@@ -16,30 +18,25 @@ double accumulateSeconds(const Study& study) {
     return found == study.seconds.end() ? 0 : found->second;
 }
 
-ResultRow minutes(const QString& name, double value, const QString& meaning) {
-    return {name, formatAmount(value) + QStringLiteral(" min"), meaning};
+ResultRow minutes(std::string_view key, double value) {
+    return figureRow(shadowFigures().rows(), key, formatAmount(value) + QStringLiteral(" min"));
 }
 
 std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
     const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
     std::vector<ResultRow> rows{
-        {QObject::tr("Shadow area"), describeSmallArea(s.shadowAreaM2),
-         QObject::tr("Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
+        figureRow(shadowFigures().rows(), "shadow_area_m2", describeSmallArea(s.shadowAreaM2)),
         {QObject::tr("Share of ground"), formatAmount(share) + QStringLiteral(" %"),
          QObject::tr("Shadow area over the area of all receivers")}};
     if (instant) return rows;
-    rows.push_back(minutes(QObject::tr("Mean gross"), s.meanGrossMin,
-                           QObject::tr("Minutes in shadow per day, mean over days and receivers")));
+    rows.push_back(minutes("mean_gross_min", s.meanGrossMin));
     if (!hasRuns(s)) {
         rows.push_back({QObject::tr("Continuous"), QObject::tr("not counted"),
                         QObject::tr("The engine computed gross shadow only")});
         return rows;
     }
-    rows.push_back(
-        minutes(QObject::tr("Mean continuous"), s.meanContinuousMin,
-                QObject::tr("Longest unbroken run in shadow on any day, mean over the receivers")));
-    rows.push_back(minutes(QObject::tr("Max continuous"), s.maxContinuousMin,
-                           QObject::tr("Longest unbroken run in shadow at any receiver on any day")));
+    rows.push_back(minutes("mean_continuous_min", s.meanContinuousMin));
+    rows.push_back(minutes("max_continuous_min", s.maxContinuousMin));
     return rows;
 }
 

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "app/report/sheets/study_words.h"
+#include "app/window/results/figure_row.h"
 #include "app/window/widgets/number_words.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -62,14 +64,8 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
                                      const std::string& weights, const std::string& period) {
     const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
     std::vector<ResultRow> rows{
-        {QObject::tr("Weighted shade"), signedShade(score.weightedShadeM2h),
-         QObject::tr("Sum over the steps of weight × hours in shadow × cell area. Above 0, "
-                     "wanted shade outweighs unwanted shadow. How the table is cut into "
-                     "intervals does not change it")},
-        {QObject::tr("Shadow score"), signedArea(score.scoreM2),
-         QObject::tr("Sum over intervals of weight × share of the interval's sunlit "
-                     "time in shadow × cell area, as in the paper. "
-                     "An interval that is cut in two counts twice")},
+        figureRow(scoreFigures().rows(), "weighted_shade_m2h", signedShade(score.weightedShadeM2h)),
+        figureRow(scoreFigures().rows(), "score_m2", signedArea(score.scoreM2)),
         {QObject::tr("per m² of ground"), groupDigits(perArea, 3),
          QObject::tr("Score divided by the area of all receivers")},
         {QObject::tr("Scored"),

@@ -13,7 +13,7 @@ std::string formatText(const ReviewChoice& choice) {
 }
 
 ReviewChoice parseReviewChoice(const std::string& text) try {
-    const auto json = nlohmann::json::parse(text);
+    const auto json = nlohmann::ordered_json::parse(text);
     ReviewChoice choice;
     choice.rule = json.at("rule");
     choice.options = json.at("options").get<RuleChoices>();
@@ -24,7 +24,7 @@ ReviewChoice parseReviewChoice(const std::string& text) try {
     if (json.contains("windows"))
         choice.windows = elementSettingsFrom(json.at("windows")).value_or(ElementSettings{});
     return choice;
-} catch (const nlohmann::json::exception&) {
+} catch (const nlohmann::ordered_json::exception&) {
     return {};
 }
 

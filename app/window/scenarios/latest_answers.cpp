@@ -86,7 +86,7 @@ void LatestAnswers::forget() {
 }
 
 void LatestAnswers::update() {
-    question_ = hashQuestion(from_.workbench.document().settings());
+    question_ = listHashes(from_.workbench.document().settings());
     const auto rule = from_.review.rule();
     table_.setAnswers(all(), {baseline(), from_.weights.table().name, rule ? rule->name : std::string()});
     compareStudies();

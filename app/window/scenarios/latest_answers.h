@@ -83,7 +83,7 @@ private:
     ScenarioTable& table_;
     std::vector<Known> known_;                   // oldest first
     std::map<CityPointer, std::string> hashes_;  // hashCity()
-    std::string question_;                       // hash of the settings as they are now
+    QuestionHashes question_;                    // of the settings as they are now
     std::set<std::shared_ptr<const SavedResult>> read_;
     JobSlot scoring_;
     JobSlot comparing_;

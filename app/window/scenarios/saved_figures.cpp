@@ -1,12 +1,13 @@
 #include "app/window/scenarios/saved_figures.h"
 
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/receivers/roof_receivers.h"
+#include "core/describe/figure_text.h"
+#include "core/measures/shadow_figures.h"
 #include "scenarios/project/results/saved_answer.h"
 #include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_figures.h"
 #include "scenarios/weights/weights_text.h"
 
 namespace noonmark {
@@ -32,27 +33,16 @@ bool haveOldSettings(const SavedFigures& saved, const StudySettings& settings) {
     return grid && *grid == saved.grid && Json::parse(saved.settings) == questionOf(settingsJson(settings));
 }
 
-Json measuredJson(const ShadowStatistics& figures) {
-    return {{"receivers", figures.receivers},
-            {"receiver_area_m2", figures.receiverAreaM2},
-            {"shadow_area_m2", figures.shadowAreaM2},
-            {"mean_gross_min", figures.meanGrossMin},
-            {"max_gross_min", figures.maxGrossMin},
-            {"mean_continuous_min", figures.meanContinuousMin},  // NaN becomes null
-            {"max_continuous_min", figures.maxContinuousMin}};
-}
-
 Json viewJson(const ViewFigures& saved) {
     const SavedFigures& figures = saved.figures;
     Json json{{"city_sha256", saved.citySha256}, {"question_sha256", figures.question}};
     if (!saved.baselineSha256.empty()) json["baseline_sha256"] = saved.baselineSha256;
-    if (figures.measured) json["measured"] = measuredJson(*figures.measured);
+    if (figures.measured) json["measured"] = figuresJson(shadowFigures().of(*figures.measured));
     if (figures.impact) json["impact"] = figuresJson(*figures.impact);
-    if (figures.weights)
-        json["score"] = {{"table", figures.weights->name},
-                         {"weights", Json::parse(weightsJson(*figures.weights))},
-                         {"weighted_shade_m2h", figures.score.weightedShadeM2h},  // NaN becomes null
-                         {"score_m2", figures.score.scoreM2}};
+    if (!figures.weights) return json;
+    json["score"] = {{"table", figures.weights->name},
+                     {"weights", Json::parse(weightsJson(*figures.weights))}};
+    json["score"].update(figuresJson(scoreFigures().of(figures.score)));
     return json;
 }
 
@@ -70,10 +60,7 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
     if (json.contains("impact")) figures.impact = parseImpactFigures(json.at("impact"));
     if (json.contains("score")) {
         figures.weights = weightsFrom(json.at("score"));
-        const Json& score = json.at("score");
-        const Json shade = score.value("weighted_shade_m2h", Json());
-        figures.score = {score.at("score_m2"),
-                         shade.is_null() ? std::numeric_limits<double>::quiet_NaN() : shade.get<double>()};
+        figures.score = readFigures(scoreFigures(), json.at("score"), false);
     }
     return saved;
 } catch (const std::exception&) {  // JSON of another shape
@@ -96,8 +83,8 @@ std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Pr
     return figures;
 }
 
-bool haveSettings(const SavedFigures& saved, const StudySettings& settings, const std::string& question) {
-    return saved.question.empty() ? haveOldSettings(saved, settings) : saved.question == question;
+bool haveSettings(const SavedFigures& saved, const StudySettings& settings, const QuestionHashes& hashes) {
+    return saved.question.empty() ? haveOldSettings(saved, settings) : hashes.hold(saved.question);
 }
 
 std::string formatText(const std::vector<ViewFigures>& saved) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/measures/statistics.h"
+#include "core/study/provenance/study_hash.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score.h"
@@ -26,9 +27,9 @@ struct SavedFigures {
 /// damaged, or out of date. Costs a hash of the scenario's city and of the baseline's.
 std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Project& project);
 
-/// Whether they were computed with these settings, of which `question` is the hash. Where the figures state
+/// Whether they were computed with these settings, of which `hashes` are those. Where the figures state
 /// none, settings and the region's name and extent decide.
-bool haveSettings(const SavedFigures& saved, const StudySettings& settings, const std::string& question);
+bool haveSettings(const SavedFigures& saved, const StudySettings& settings, const QuestionHashes& hashes);
 
 /// Figures as they are saved in the project's view, so that they are there again when it is opened: they
 /// count for a city of these hashes (hashCity), whatever its scenario is called.

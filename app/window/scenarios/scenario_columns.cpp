@@ -1,7 +1,10 @@
 #include "app/window/scenarios/scenario_columns.h"
 
 #include "app/window/widgets/number_words.h"
+#include "app/window/widgets/translated.h"
 #include "app/window/widgets/unit_columns.h"
+#include "core/measures/shadow_figures.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -9,12 +12,9 @@ namespace {
 
 struct Heading {
     const char* key;
-    const char* title;  // %1: the unit
+    const char* title;  // %1: the unit; null: of a figure (figureAt())
     const char* tip;
 };
-
-constexpr const char* shadowTip = QT_TRANSLATE_NOOP(
-    "noonmark::ScenarioTable", "Sum over the receivers of (share of the sunlit time in shadow × cell area)");
 
 // In the order of ScenarioTable::Column.
 constexpr Heading headings[] = {
@@ -30,26 +30,15 @@ constexpr Heading headings[] = {
      QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
                        "Gross floor area of the scenario's towers. Imported buildings and towers whose "
                        "height was changed afterwards are not counted")},
-    {"shadow_area", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Shadow area, %1"), shadowTip},
-    {"gross", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Mean gross, min"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Minutes in shadow per day, mean over days and receivers")},
-    {"continuous", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Mean continuous, min"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Longest unbroken run in shadow on any day, mean over the receivers")},
+    {"shadow_area", nullptr, nullptr},
+    {"gross", nullptr, nullptr},
+    {"continuous", nullptr, nullptr},
     {"impact", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Impact, %1"),
      QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
                        "Change of the shadow area from the chosen baseline, else from the existing city, on "
                        "the receivers of both")},
-    {"weighted_shade", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Weighted shade, m² h"),
-     QT_TRANSLATE_NOOP(
-         "noonmark::ScenarioTable",
-         "Weight × hours in shadow × area, by the table that the dock Weights shows: above 0, wanted "
-         "shade outweighs unwanted shadow. How the table is cut does not change it")},
-    {"score", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Score, %1"),
-     QT_TRANSLATE_NOOP(
-         "noonmark::ScenarioTable",
-         "The paper's score: the sum of weight × share of each interval's sunlit time in shadow × "
-         "area. An interval that is cut in two counts twice")},
+    {"weighted_shade", nullptr, nullptr},
+    {"score", nullptr, nullptr},
     {"verdicts", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Verdicts"),
      QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
                        "By the rule and the baseline that the dock Review shows; sorted by the number that "
@@ -65,14 +54,50 @@ static_assert(std::size(headings) == ScenarioTable::columns);
 
 }  // namespace
 
+namespace {
+
+// A column that shows a figure has its label and definition; null for any other.
+const Figure* figureAt(ScenarioTable::Column column) {
+    switch (column) {
+        case ScenarioTable::shadowArea:
+            return &findFigure(shadowFigures().rows(), "shadow_area_m2");
+        case ScenarioTable::gross:
+            return &findFigure(shadowFigures().rows(), "mean_gross_min");
+        case ScenarioTable::continuous:
+            return &findFigure(shadowFigures().rows(), "mean_continuous_min");
+        case ScenarioTable::weightedShade:
+            return &findFigure(scoreFigures().rows(), "weighted_shade_m2h");
+        case ScenarioTable::score:
+            return &findFigure(scoreFigures().rows(), "score_m2");
+        default:
+            return nullptr;
+    }
+}
+
+QString unitOf(ScenarioTable::Column column) {
+    if (column == ScenarioTable::height) return lengthUnit();
+    if (column == ScenarioTable::gross || column == ScenarioTable::continuous) return QStringLiteral("min");
+    return column == ScenarioTable::weightedShade ? QStringLiteral("m² h") : areaUnit();
+}
+
+QString titleOf(ScenarioTable::Column column) {
+    if (const Figure* figure = figureAt(column))
+        return QStringLiteral("%1, %2").arg(translated(figure->label), unitOf(column));
+    const QString title = ScenarioTable::tr(headings[column].title);
+    return title.contains(QStringLiteral("%1")) ? title.arg(unitOf(column)) : title;
+}
+
+QString tipOf(ScenarioTable::Column column) {
+    const Figure* figure = figureAt(column);
+    return figure ? translatedSentence(figure->definition) : ScenarioTable::tr(headings[column].tip);
+}
+
+}  // namespace
+
 QVariant headingOf(ScenarioTable::Column column, int role) {
-    const Heading& heading = headings[column];
-    if (role == ScenarioTable::keyRole) return QString::fromLatin1(heading.key);
-    if (role == Qt::ToolTipRole) return ScenarioTable::tr(heading.tip);
-    if (role != Qt::DisplayRole) return {};
-    const QString title = ScenarioTable::tr(heading.title);
-    if (!title.contains(QStringLiteral("%1"))) return title;
-    return title.arg(column == ScenarioTable::height ? lengthUnit() : areaUnit());
+    if (role == ScenarioTable::keyRole) return QString::fromLatin1(headings[column].key);
+    if (role == Qt::ToolTipRole) return tipOf(column);
+    return role == Qt::DisplayRole ? titleOf(column) : QVariant();
 }
 
 QString numberText(double value, ScenarioTable::Column column) {

@@ -14,7 +14,9 @@
 #include <array>
 
 #include "app/window/files/file_dialogs.h"
+#include "app/window/widgets/field_rows.h"
 #include "app/window/widgets/push_button.h"
+#include "scenarios/project/title_fields.h"
 
 namespace noonmark {
 
@@ -27,11 +29,9 @@ QString scaleText(double scale) { return QStringLiteral("1:%1").arg(scale, 0, 'g
 
 QString nameIn(std::string_view name) { return QString::fromUtf8(name.data(), qsizetype(name.size())); }
 
-std::string textIn(const QLineEdit& field) { return field.text().trimmed().toStdString(); }
-
 }  // namespace
 
-SheetForm::SheetForm(QWidget* parent) : QWidget(parent) {
+SheetForm::SheetForm(QWidget* parent) : QWidget(parent), title_(new FieldRows(titleFields().rows(), this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     for (auto [title, make] :
@@ -70,11 +70,12 @@ void SheetForm::makePaper(QFormLayout& form) {
 }
 
 void SheetForm::makeTitleBlock(QFormLayout& form) {
-    project_ = addText(form, tr("Project"), "sheetProject", tr("left out"));
-    author_ = addText(form, tr("Author"), "sheetAuthor", tr("left out"));
-    client_ = addText(form, tr("Client"), "sheetClient", tr("left out"));
-    date_ = addText(form, tr("Date"), "sheetDate", describeToday());
-    prefix_ = addText(form, tr("Sheet numbers"), "sheetPrefix", tr("example: A- for A-1, A-2..."));
+    title_->addRows(form, {"--title-project", "--author", "--client", "--date", "--sheet-prefix"});
+    for (const std::string_view flag :
+         {"--title-project", "--author", "--client", "--date", "--sheet-prefix"})
+        static_cast<QLineEdit*>(title_->widget(flag))->setMaxLength(200);
+    static_cast<QLineEdit*>(title_->widget("--date"))->setPlaceholderText(describeToday());
+    connect(title_, &FieldRows::edited, this, &SheetForm::edited);
     form.addRow(tr("Logo"), makeLogo());
 }
 
@@ -106,31 +107,14 @@ QComboBox* SheetForm::addList(QFormLayout& form, const QString& label, const cha
     return list;
 }
 
-QLineEdit* SheetForm::addText(QFormLayout& form, const QString& label, const char* name,
-                              const QString& whenEmpty) {
-    auto* field = new QLineEdit;
-    field->setObjectName(QString::fromLatin1(name));
-    field->setPlaceholderText(whenEmpty);
-    field->setMaxLength(200);
-    connect(field, &QLineEdit::editingFinished, this, &SheetForm::edited);
-    form.addRow(label, field);
-    return field;
-}
-
 void SheetForm::show(const BookSettings& settings) {
     const QSignalBlocker quiet(this);
     paper_->setCurrentIndex(paper_->findData(int(settings.setup.paper)));
     orientation_->setCurrentIndex(settings.setup.landscape ? 1 : 0);
     scale_->setCurrentText(settings.scale ? scaleText(*settings.scale) : scale_->itemText(0));
     units_->setCurrentIndex(units_->findData(int(settings.units)));
-    const TitleBlock& block = settings.titleBlock;
-    for (const auto& [field, text] : {std::pair{project_, &block.project},
-                                      {author_, &block.author},
-                                      {client_, &block.client},
-                                      {date_, &block.date},
-                                      {prefix_, &block.sheetPrefix}})
-        field->setText(QString::fromStdString(*text));
-    logo_ = block.logo;
+    title_->show(titleFields().of(settings.titleBlock));
+    logo_ = settings.titleBlock.logo;
     showLogo();
 }
 
@@ -142,8 +126,8 @@ BookSettings SheetForm::settings() const {
     const double scale = typed.toDouble(&isNumber);
     if (isNumber) settings.scale = std::clamp(scale, BookSettings::leastScale, BookSettings::mostScale);
     settings.units = UnitSystem(units_->currentData().toInt());
-    settings.titleBlock = {textIn(*project_), textIn(*author_), textIn(*client_),
-                           textIn(*date_),    textIn(*prefix_), logo_};
+    title_->take(titleFields().of(settings.titleBlock));
+    settings.titleBlock.logo = logo_;
     return settings;
 }
 

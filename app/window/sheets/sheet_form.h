@@ -7,10 +7,11 @@
 class QComboBox;
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace noonmark {
+
+class FieldRows;
 
 /// Paper, scale and units of sheets, and the texts of their title block.
 class SheetForm final : public QWidget {
@@ -34,12 +35,11 @@ private:
     void makeTitleBlock(QFormLayout& form);
     QWidget* makeLogo();
     QComboBox* addList(QFormLayout& form, const QString& label, const char* name, const QString& tip);
-    QLineEdit* addText(QFormLayout& form, const QString& label, const char* name, const QString& whenEmpty);
     void askForLogo();
     void showLogo();
 
     QComboBox *paper_, *orientation_, *scale_, *units_;
-    QLineEdit *project_, *author_, *client_, *date_, *prefix_;
+    FieldRows* title_;
     QLabel* logoPicture_;
     QPushButton* removeLogo_;
     std::string logo_;  // the bytes of the picture

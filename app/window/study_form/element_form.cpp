@@ -1,22 +1,19 @@
 #include "app/window/study_form/element_form.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <algorithm>
 
 #include "app/window/files/file_dialogs.h"
 #include "app/window/study_form/face_form.h"
 #include "app/window/study_form/line_form.h"
 #include "app/window/study_form/point_list_form.h"
-#include "app/window/widgets/length_field.h"
+#include "app/window/widgets/field_rows.h"
 #include "app/window/widgets/push_button.h"
-#include "core/receivers/points/plane_points.h"
+#include "core/study/elements/element_fields.h"
 
 namespace noonmark {
 
@@ -26,13 +23,6 @@ QLineEdit* lineField(const char* name, const QString& placeholder, const QString
     auto* field = new QLineEdit;
     field->setObjectName(QString::fromLatin1(name));
     field->setPlaceholderText(placeholder);
-    field->setToolTip(tip);
-    return field;
-}
-
-QDoubleSpinBox* lengthFieldOf(const char* name, double low, double high, const QString& tip) {
-    QDoubleSpinBox* field = lengthField(low, high, 2, 0.5);
-    field->setObjectName(QString::fromLatin1(name));
     field->setToolTip(tip);
     return field;
 }
@@ -63,7 +53,10 @@ QString joined(const std::vector<std::string>& names) {
 }  // namespace
 
 ElementForm::ElementForm(Use use, QWidget* parent)
-    : QWidget(parent), use_(use), form_(new QFormLayout(this)) {
+    : QWidget(parent),
+      use_(use),
+      form_(new QFormLayout(this)),
+      rows_(new FieldRows(elementFields().rows(), this)) {
     makeFields();
     placeFields();
     connectFields();
@@ -72,23 +65,10 @@ ElementForm::ElementForm(Use use, QWidget* parent)
 }
 
 void ElementForm::makeFields() {
-    bay_ = lengthFieldOf("bay", FacadeSettings::leastM, FacadeSettings::mostM,
-                         tr("Width of a bay: a wall has one point in each"));
-    storey_ = lengthFieldOf("storey", FacadeSettings::leastM, FacadeSettings::mostM,
-                            tr("Height of a storey: a wall has a row of points in each, and floors are "
-                               "numbered by it"));
-    aboveFloor_ =
-        lengthFieldOf("aboveFloor", 0, 50, tr("Height of the points above the floor of their storey"));
-    heights_ = new QComboBox;
-    heights_->setObjectName(QStringLiteral("windowHeights"));
-    heights_->addItems({tr("elevations"), tr("above the ground")});
-    heights_->setToolTip(
-        tr("Heights of the file, in metres: elevations as those of the city, or above the "
-           "ground below the window"));
-    plane_ =
-        lengthFieldOf("planeHeight", 0, mostPlaneHeightM,
-                      tr("Height of the plane above the mean of the region's ground, or of the lines above "
-                         "that of the parcel's. The size of a plane's cells is that under \"How exactly\"."));
+    connect(rows_, &FieldRows::edited, this, [this](const QString& label) {
+        rows_->take(elementFields().of(settings_));
+        Q_EMIT edited(settings_, label);
+    });
     proposed_ = new QCheckBox(tr("Proposed buildings only"));
     proposed_->setObjectName(QStringLiteral("proposedOnly"));
     proposed_->setToolTip(tr("The buildings that the displayed scenario builds or changes"));
@@ -121,12 +101,9 @@ void ElementForm::placeFields() {
     form_->addRow(tr("Of"), makeBuildings());
     form_->addRow(QString(), proposed_);
     form_->addRow(tr("File"), makeFile());
-    form_->addRow(tr("Heights"), heights_);
-    form_->addRow(tr("Bay"), bay_);
-    form_->addRow(tr("Storey"), storey_);
-    form_->addRow(tr("Above floor"), aboveFloor_);
+    rows_->addRows(*form_, {"--window-heights", "--bay", "--storey", "--above-floor"});
     form_->addRow(lines_);
-    form_->addRow(tr("Height"), plane_);
+    rows_->addRows(*form_, {"--plane-height"});
     form_->addRow(faces_);
     form_->addRow(list_);
 }
@@ -160,20 +137,6 @@ void ElementForm::setNames(const QStringList& lots, const QStringList& places) {
 }
 
 void ElementForm::connectFields() {
-    const auto take = [this](QDoubleSpinBox* field, auto member, const QString& name) {
-        connect(field, &QDoubleSpinBox::valueChanged, this, [this, member, name](double value) {
-            member(settings_) = value;
-            Q_EMIT edited(settings_, name);
-        });
-    };
-    take(
-        bay_, [](ElementSettings& s) -> double& { return s.facades.bayM; }, tr("bay"));
-    take(
-        storey_, [](ElementSettings& s) -> double& { return s.facades.storeyM; }, tr("storey"));
-    take(
-        aboveFloor_, [](ElementSettings& s) -> double& { return s.facades.aboveFloorM; }, tr("above floor"));
-    take(
-        plane_, [](ElementSettings& s) -> double& { return s.planeHeightM; }, tr("plane"));
     connect(buildings_, &QLineEdit::editingFinished, this, [this] {
         const auto names = namesIn(buildings_->text());
         if (names == settings_.buildings) return;
@@ -184,10 +147,6 @@ void ElementForm::connectFields() {
         if (file_->text().toStdString() == settings_.windows.string()) return;
         settings_.windows = file_->text().toStdString();
         Q_EMIT edited(settings_, tr("windows"));
-    });
-    connect(heights_, &QComboBox::activated, this, [this](int chosen) {
-        settings_.windowFile.aboveGround = chosen == 1;
-        Q_EMIT edited(settings_, tr("heights"));
     });
     connect(browse_, &QPushButton::clicked, this, &ElementForm::browse);
     connect(selected_, &QPushButton::clicked, this, &ElementForm::toggleBuilding);
@@ -212,15 +171,9 @@ void ElementForm::toggleBuilding() {
 
 void ElementForm::show(const ElementSettings& settings) {
     settings_ = settings;
-    const QSignalBlocker quiet[]{QSignalBlocker(bay_), QSignalBlocker(storey_), QSignalBlocker(aboveFloor_),
-                                 QSignalBlocker(plane_), QSignalBlocker(heights_)};
     buildings_->setText(joined(settings.buildings));
-    bay_->setValue(settings.facades.bayM);
-    storey_->setValue(settings.facades.storeyM);
-    aboveFloor_->setValue(settings.facades.aboveFloorM);
     file_->setText(QString::fromStdString(settings.windows.string()));
-    heights_->setCurrentIndex(settings.windowFile.aboveGround ? 1 : 0);
-    plane_->setValue(settings.planeHeightM);
+    rows_->show(elementFields().of(settings));
     proposed_->setChecked(settings.proposed);
     faces_->show(settings.faces);
     lines_->show(settings.parcel, settings.lines);
@@ -242,11 +195,16 @@ void ElementForm::showRows() {
     visible(lines_, lines);
     visible(list_, settings_.places == ElementPlaces::points);
     visible(file_->parentWidget(), windows);
-    visible(heights_, windows);
-    visible(bay_, facades);
-    visible(storey_, facades || windows);
-    visible(aboveFloor_, facades && use_ == Use::study);
-    visible(plane_, settings_.places == ElementPlaces::plane || lines);
+    for (const std::string_view flag :
+         {"--window-heights", "--bay", "--storey", "--above-floor", "--plane-height"})
+        visible(rows_->widget(flag), applies(flag));
+}
+
+bool ElementForm::applies(std::string_view flag) const {
+    const Described fields = elementFields().of(settings_);
+    const auto field = std::ranges::find(fields.fields, flag, &Field::flag);
+    // A review measures windows, in their middle.
+    return fields.applies(*field) && (use_ == Use::study || flag != "--above-floor");
 }
 
 void ElementForm::setBuilding(const QString& id) {

@@ -5,8 +5,6 @@
 #include "core/study/elements/place_elements.h"
 
 class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLineEdit;
 class QPushButton;
@@ -14,6 +12,7 @@ class QPushButton;
 namespace noonmark {
 
 class FaceForm;
+class FieldRows;
 class LineForm;
 class PointListForm;
 
@@ -46,6 +45,8 @@ private:
     void browse();
     void toggleBuilding();
     void showRows();
+    /// Whether the field with this flag is one of the points that are chosen.
+    [[nodiscard]] bool applies(std::string_view flag) const;
     void showButton();
 
     Use use_;
@@ -57,14 +58,10 @@ private:
     FaceForm* faces_;
     LineForm* lines_;
     PointListForm* list_;
-    QDoubleSpinBox* bay_;
-    QDoubleSpinBox* storey_;
-    QDoubleSpinBox* aboveFloor_;
     QLineEdit* file_;
     QPushButton* browse_;
-    QComboBox* heights_;
-    QDoubleSpinBox* plane_;
     QFormLayout* form_;
+    FieldRows* rows_;
 };
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/window/study_form/element_form.h"
+#include "app/window/widgets/translated.h"
 #include "core/receivers/roof_receivers.h"
 
 namespace noonmark {
@@ -33,34 +34,6 @@ QString aboutOf(StudyKind kind) {
         case StudyKind::review:
             return QObject::tr(
                 "Pass or fail of parks and other places by a board's rule. Choose it in the panel Review");
-    }
-    return {};
-}
-
-QString placesText(ReceiverPlaces places) {
-    switch (places) {
-        case ReceiverPlaces::ground:
-            return QObject::tr("on the ground");
-        case ReceiverPlaces::roofs:
-            return QObject::tr("on roofs");
-        case ReceiverPlaces::both:
-            return QObject::tr("on the ground and roofs");
-    }
-    return {};
-}
-
-QString placesText(ElementPlaces places) {
-    switch (places) {
-        case ElementPlaces::facades:
-            return QObject::tr("on facades");
-        case ElementPlaces::windows:
-            return QObject::tr("at windows of a file");
-        case ElementPlaces::plane:
-            return QObject::tr("on a level plane");
-        case ElementPlaces::lines:
-            return QObject::tr("on lines around a parcel");
-        case ElementPlaces::points:
-            return QObject::tr("at single points");
     }
     return {};
 }
@@ -97,8 +70,8 @@ WhatForm::WhatForm(QWidget* parent)
 void WhatForm::fill() {
     kind_->addItems({tr("Hours of shadow"), tr("Change by a scenario"), tr("Score of wanted shadow"),
                      tr("Review by a rule")});
-    for (const ReceiverPlaces places : allReceiverPlaces) places_->addItem(placesText(places));
-    for (const ElementPlaces places : allElementPlaces) places_->addItem(placesText(places));
+    for (const auto& choice : receiverPlaceChoices) places_->addItem(translated(choice.label));
+    for (const auto& choice : elementPlaceChoices) places_->addItem(translated(choice.label));
     for (QComboBox* list : {kind_, places_}) {
         list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         list->setMinimumContentsLength(14);
@@ -109,9 +82,9 @@ StudyKind WhatForm::kind() const { return StudyKind(kind_->currentIndex()); }
 
 void WhatForm::choosePlaces(int chosen) {
     const auto place = std::size_t(chosen);
-    if (place < allReceiverPlaces.size()) return Q_EMIT placesChosen(allReceiverPlaces[place]);
+    if (place < receiverPlaceChoices.size()) return Q_EMIT placesChosen(receiverPlaceChoices[place].value);
     ElementSettings elements = elements_->settings();
-    elements.places = allElementPlaces[place - allReceiverPlaces.size()];
+    elements.places = elementPlaceChoices[place - receiverPlaceChoices.size()].value;
     const bool level = elements.places == ElementPlaces::plane || elements.places == ElementPlaces::lines;
     if (level && elements.planeHeightM == 0) elements.planeHeightM = usualPlaneM;
     Q_EMIT elementsChosen(elements, tr("receivers"));
@@ -120,9 +93,8 @@ void WhatForm::choosePlaces(int chosen) {
 void WhatForm::show(StudyKind kind, ReceiverPlaces places, const std::optional<ElementSettings>& elements) {
     const QSignalBlocker kinds(kind_), surfaces(places_);
     kind_->setCurrentIndex(int(kind));
-    places_->setCurrentIndex(
-        elements ? int(allReceiverPlaces.size()) + int(elements->places)
-                 : int(std::ranges::find(allReceiverPlaces, places) - allReceiverPlaces.begin()));
+    places_->setCurrentIndex(elements ? int(receiverPlaceChoices.size()) + int(elements->places)
+                                      : int(places));
     if (elements) elements_->show(*elements);
     explain();
 }
@@ -133,7 +105,7 @@ void WhatForm::explain() {
     about_->setText(aboutOf(kind()));
     places_->setVisible(kind() == StudyKind::shadow);
     elements_->setVisible(kind() == StudyKind::shadow &&
-                          places_->currentIndex() >= int(allReceiverPlaces.size()));
+                          places_->currentIndex() >= int(receiverPlaceChoices.size()));
 }
 
 }  // namespace noonmark

@@ -1,6 +1,6 @@
 #pragma once
 
-// Widgets and forms used by several docks: fields and buttons (number_fields, mesh_fields, push_button),
+// Widgets and forms used by several docks: fields and buttons (number_fields, field_rows, push_button),
 // forms for one value each (PeriodForm, AccuracyForm, ReadingForm), the legend, message and progress strips,
 // the label at the cursor, the menu of recent files and the file dialogs. They show and change values and
 // know neither project nor workbench.

@@ -5,13 +5,13 @@
 #include "core/io/read_city.h"
 
 class QCheckBox;
-class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
-class QLineEdit;
 class QPushButton;
 
 namespace noonmark {
+
+class FieldRows;
 
 /// Fields for ReadSettings: what a file may not state. ReadSettings::frame has no field and stays empty.
 class ReadingForm final : public QWidget {
@@ -29,25 +29,9 @@ private:
     QGroupBox* makeData();
     QGroupBox* makeMeshes();
     QWidget* makeAnchor();
-    void tell();
     void showAnchor(LonLat place);
 
-    QLineEdit* heightField_;
-    QLineEdit* levelsField_;
-    QComboBox* heightUnit_;
-    QDoubleSpinBox* metresPerLevel_;
-    QDoubleSpinBox* defaultHeight_;
-    QLineEdit* layer_;
-    QLineEdit* crs_;
-    QLineEdit* lod_;
-    QDoubleSpinBox* farAway_;
-    QComboBox* terrainFromBases_;
-    QComboBox* stand_;
-    QComboBox* terrainShows_;
-    QCheckBox* heightsFromSurface_;
-    QComboBox* upAxis_;
-    QComboBox* meshUnit_;
-    QDoubleSpinBox* meshNorth_;
+    FieldRows* rows_;
     QCheckBox* anchored_;
     QDoubleSpinBox* longitude_;
     QDoubleSpinBox* latitude_;

@@ -49,15 +49,6 @@ std::string formatOptionValue(const EngineOption& option, double value) {
     return fmt::format("{:g}", value);
 }
 
-std::optional<double> parseOptionValue(std::string_view text) {
-    if (text == "yes") return 1;
-    if (text == "no") return 0;
-    double value = 0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || rest != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 const EngineEntry* findEngine(const EngineList& engines, std::string_view key) {
     const auto found =
         std::ranges::find(engines, key, [](const EngineEntry& engine) { return engine.info.key; });

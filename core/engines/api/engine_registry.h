@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/describe/value.h"
 #include "core/engines/api/engine.h"
 
 namespace noonmark {
@@ -34,12 +35,8 @@ struct EngineOption {
 /// "5", "yes".
 std::string formatOptionValue(const EngineOption& option, double value);
 
-/// The value that a text stands for: a number, "yes" or "no". None for anything else. Whether the option
-/// takes it is checked by makeEngine().
-std::optional<double> parseOptionValue(std::string_view text);
-
 /// Values by option key; what is left out is as usual.
-using EngineSettings = std::map<std::string, double, std::less<>>;
+using EngineSettings = NamedNumbers;
 
 /// Description of an engine, shown where the user chooses one.
 struct EngineInfo {

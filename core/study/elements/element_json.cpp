@@ -3,6 +3,7 @@
 
 #include "core/base/version.h"
 #include "core/city/height_counts.h"
+#include "core/study/elements/element_fields.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/elements/repeat_elements.h"
 #include "core/study/provenance/inputs_json.h"
@@ -138,55 +139,20 @@ ElementJson elementDefinitions() {
 
 }  // namespace
 
-std::vector<RepeatOption> makeRepeatOptions(const FaceChoice& faces) {
-    std::vector<RepeatOption> options;
-    for (const std::string& face : faces.faces) options.push_back({"--face", {face}});
-    if (faces.facing) options.push_back({"--facing", {formatText(*faces.facing)}});
-    if (faces.place.empty()) return options;
-    options.push_back({"--facing-place", {faces.place}});
-    options.push_back({"--within", {fmt::format("{}", faces.withinM)}});
+std::vector<CommandOption> listElementOptions(const ElementSettings& elements) {
+    ElementSettings named = elements;
+    named.windows = elements.windows.filename();
+    named.parcel = parcelName(elements);
+    named.pointsFile = elements.pointsFile.filename();
+    std::vector<CommandOption> options = listOptions(elementFields().of(named));
+    if (elements.places == ElementPlaces::facades && elements.proposed)
+        options.push_back({"--facades-of", {"proposed"}});
+    if (elements.places == ElementPlaces::points && elements.pointsFile.empty())
+        for (const ListedPoint& point : elements.points) options.push_back({"--point", {formatText(point)}});
     return options;
 }
 
 namespace {
-
-std::vector<RepeatOption> elementOptions(const ElementStudy& study) {
-    const ElementSettings& elements = study.elements;
-    const FacadeSettings usual;
-    std::vector<RepeatOption> options{{"--receivers", {std::string(nameOf(elements.places))}}};
-    const auto add = [&](const char* name, std::string value) {
-        options.push_back({name, {std::move(value)}});
-    };
-    const auto addMetres = [&](const char* name, double metres, double usualMetres) {
-        if (metres != usualMetres) add(name, fmt::format("{}", metres));
-    };
-    if (elements.proposed) add("--facades-of", "proposed");
-    if (!elements.proposed)
-        for (const std::string& building : elements.buildings) add("--facades-of", building);
-    for (RepeatOption& option : makeRepeatOptions(elements.faces)) options.push_back(std::move(option));
-    if (elements.places == ElementPlaces::windows) {
-        add("--windows", elements.windows.filename().string());
-        if (!elements.windowFile.idField.empty()) add("--window-id", elements.windowFile.idField);
-        if (elements.windowFile.crs) add("--windows-crs", *elements.windowFile.crs);
-        if (elements.windowFile.aboveGround) add("--window-heights", "ground");
-    }
-    if (elements.places == ElementPlaces::plane || elements.places == ElementPlaces::lines)
-        add("--plane-height", fmt::format("{}", elements.planeHeightM));
-    if (elements.places == ElementPlaces::lines) {
-        add("--parcel", parcelName(elements));
-        add("--offsets", fmt::format("{}", fmt::join(elements.lines.offsetsM, ",")));
-        add("--spacing", fmt::format("{}", elements.lines.spacingM));
-    }
-    if (elements.places == ElementPlaces::points && !elements.pointsFile.empty())
-        add("--points", elements.pointsFile.filename().string());
-    else if (elements.places == ElementPlaces::points)
-        for (const ListedPoint& point : elements.points) add("--point", formatText(point));
-    addMetres("--bay", elements.facades.bayM, usual.bayM);
-    addMetres("--storey", elements.facades.storeyM, usual.storeyM);
-    addMetres("--above-floor", elements.facades.aboveFloorM, usual.aboveFloorM);
-    addErrorSample(study.settings.errorSample, options);
-    return options;
-}
 
 void addElementCost(ElementJson& json, const ElementStudy& study,
                     const std::map<std::string, double>& writeSeconds) {
@@ -202,7 +168,10 @@ Result<std::string> makeRepeatCommand(const ElementStudy& study, std::size_t wid
     RepeatQuestion question{"study", study.settings, study.provenance, study.engineKey};
     if (question.provenance.region.empty())
         question.provenance.region = formatRegion(study.settings.region, study.city);
-    question.options = elementOptions(study);
+    // Points have neither months nor contributions, and are receivers of their own.
+    question.settings.byMonth = question.settings.contributions = false;
+    question.settings.receivers.places = ReceiverPlaces::ground;
+    question.options = listElementOptions(study.elements);
     return makeRepeatCommand(question, width);
 }
 

@@ -36,7 +36,4 @@ struct ElementFigures {
 };
 ElementFigures computeFigures(const ElementStudy& study);
 
-/// The options of the command line that choose these faces.
-std::vector<RepeatOption> makeRepeatOptions(const FaceChoice& faces);
-
 }  // namespace noonmark

@@ -211,22 +211,6 @@ tl::unexpected<Error> noPoints(const Region& region, const ElementSettings& elem
 
 }  // namespace
 
-std::string_view nameOf(ElementPlaces places) {
-    switch (places) {
-        case ElementPlaces::facades:
-            return "facades";
-        case ElementPlaces::windows:
-            return "windows";
-        case ElementPlaces::plane:
-            return "plane";
-        case ElementPlaces::lines:
-            return "lines";
-        case ElementPlaces::points:
-            return "points";
-    }
-    return "points";
-}
-
 Result<PlacedElements> placeElements(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop) {

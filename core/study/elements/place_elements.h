@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/describe/choice.h"
+#include "core/describe/text.h"
 #include "core/io/elements/read_windows.h"
 #include "core/receivers/parcels/line_points.h"
 #include "core/receivers/point_receivers.h"
@@ -18,11 +20,16 @@ namespace noonmark {
 
 /// Where the points of a study lie.
 enum class ElementPlaces { facades, windows, plane, lines, points };
+inline constexpr std::array elementPlaceChoices{
+    Choice{ElementPlaces::facades, "facades", NM_TEXT("on facades")},
+    Choice{ElementPlaces::windows, "windows", NM_TEXT("at windows of a file")},
+    Choice{ElementPlaces::plane, "plane", NM_TEXT("on a level plane")},
+    Choice{ElementPlaces::lines, "lines", NM_TEXT("on lines around a parcel")},
+    Choice{ElementPlaces::points, "points", NM_TEXT("at single points")}};
 /// "facades", "windows", "plane", "lines", "points"
-std::string_view nameOf(ElementPlaces places);
-inline constexpr std::array allElementPlaces{ElementPlaces::facades, ElementPlaces::windows,
-                                             ElementPlaces::plane, ElementPlaces::lines,
-                                             ElementPlaces::points};
+inline std::string_view nameOf(ElementPlaces places) {
+    return keyOf<ElementPlaces>(elementPlaceChoices, places);
+}
 
 /// What the names in ElementSettings mean in a project and its city. The caller looks it up before the points
 /// are placed (app/input/find_element_parts.h). All are equal, since the names are compared.

@@ -89,19 +89,11 @@ void CommandWords::option(const char* name, const std::string& value) {
     pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoteForShell(value)));
 }
 
-void CommandWords::option(const RepeatOption& option) {
+void CommandWords::option(const CommandOption& option) {
     if (option.values.size() == 1) return this->option(option.name.c_str(), option.values.front());
     std::string piece = option.name;
     for (const std::string& value : option.values) piece += ' ' + quoteForShell(value);
     pieces_.push_back(std::move(piece));
-}
-
-void CommandWords::unless(bool isDefault, const char* name, const std::string& value) {
-    if (!isDefault) option(name, value);
-}
-
-void CommandWords::flag(bool set, const char* name) {
-    if (set) pieces_.emplace_back(name);
 }
 
 std::string CommandWords::wrapped(std::size_t width) const {

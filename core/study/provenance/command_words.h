@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/describe/command_options.h"
 
 namespace noonmark {
-
-/// An option of a command with its values; no values: a flag.
-struct RepeatOption {
-    std::string name;
-    std::vector<std::string> values;
-};
 
 /// A noonmark-cli command line for a POSIX shell, piece by piece: words are quoted where a shell could
 /// misread them.
@@ -22,9 +17,7 @@ public:
 
     void file(const std::string& name);
     void option(const char* name, const std::string& value);
-    void option(const RepeatOption& option);
-    void unless(bool isDefault, const char* name, const std::string& value);
-    void flag(bool set, const char* name);
+    void option(const CommandOption& option);
 
     /// Lines longer than `width` letters are continued on the next after a backslash, between pieces.
     [[nodiscard]] std::string wrapped(std::size_t width) const;

@@ -9,18 +9,15 @@
 
 namespace noonmark {
 
-/// Adds --error-sample if it differs from the default.
-void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options);
-
 /// A question in terms of the command line.
 struct RepeatQuestion {
     std::string command;  ///< "study"
     StudySettings settings;
-    Provenance provenance;                ///< its region must be set
-    std::string engineKey;                ///< the engine that was used; empty: the one of the settings
-    std::string hourOption = "--from";    ///< option for the wall-clock time of the first step
-    bool needsProject = false;            ///< the command takes no city files
-    std::vector<RepeatOption> options{};  ///< options of this command only
+    Provenance provenance;                 ///< its region must be set
+    std::string engineKey;                 ///< the engine that was used; empty: the one of the settings
+    std::string hourOption = "--from";     ///< option for the wall-clock time of the first step
+    bool needsProject = false;             ///< the command takes no city files
+    std::vector<CommandOption> options{};  ///< options of this command only
 };
 
 /// The noonmark-cli command line that reproduces the result, for a POSIX shell, in a folder with copies of
@@ -33,7 +30,7 @@ Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_
 /// The same for a study. `command`: "study", or another that takes its options plus `more`.
 Result<std::string> makeRepeatCommand(const Study& study, std::size_t width = 120,
                                       const std::string& command = "study",
-                                      std::vector<RepeatOption> more = {});
+                                      std::vector<CommandOption> more = {});
 
 /// Whether the command names region.geojson, which must then be written beside the outputs.
 bool needsRegionFile(const Study& study);

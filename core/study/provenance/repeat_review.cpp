@@ -20,7 +20,7 @@ void addRule(CommandWords& line, const Rule& rule) {
     line.option("--rule", rule.key);
     for (const auto& [choice, option] : rule.chosen)
         line.option("--choose", fmt::format("{}={}", choice, option));
-    line.unless(rule.file.empty(), "--rules", ".");
+    if (!rule.file.empty()) line.option("--rules", ".");
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabe
     line.option("--year", fmt::to_string(study.year));
     line.option("--zone", study.settings.zone);
     line.option("--cell", fmt::format("{}", study.settings.cellM));
-    for (const RepeatOption& option : labels.sheets) line.option(option);
+    for (const CommandOption& option : labels.sheets) line.option(option);
     line.option("--out", "repeated");
     return line.wrapped(width);
 }

@@ -19,7 +19,7 @@ struct ReviewLabels {
     /// What was asked for: names, or "all". Empty: the places of the review by name.
     std::vector<std::string> places{};
     /// How the sheets are laid out, and other options of the command.
-    std::vector<RepeatOption> sheets{};
+    std::vector<CommandOption> sheets{};
 };
 
 /// The noonmark-cli command line that reproduces a review in a folder with a copy of the project file and of

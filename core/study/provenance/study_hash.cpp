@@ -4,8 +4,10 @@
 
 #include "core/base/version.h"
 #include "core/city/footprints/repair_footprint.h"
+#include "core/describe/field_checks.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/sha256.h"
+#include "core/study/study_fields.h"
 
 namespace noonmark {
 
@@ -67,19 +69,21 @@ void addCity(Sha256& sum, const City& city) {
     addAll(sum, city.terrain->elevationM);
 }
 
-// Hashes the settings as text with a fixed place for every setting that matters.
-void addSettings(Sha256& sum, const StudySettings& settings) {
+void addRegion(Sha256& sum, const Region& region) {
+    for (const Footprint& polygon : region.polygons) addFootprint(sum, polygon);
+}
+
+// Frozen: results saved by earlier versions state hashes made from it.
+void addSettingsOfVersion1(Sha256& sum, const StudySettings& settings) {
     const Period& period = settings.period;
     sum.add(fmt::format("{};{};{};{};{};{};", formatText(period), period.hours, period.stepMinutes,
                         period.refraction, settings.pressureHPa, settings.temperatureC));
     if (period.window) sum.add(fmt::format("{};", int(period.window->rule)));
-    sum.add(fmt::format("{};{};{};{};", settings.receivers.cellM, settings.engine,
-                        settings.errorSample.receivers, settings.errorSample.seed));
+    sum.add(fmt::format("{};{};{};{};", settings.receivers.cellM, settings.engine, 300, 1));
     if (settings.receivers.places != ReceiverPlaces::ground)
         sum.add(fmt::format("{};", nameOf(settings.receivers.places)));
-    if (settings.byMonth) sum.add(std::string("by month;"));
     for (const auto& [key, value] : settings.engineSettings) sum.add(fmt::format("{}={};", key, value));
-    for (const Footprint& polygon : settings.region.polygons) addFootprint(sum, polygon);
+    addRegion(sum, settings.region);
 }
 
 // The region as a file gives it back, which is repaired when it is read.
@@ -96,20 +100,26 @@ Region repaired(const Region& region) {
 }  // namespace
 
 std::string hashQuestion(const StudySettings& settings) {
+    Sha256 sum;
+    sum.add(questionText(studyFields().of(settings)));
+    addRegion(sum, repaired(settings.region));
+    return "2:" + sum.hex();
+}
+
+QuestionHashes listHashes(const StudySettings& settings) {
     StudySettings question = settings;
     question.region = repaired(settings.region);
-    question.byMonth = false;
-    question.errorSample = {};
     Sha256 sum;
-    addSettings(sum, question);
-    return sum.hex();
+    addSettingsOfVersion1(sum, question);
+    return {hashQuestion(settings), sum.hex()};
 }
 
 std::string hashSettings(const StudySettings& settings) {
     Sha256 sum;
     sum.add(version());
     sum.add(methodNumber);
-    addSettings(sum, settings);
+    sum.add(questionText(studyFields().of(settings), true));
+    addRegion(sum, settings.region);
     return sum.hex();
 }
 
@@ -127,10 +137,8 @@ std::string hashCity(const City& city) {
 
 std::string hashStudy(const City& city, const StudySettings& settings) {
     Sha256 sum;
-    sum.add(version());
-    sum.add(methodNumber);
     addCity(sum, city);
-    addSettings(sum, settings);
+    sum.add(hashSettings(settings));
     return sum.hex();
 }
 

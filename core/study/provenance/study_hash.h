@@ -18,10 +18,19 @@ std::string hashStudy(const City& city, const StudySettings& settings);
 /// SHA-256 of the version of the program and the settings, region included, without any city.
 std::string hashSettings(const StudySettings& settings);
 
-/// SHA-256 of the settings on which figures depend, and of nothing else: period, air, engine, cells and the
-/// region's outline, whatever its name; not the program's version. Equal before and after the settings are
-/// stored in a project.
+/// "2:" and the SHA-256 of the settings on which figures depend, and of nothing else: period, air, engine,
+/// cells and the region's outline, whatever its name; not the program's version. Equal before and after the
+/// settings are stored in a project. The number is that of the way to hash; results of earlier ways stay
+/// current (QuestionHashes).
 std::string hashQuestion(const StudySettings& settings);
+
+/// All hashes that results with the same settings may state.
+struct QuestionHashes {
+    std::string current;   ///< hashQuestion()
+    std::string version1;  ///< without a number, in results saved before there were two ways
+    [[nodiscard]] bool hold(const std::string& saved) const { return saved == current || saved == version1; }
+};
+QuestionHashes listHashes(const StudySettings& settings);
 
 /// SHA-256 of what shades and stands: a building's geometry, without names and sources.
 std::string hashBuilding(const Building& building);

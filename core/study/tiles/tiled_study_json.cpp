@@ -18,7 +18,7 @@ std::string tiledStudyJson(const TiledStudy& tiled) {
                      {"empty", tiled.emptyTiles},
                      {"resumed", tiled.resumedTiles},
                      {"by_engine", tiled.tilesByEngine}};
-    std::vector<RepeatOption> tiles;
+    std::vector<CommandOption> tiles;
     if (tiled.plan.side != TiledStudySettings::usualTileCells)
         tiles.push_back({"--tile", {std::to_string(tiled.plan.side)}});
     addRepeat(json,

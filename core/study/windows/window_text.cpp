@@ -8,6 +8,7 @@
 #include "core/base/version.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
+#include "core/study/elements/element_fields.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/city_files_command.h"
 #include "core/study/provenance/inputs_json.h"
@@ -207,28 +208,14 @@ Json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels) {
     return json;
 }
 
-std::vector<RepeatOption> makeRepeatOptions(const ElementSettings& windows) {
-    std::vector<RepeatOption> options;
-    const auto add = [&](const char* name, std::string value) {
-        options.push_back({name, {std::move(value)}});
-    };
-    if (windows.places == ElementPlaces::windows) {
-        const WindowFileSettings& file = windows.windowFile;
-        add("--windows", windows.windows.filename().string());
-        if (!file.idField.empty()) add("--window-id", file.idField);
-        if (file.crs) add("--windows-crs", *file.crs);
-        if (file.aboveGround) add("--window-heights", "ground");
-    } else {
-        if (windows.proposed)
-            add("--facades-of", "proposed");
-        else if (windows.buildings.empty())
-            add("--facades-of", "all");
-        else
-            for (const std::string& name : windows.buildings) add("--facades-of", name);
-        add("--bay", fmt::format("{}", windows.facades.bayM));
-    }
-    add("--storey", fmt::format("{}", windows.facades.storeyM));
-    for (RepeatOption& option : makeRepeatOptions(windows.faces)) options.push_back(std::move(option));
+std::vector<CommandOption> makeRepeatOptions(const ElementSettings& windows) {
+    std::vector<CommandOption> options = listElementOptions(windows);
+    // The command measures nothing but windows, in their middle.
+    std::erase_if(options, [](const CommandOption& option) {
+        return option.name == "--receivers" || option.name == "--above-floor";
+    });
+    if (windows.places == ElementPlaces::facades && !windows.proposed && windows.buildings.empty())
+        options.insert(options.begin(), {"--facades-of", {"all"}});
     return options;
 }
 
@@ -249,12 +236,12 @@ Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabe
     line.option("--rule", study.rule.key);
     for (const auto& [choice, option] : study.rule.chosen)
         line.option("--choose", fmt::format("{}={}", choice, option));
-    line.unless(study.rule.file.empty(), "--rules", ".");
-    line.unless(ofFiles, "--from", labels.from);
-    line.unless(ofFiles, "--to", labels.to);
+    if (!study.rule.file.empty()) line.option("--rules", ".");
+    if (!ofFiles) line.option("--from", labels.from);
+    if (!ofFiles) line.option("--to", labels.to);
     line.option("--year", fmt::to_string(study.year));
     line.option("--zone", study.settings.zone);
-    for (const RepeatOption& option : labels.sheets) line.option(option);
+    for (const CommandOption& option : labels.sheets) line.option(option);
     line.option("--out", "repeated");
     return line.wrapped(width);
 }

@@ -26,7 +26,7 @@ std::string valueText(const Criterion& criterion, const std::optional<Measured>&
 nlohmann::ordered_json windowReviewJson(const WindowStudy& study, const ReviewLabels& labels);
 
 /// The options of `review run` that name the same windows.
-std::vector<RepeatOption> makeRepeatOptions(const ElementSettings& windows);
+std::vector<CommandOption> makeRepeatOptions(const ElementSettings& windows);
 
 /// The noonmark-cli command line that reproduces the review, as of a review of places.
 Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabels& labels,

@@ -5,7 +5,11 @@
 #include <limits>
 
 #include "core/base/json_number.h"
+#include "core/describe/figure_text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/sun/civil_time.h"
+#include "scenarios/impact/impact_figure_tables.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -13,15 +17,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 // null: not computed.
-double minutesFrom(const Json& json) { return json.is_null() ? unknown : json.get<double>(); }
-
 ChangeFigures changeFrom(const Json& json) {
-    if (json.is_null()) return {unknown, unknown, unknown, unknown, unknown, unknown, unknown};
-    return {json.at("gained_m2"), json.at("lost_m2"),         json.at("touched_m2"),   json.at("eased_m2"),
-            json.at("mean_min"),  json.at("most_gained_min"), json.at("most_lost_min")};
+    return json.is_null() ? notComputed() : readFigures(changeFigures(), json);
 }
 
 std::chrono::year_month monthFrom(const std::string& text) {
@@ -38,21 +36,13 @@ std::string nameOrId(const Json& building) {
 }  // namespace
 
 ImpactFigures parseImpactFigures(const Json& json) {
-    return {json.at("threshold_min"),         json.at("receiver_area_m2"),
-            changeFrom(json.at("gross")),     changeFrom(json.at("continuous")),
-            json.at("shadow_area_change_m2"), json.at("became_building_m2"),
-            json.at("became_ground_m2")};
+    ImpactFigures figures = readFigures(impactFigures(), json);
+    figures.gross = changeFrom(json.at("gross"));
+    figures.continuous = changeFrom(json.at("continuous"));
+    return figures;
 }
 
-ShadowStatistics parseStatistics(const Json& study) {
-    return {wholeNumberFrom<std::size_t>(study.at("receivers")),
-            study.at("receiver_area_m2"),
-            study.at("shadow_area_m2"),
-            study.at("mean_gross_min"),
-            study.at("max_gross_min"),
-            minutesFrom(study.at("mean_continuous_min")),
-            minutesFrom(study.at("max_continuous_min"))};
-}
+ShadowStatistics parseStatistics(const Json& study) { return readFigures(shadowFigures(), study); }
 
 ComparisonFigures parseComparison(const Json& impact) {
     ComparisonFigures figures{
@@ -65,18 +55,24 @@ ComparisonFigures parseComparison(const Json& impact) {
     return figures;
 }
 
+// Results of versions before weighted shade lack it.
+ScoreTotals parseTotals(const Json& json) { return readFigures(scoreFigures(), json, false); }
+
 Score parseScore(const Json& json) {
     Score score;
-    score.scoreM2 = json.at("score_m2");
-    score.weightedShadeM2h = json.value("weighted_shade_m2h", unknown);
+    const ScoreTotals totals = parseTotals(json);
+    score.scoreM2 = totals.scoreM2;
+    score.weightedShadeM2h = totals.weightedShadeM2h;
     score.receiverAreaM2 = json.at("receiver_area_m2");
-    for (const Json& month : json.at("months"))
-        score.months.push_back({monthFrom(month.at("month")), month.at("shadow_area_m2"),
-                                month.at("score_m2"), month.at("sunlit_min"),
-                                month.value("weighted_shade_m2h", unknown)});
-    for (const Json& interval : json.at("intervals"))
-        score.intervals.push_back({interval.at("name"), interval.at("weight"), interval.at("shadow_area_m2"),
-                                   interval.at("score_m2"), interval.value("weighted_shade_m2h", unknown)});
+    for (const Json& month : json.at("months")) {
+        MonthFigures& figures = score.months.emplace_back(readFigures(scoreMonthFigures(), month, false));
+        figures.month = monthFrom(month.at("month"));
+    }
+    for (const Json& interval : json.at("intervals")) {
+        IntervalFigures& figures =
+            score.intervals.emplace_back(readFigures(scoreIntervalFigures(), interval, false));
+        figures.name = interval.at("name");
+    }
     score.engine = json.at("engine_settings");
     return score;
 }

@@ -1,7 +1,6 @@
-#include <array>
-#include <utility>
-
+#include "core/describe/value_text.h"
 #include "scenarios/project/read_project.h"
+#include "scenarios/project/title_fields.h"
 #include "scenarios/project/write_project.h"
 
 // Reads and writes the table `sheet_settings`: what the project's sheets carry, and the units of its results.
@@ -11,18 +10,10 @@ namespace {
 
 constexpr const char* unitsKey = "units";
 constexpr const char* logoKey = "logo";
-constexpr std::array<std::pair<const char*, std::string TitleBlock::*>, 5> texts{{
-    {"project", &TitleBlock::project},
-    {"author", &TitleBlock::author},
-    {"client", &TitleBlock::client},
-    {"date", &TitleBlock::date},
-    {"sheet_prefix", &TitleBlock::sheetPrefix},
-}};
-
 void readSetting(const Statement& row, SheetSettings& settings) {
     const std::string key = row.text(0);
-    for (const auto& [name, text] : texts)
-        if (key == name) settings.titleBlock.*text = row.text(1);
+    for (const Field& field : titleFields().rows())
+        if (key == field.key) (void)field.set(&settings.titleBlock, row.text(1));
     if (key == logoKey) settings.titleBlock.logo = row.blob(1);
     if (key != unitsKey) return;
     const auto units = parseUnitSystem(row.text(1));
@@ -35,8 +26,9 @@ void readSetting(const Statement& row, SheetSettings& settings) {
 void writeSheetSettings(Database& database, const SheetSettings& settings) {
     database.execute("DELETE FROM sheet_settings");
     Statement add = database.prepare("INSERT INTO sheet_settings (key, value) VALUES (?, ?)");
-    for (const auto& [name, text] : texts)
-        if (const std::string& value = settings.titleBlock.*text; !value.empty()) add.run(name, value);
+    for (const Field& field : titleFields().rows())
+        if (const std::string value = formatText(field.get(&settings.titleBlock)); !value.empty())
+            add.run(field.key, value);
     if (!settings.titleBlock.logo.empty()) add.run(logoKey, AsBlob{settings.titleBlock.logo});
     add.run(unitsKey, nameOf(settings.units));
 }

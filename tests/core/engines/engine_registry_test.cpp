@@ -106,11 +106,6 @@ TEST(Options, AreReadAndWrittenByTheirKind) {
     const EngineOption yesNo{.key = "check", .kind = OptionKind::yesNo}, number{.key = "bin"};
     EXPECT_EQ(formatOptionValue(yesNo, 1), "yes");
     EXPECT_EQ(formatOptionValue(number, 0.5), "0.5");
-    EXPECT_EQ(parseOptionValue("yes"), 1);
-    EXPECT_EQ(parseOptionValue("no"), 0);
-    EXPECT_EQ(parseOptionValue("0.5"), 0.5);
-    EXPECT_EQ(parseOptionValue("half"), std::nullopt);
-    EXPECT_EQ(parseOptionValue(""), std::nullopt);
 }
 
 }  // namespace

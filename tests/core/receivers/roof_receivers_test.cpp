@@ -34,9 +34,9 @@ TEST(RoofReceivers, ARoofIsTheHighestPartAtACell) {
 }
 
 TEST(RoofReceivers, EveryPlaceIsFoundByItsName) {
-    for (const ReceiverPlaces places : allReceiverPlaces) EXPECT_EQ(parsePlaces(nameOf(places)), places);
-    EXPECT_EQ(parsePlaces("Roofs"), std::nullopt);
-    EXPECT_EQ(parsePlaces(""), std::nullopt);
+    EXPECT_EQ(nameOf(ReceiverPlaces::roofs), "roofs");
+    EXPECT_EQ(findChoice<ReceiverPlaces>(receiverPlaceChoices, "both"), ReceiverPlaces::both);
+    EXPECT_EQ(findChoice<ReceiverPlaces>(receiverPlaceChoices, "Roofs"), std::nullopt);
 }
 
 TEST(RoofReceivers, BothAreTheGroundAndTheRoofs) {

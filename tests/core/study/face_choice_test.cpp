@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "core/study/elements/element_fields.h"
 #include "core/study/elements/element_study.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/core/engines/scenes.h"
@@ -125,12 +126,13 @@ TEST(FaceChoices, APickedWallIsTheFaceOfItsPoints) {
 }
 
 TEST(FaceChoices, AreRepeatedByTheOptionsThatChoseThem) {
-    const auto options = makeRepeatOptions(FaceChoice{{"way 7 wall 0"}, AzimuthRange{135, 225}, "Park", 80});
+    const auto options =
+        listOptions(faceFields().of(FaceChoice{{"way 7 wall 0"}, AzimuthRange{135, 225}, "Park", 80}));
     ASSERT_EQ(options.size(), 4U);
     EXPECT_EQ(options[0].name, "--face");
     EXPECT_EQ(options[1].values, std::vector<std::string>{"135-225"});
     EXPECT_EQ(options[3].values, std::vector<std::string>{"80"});
-    EXPECT_TRUE(makeRepeatOptions(FaceChoice{}).empty());
+    EXPECT_TRUE(listOptions(faceFields().of(FaceChoice{})).empty());
 }
 
 TEST(ElementPoints, ListedPointsAreOnTheGroundTheRoofOrAWall) {

@@ -22,8 +22,8 @@ std::vector<MakePages> pictureChapters(const Rule& rule) {
 
 }  // namespace
 
-std::vector<RepeatOption> makeRepeatOptions(const BookSettings& settings) {
-    std::vector<RepeatOption> options{{"--paper", {std::string(nameOf(settings.setup.paper))}}};
+std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
+    std::vector<CommandOption> options{{"--paper", {std::string(nameOf(settings.setup.paper))}}};
     if (settings.setup.landscape) options.push_back({"--landscape", {}});
     if (settings.scale) options.push_back({"--scale", {fmt::to_string(*settings.scale)}});
     if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});

@@ -24,7 +24,7 @@ struct ReviewBookSource {
 
 /// The options of `noonmark-cli review run` that lay out the same sheets: paper, scale and printed date. The
 /// rest of the title block is the project's.
-std::vector<RepeatOption> makeRepeatOptions(const BookSettings& settings);
+std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings);
 
 /// The book of a review: summary with a picture of the worst moment, diagrams of the rule's days and hours,
 /// views from the sun, timelines, the rule's table, method and sources. Computes the shadows of each diagram.

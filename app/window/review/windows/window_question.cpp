@@ -10,10 +10,10 @@ namespace noonmark {
 namespace {
 
 /// The options of the command line that ask for the same windows.
-std::vector<RepeatOption> repeatOptions(const WindowReviewSettings& settings, const BookSettings& sheets) {
-    std::vector<RepeatOption> options = makeRepeatOptions(settings.elements);
+std::vector<CommandOption> repeatOptions(const WindowReviewSettings& settings, const BookSettings& sheets) {
+    std::vector<CommandOption> options = makeRepeatOptions(settings.elements);
     options.push_back({"--region", {"city"}});
-    for (RepeatOption& option : makeRepeatOptions(sheets)) options.push_back(std::move(option));
+    for (CommandOption& option : makeRepeatOptions(sheets)) options.push_back(std::move(option));
     return options;
 }
 

@@ -7,10 +7,12 @@
 #include <system_error>
 
 #include "core/base/progress_share.h"
+#include "core/describe/figure_text.h"
 #include "core/io/files/pending_file.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/tile_tasks/merge/cloud_map.h"
 #include "core/study/tile_tasks/merge/stac_item.h"
@@ -138,15 +140,8 @@ private:
     }
 
     void addStatistics(const District& district, const ShadowStatistics& figures, std::size_t tiles) {
-        districts_.push_back({{"name", district.name},
-                              {"tiles", tiles},
-                              {"receivers", figures.receivers},
-                              {"receiver_area_m2", figures.receiverAreaM2},
-                              {"shadow_area_m2", figures.shadowAreaM2},
-                              {"mean_gross_min", figures.meanGrossMin},
-                              {"max_gross_min", figures.maxGrossMin},
-                              {"mean_continuous_min", figures.meanContinuousMin},
-                              {"max_continuous_min", figures.maxContinuousMin}});
+        districts_.push_back({{"name", district.name}, {"tiles", tiles}});
+        districts_.back().update(figuresJson(shadowFigures().of(figures)));
         ShadowStatistics& all = report_.statistics;
         const double before = double(all.receivers), more = double(figures.receivers);
         const auto mean = [&](double a, double b) {
@@ -162,18 +157,10 @@ private:
     }
 
     Result<void> writeSummaries() {
-        const ShadowStatistics& all = report_.statistics;
-        Json json{{"tiles", status_.doneTiles},
-                  {"tiles_missing", report_.missingTiles},
-                  {"receivers", all.receivers},
-                  {"receiver_area_m2", all.receiverAreaM2},
-                  {"shadow_area_m2", all.shadowAreaM2},
-                  {"mean_gross_min", all.meanGrossMin},
-                  {"max_gross_min", all.maxGrossMin},
-                  {"mean_continuous_min", all.meanContinuousMin},
-                  {"max_continuous_min", all.maxContinuousMin},
-                  {"compute_seconds", status_.doneSeconds},
-                  {"districts", districts_}};
+        Json json{{"tiles", status_.doneTiles}, {"tiles_missing", report_.missingTiles}};
+        json.update(figuresJson(shadowFigures().of(report_.statistics)));
+        json["compute_seconds"] = status_.doneSeconds;
+        json["districts"] = districts_;
         if (!report_.figures.empty()) json["figures"] = report_.figures;
         auto written = writeFile("statistics.json", json.dump(2) + "\n");
         for (const auto& [name, places] : places_)

@@ -1,9 +1,11 @@
 #include "core/study/tile_tasks/merge/tile_places.h"
 
 #include <cmath>
+#include <limits>
 
-#include "core/base/csv_text.h"
+#include "core/describe/figure_text.h"
 #include "core/io/write_raster.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/provenance/source_columns.h"
@@ -68,22 +70,18 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
 }
 
 std::string formatPlaces(const PlaceShadows& shadows) {
-    CsvText csv({"name", "kind", "receivers", "receiver_area_m2", "shadow_area_m2", "mean_gross_min",
-                 "max_gross_min", "mean_continuous_min", "max_continuous_min"});
+    std::vector<std::string> columns = listColumns(shadowFigures().rows());
+    columns.insert(columns.begin(), {"name", "kind"});
+    CsvText csv(columns);
     for (const auto& [name, shadow] : shadows) {
         const double sunlit =
             shadow.sums.receivers > 0 ? shadow.sunlitMinutes / double(shadow.sums.receivers) : 0;
-        const ShadowStatistics figures = computeStatistics(shadow.sums, sunlit, shadow.cellAreaM2);
-        csv.text(name).text(std::string(nameOf(shadow.kind))).whole(figures.receivers);
-        csv.number(figures.receiverAreaM2, 1);
-        if (figures.receivers > 0)
-            csv.number(figures.shadowAreaM2, 1)
-                .number(figures.meanGrossMin, 3)
-                .number(figures.maxGrossMin, 3)
-                .number(figures.meanContinuousMin, 3)
-                .number(figures.maxContinuousMin, 3);
-        else
-            csv.nothing(5);
+        ShadowStatistics figures = computeStatistics(shadow.sums, sunlit, shadow.cellAreaM2);
+        if (figures.receivers == 0)  // no shadow is known of it
+            figures.shadowAreaM2 = figures.meanGrossMin = figures.maxGrossMin = figures.meanContinuousMin =
+                figures.maxContinuousMin = std::numeric_limits<double>::quiet_NaN();
+        csv.text(name).text(std::string(nameOf(shadow.kind)));
+        addFigures(csv, shadowFigures().of(figures));
         csv.endRow();
     }
     return csv.take();

@@ -1,0 +1,12 @@
+#include "app/window/results/figure_row.h"
+
+#include "app/window/widgets/translated.h"
+
+namespace noonmark {
+
+ResultRow figureRow(std::span<const Figure> figures, std::string_view key, const QString& value) {
+    const Figure& figure = findFigure(figures, key);
+    return {translated(figure.label), value, translatedSentence(figure.definition)};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/describe/field.h"
+
+class QFormLayout;
+class QWidget;
+
+namespace noonmark {
+
+/// Widgets for the fields of a table: label, tooltip, range, choices and unit are those of the field, in the
+/// user's language. Their object names are the fields' flags: "--height-field" is "heightField". Groups,
+/// presets and what depends on what are up to the form.
+class FieldRows final : public QObject {
+    Q_OBJECT
+public:
+    /// `fields` outlive it.
+    explicit FieldRows(std::span<const Field> fields, QObject* parent = nullptr);
+
+    /// The widget of the field with this flag, which the caller places. Made at the first call; it shows the
+    /// default.
+    QWidget* widget(std::string_view flag);
+    /// Places the widgets with their labels; a box has its label beside it.
+    void addRows(QFormLayout& form, std::initializer_list<std::string_view> flags);
+
+    void show(const Described& settings);       ///< without a signal
+    void take(const Editable& settings) const;  ///< what the widgets hold, into their fields
+
+Q_SIGNALS:
+    void edited(const QString& label);
+
+private:
+    [[nodiscard]] const Field* find(std::string_view flag) const;
+    QWidget* make(const Field& field);
+
+    std::span<const Field> fields_;
+    std::map<const Field*, QWidget*> widgets_;
+    bool showing_ = false;
+};
+
+}  // namespace noonmark

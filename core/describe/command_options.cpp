@@ -1,0 +1,40 @@
+#include "core/describe/command_options.h"
+
+#include <fmt/format.h>
+
+#include "core/describe/value_text.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<CommandOption> optionsOf(const Field& field, const Value& value) {
+    const std::string flag(field.flag);
+    std::vector<CommandOption> options;
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+        for (const std::string& text : *texts) options.push_back({flag, {text}});
+    } else if (const auto* numbers = std::get_if<NamedNumbers>(&value)) {
+        for (const auto& [name, number] : *numbers)
+            options.push_back({flag, {fmt::format("{}={}", name, number)}});
+    } else if (field.kind == ValueKind::yesNo) {
+        options.push_back({flag, {}});
+    } else {
+        options.push_back({flag, {formatText(value)}});
+    }
+    return options;
+}
+
+}  // namespace
+
+std::vector<CommandOption> listOptions(const Described& settings) {
+    std::vector<CommandOption> options;
+    for (const Field& field : settings.fields) {
+        if (field.flag.empty() || !settings.applies(field)) continue;
+        const Value value = settings.get(field);
+        if (value == Value() || (value == field.standard && !field.restated)) continue;
+        for (CommandOption& option : optionsOf(field, value)) options.push_back(std::move(option));
+    }
+    return options;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,21 @@
+#include "core/describe/field.h"
+
+#include <fmt/format.h>
+
+namespace noonmark {
+
+std::string_view nameOf(const FieldFacts& facts) {
+    return facts.flag.starts_with("--") ? facts.flag.substr(2) : facts.key;
+}
+
+void copyFields(const Described& from, const Editable& to, const std::set<std::string, std::less<>>& flags) {
+    for (const Field& field : from.fields)
+        if (flags.contains(field.flag)) (void)to.set(field, from.get(field));  // it came from such an object
+}
+
+tl::unexpected<Error> unfitValue(const FieldFacts& facts) {
+    return failure(fmt::format("This is no value of '{}'", nameOf(facts)), std::string(nameOf(facts)),
+                   std::string(facts.help));
+}
+
+}  // namespace noonmark

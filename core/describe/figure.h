@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace noonmark {
+
+/// What is written down about one number of a result: JSON, CSV, tables, sheets and the GUI take key, label
+/// and definition from here. Texts are in English and marked by NM_TEXT.
+struct FigureFacts {
+    std::string_view key;              ///< of JSON and CSV, with its unit: "shadow_area_m2"
+    std::string_view label = {};       ///< "Shadow area"
+    std::string_view definition = {};  ///< begins in lower case and ends without a full stop
+    int decimals = 1;                  ///< in CSV and tables
+};
+
+/// A row of a table of figures. NaN stands for what was not counted. Its functions take the struct that the
+/// table is of.
+struct Figure : FigureFacts {
+    bool isCount = false;  ///< a whole number
+    std::function<double(const void*)> get{};
+    std::function<void(void*, double)> set{};
+};
+
+/// A result with its figures, as surfaces take it. Refers to both.
+struct DescribedFigures {
+    std::span<const Figure> figures;
+    const void* object = nullptr;
+    [[nodiscard]] double get(const Figure& figure) const { return figure.get(object); }
+};
+
+/// The row of a member that is a number.
+template <class R, class M>
+Figure figure(M R::*member, FigureFacts facts) {
+    Figure row{facts, std::is_integral_v<M>};
+    row.get = [member](const void* object) { return double(static_cast<const R*>(object)->*member); };
+    row.set = [member](void* object, double value) { static_cast<R*>(object)->*member = M(value); };
+    return row;
+}
+
+/// The figures of R, in the order in which surfaces state them. Keys are unique.
+template <class R>
+class Figures {
+public:
+    Figures(std::initializer_list<Figure> rows) : rows_(rows) {}
+
+    [[nodiscard]] std::span<const Figure> rows() const { return rows_; }
+    [[nodiscard]] DescribedFigures of(const R& object) const { return {rows_, &object}; }
+
+private:
+    std::vector<Figure> rows_;
+};
+
+/// The row with this key, which must be in the table.
+const Figure& findFigure(std::span<const Figure> figures, std::string_view key);
+
+}  // namespace noonmark

@@ -1,0 +1,46 @@
+#include "core/measures/shadow_figures.h"
+
+#include "core/describe/text.h"
+
+namespace noonmark {
+
+const Figures<ShadowStatistics>& shadowFigures() {
+    static const Figures<ShadowStatistics> figures{
+        figure(&ShadowStatistics::receivers,
+               {.key = "receivers",
+                .label = NM_TEXT("Receivers"),
+                .definition = NM_TEXT("cells or points where shadow is measured")}),
+        figure(&ShadowStatistics::receiverAreaM2, {.key = "receiver_area_m2",
+                                                   .label = NM_TEXT("Area of the receivers"),
+                                                   .definition = NM_TEXT("area of all receivers")}),
+        figure(&ShadowStatistics::shadowAreaM2,
+               {.key = "shadow_area_m2",
+                .label = NM_TEXT("Shadow area"),
+                .definition =
+                    NM_TEXT("sum over the receivers of (share of the sunlit time in shadow x cell area)")}),
+        figure(&ShadowStatistics::meanGrossMin,
+               {.key = "mean_gross_min",
+                .label = NM_TEXT("Mean gross"),
+                .definition = NM_TEXT("minutes in shadow per day, mean over days and receivers"),
+                .decimals = 3}),
+        figure(&ShadowStatistics::maxGrossMin,
+               {.key = "max_gross_min",
+                .label = NM_TEXT("Max gross"),
+                .definition =
+                    NM_TEXT("minutes in shadow per day, mean over the days, at the receiver that has most"),
+                .decimals = 3}),
+        figure(&ShadowStatistics::meanContinuousMin,
+               {.key = "mean_continuous_min",
+                .label = NM_TEXT("Mean continuous"),
+                .definition = NM_TEXT("longest unbroken run in shadow on any day, mean over the receivers"),
+                .decimals = 3}),
+        figure(&ShadowStatistics::maxContinuousMin,
+               {.key = "max_continuous_min",
+                .label = NM_TEXT("Max continuous"),
+                .definition = NM_TEXT("longest unbroken run in shadow at any receiver on any day"),
+                .decimals = 3}),
+    };
+    return figures;
+}
+
+}  // namespace noonmark

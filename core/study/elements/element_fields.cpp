@@ -1,0 +1,270 @@
+#include "core/study/elements/element_fields.h"
+
+#include "core/describe/text.h"
+#include "core/receivers/points/plane_points.h"
+
+namespace noonmark {
+
+namespace {
+
+bool onFacades(const ElementSettings& elements) { return elements.places == ElementPlaces::facades; }
+bool onWindows(const ElementSettings& elements) { return elements.places == ElementPlaces::windows; }
+bool onWalls(const ElementSettings& elements) { return onFacades(elements) || onWindows(elements); }
+bool onLines(const ElementSettings& elements) { return elements.places == ElementPlaces::lines; }
+bool onPoints(const ElementSettings& elements) { return elements.places == ElementPlaces::points; }
+bool isLevel(const ElementSettings& elements) {
+    return onLines(elements) || elements.places == ElementPlaces::plane;
+}
+bool looksAtPlace(const FaceChoice& faces) { return !faces.place.empty(); }
+
+constexpr std::array heightChoices{KeyedLabel{"elevation", NM_TEXT("elevations")},
+                                   KeyedLabel{"ground", NM_TEXT("above the ground")}};
+
+Value getHeights(const WindowFileSettings& file) {
+    return std::string(heightChoices[file.aboveGround ? 1 : 0].key);
+}
+
+Result<void> setHeights(WindowFileSettings& file, const Value& value) {
+    file.aboveGround = value == Value(std::string(heightChoices[1].key));
+    return {};
+}
+
+const Fields<FacadeSettings>& baySizes() {
+    static const Fields<FacadeSettings> fields{
+        field(&FacadeSettings::bayM, {.key = "bay_m",
+                                      .flag = "--bay",
+                                      .label = NM_TEXT("Bay"),
+                                      .help = NM_TEXT("Facades: width of a bay, one point or window each"),
+                                      .unit = "m",
+                                      .range = ValueRange{FacadeSettings::leastM, FacadeSettings::mostM}}),
+    };
+    return fields;
+}
+
+const Fields<FacadeSettings>& storeySizes() {
+    static const Fields<FacadeSettings> fields{field(
+        &FacadeSettings::storeyM,
+        {.key = "storey_m",
+         .flag = "--storey",
+         .label = NM_TEXT("Storey"),
+         .help =
+             NM_TEXT("Height of a storey: facades have one point or window each, windows are numbered by it"),
+         .unit = "m",
+         .range = ValueRange{FacadeSettings::leastM, FacadeSettings::mostM}})};
+    return fields;
+}
+
+const Fields<FacadeSettings>& floorSizes() {
+    static const Fields<FacadeSettings> fields{
+        field(&FacadeSettings::aboveFloorM, {.key = "above_floor_m",
+                                             .flag = "--above-floor",
+                                             .label = NM_TEXT("Above floor"),
+                                             .help = NM_TEXT("Facades: height of the points above the floor"),
+                                             .unit = "m",
+                                             .range = ValueRange{0, FacadeSettings::mostM}})};
+    return fields;
+}
+
+const Fields<LineSettings>& lineSizes() {
+    static const Fields<LineSettings> fields{
+        field(&LineSettings::offsetsM,
+              {.key = "offsets_m",
+               .flag = "--offsets",
+               .label = "Distances",
+               .help = "Lines: their distances from the parcel, with commas",
+               .hint = "M,...",
+               .unit = "m",
+               .range = ValueRange{LineSettings::leastOffsetM, LineSettings::mostOffsetM},
+               .restated = true}),
+        field(&LineSettings::spacingM,
+              {.key = "spacing_m",
+               .flag = "--spacing",
+               .label = "Spacing",
+               .help = "Lines: distance from point to point",
+               .unit = "m",
+               .range = ValueRange{LineSettings::leastSpacingM, LineSettings::mostSpacingM},
+               .restated = true}),
+    };
+    return fields;
+}
+
+Result<std::vector<ListedPoint>> parsePoints(std::string_view csv) {
+    if (csv.empty()) return std::vector<ListedPoint>();
+    return parsePointList(csv, "points");
+}
+
+std::string formatPoints(std::vector<ListedPoint> points) { return points.empty() ? "" : toCsv(points); }
+
+const Fields<ElementSettings>& pointFields() {
+    static const Fields<ElementSettings> fields{
+        textField(&ElementSettings::points, &formatPoints, &parsePoints, {.key = "points", .label = "Points"})
+            .when(&onPoints)};
+    return fields;
+}
+
+const Fields<ElementSettings>& placeFields() {
+    static const Fields<ElementSettings> fields{
+        choiceField(&ElementSettings::places, elementPlaceChoices,
+                    {.key = "places",
+                     .flag = "--receivers",
+                     .label = "Receivers",
+                     .hint = "PLACES",
+                     .restated = true}),
+        field(&ElementSettings::proposed, {.key = "proposed", .label = "Proposed buildings only"})
+            .when(&onFacades),
+        field(&ElementSettings::buildings, {.key = "buildings", .flag = "--facades-of", .label = "Of"})
+            .when([](const ElementSettings& elements) { return onFacades(elements) && !elements.proposed; }),
+    };
+    return fields;
+}
+
+}  // namespace
+
+const Fields<ElementSettings>& pointsFileFields() {
+    static const Fields<ElementSettings> fields{
+        field(&ElementSettings::pointsFile,
+              {.key = "points_file",
+               .flag = "--points",
+               .label = "File",
+               .help = "Points: a CSV file with columns lon, lat and, if known, id, height (metres "
+                       "above the ground) and facing (azimuth of a wall)",
+               .hint = "FILE.csv",
+               .role = SettingRole::none})
+            .when(&onPoints)};
+    return fields;
+}
+
+const Fields<ElementSettings>& windowsFields() {
+    static const Fields<ElementSettings> fields{
+        field(&ElementSettings::windows,
+              {.key = "windows",
+               .flag = "--windows",
+               .label = "File",
+               .help = "Windows: a file of points or polygons with heights (fields id, azimuth, floor)",
+               .hint = "FILE"})
+            .when(&onWindows)};
+    return fields;
+}
+
+const Fields<WindowFileSettings>& windowFileFields() {
+    static const Fields<WindowFileSettings> fields{
+        field(&WindowFileSettings::idField,
+              {.key = "window_id",
+               .flag = "--window-id",
+               .label = "Field of ids",
+               .help = "Windows: the field with their ids (default: id, window, window_id, name)",
+               .hint = "FIELD"}),
+        field(&WindowFileSettings::crs,
+              {.key = "windows_crs",
+               .flag = "--windows-crs",
+               .label = "Coordinate system",
+               .help = "Windows: coordinate reference system, if the file states none",
+               .hint = "CRS"}),
+        derivedField(
+            ValueKind::choice, &getHeights, &setHeights,
+            {.key = "windows_above_ground",
+             .flag = "--window-heights",
+             .label = NM_TEXT("Heights"),
+             .help = NM_TEXT("Windows: heights are elevations, as those of the city, or metres above "
+                             "the ground below"),
+             .hint = "WHAT"})
+            .among(heightChoices),
+    };
+    return fields;
+}
+
+const Fields<FaceChoice>& faceFields() {
+    static const Fields<FaceChoice> fields{
+        field(&FaceChoice::faces,
+              {.key = "faces",
+               .flag = "--face",
+               .label = "Faces",
+               .help = "Facades: one face by the beginning of its points' ids, \"way 12 wall 3\"; may be "
+                       "repeated",
+               .hint = "ID"}),
+        textField(&FaceChoice::facing, &formatText, &parseAzimuthRange,
+                  {.key = "facing_deg",
+                   .flag = "--facing",
+                   .label = "Facing",
+                   .help = "Facades and windows: only those that face these azimuths, degrees from true "
+                           "north, clockwise",
+                   .hint = "FROM-TO"}),
+        field(&FaceChoice::place,
+              {.key = "facing_place",
+               .flag = "--facing-place",
+               .label = "Facing place",
+               .help = "Facades and windows: only those from which a level line straight out from the "
+                       "wall meets this place",
+               .hint = "NAME"}),
+        field(&FaceChoice::withinM, {.key = "within_m",
+                                     .flag = "--within",
+                                     .label = "Within",
+                                     .help = "With --facing-place: at most this far away",
+                                     .unit = "m",
+                                     .range = ValueRange{1, FaceChoice::mostWithinM},
+                                     .restated = true,
+                                     .needs = "--facing-place"})
+            .when(&looksAtPlace),
+    };
+    return fields;
+}
+
+const Fields<ElementSettings>& facadeFields() {
+    static const auto fields = Fields<ElementSettings>{}
+                                   .embed(&ElementSettings::facades, baySizes(), {}, &onFacades)
+                                   .embed(&ElementSettings::facades, storeySizes(), {}, &onWalls);
+    return fields;
+}
+
+const Fields<ElementSettings>& aboveFloorFields() {
+    static const auto fields =
+        Fields<ElementSettings>{}.embed(&ElementSettings::facades, floorSizes(), {}, &onFacades);
+    return fields;
+}
+
+const Fields<ElementSettings>& lineFields() {
+    static const auto fields =
+        Fields<ElementSettings>{
+            field(&ElementSettings::parcel,
+                  {.key = "parcel",
+                   .flag = "--parcel",
+                   .label = "Parcel",
+                   .help = "Lines: the parcel, a polygon file or a lot, region or place of the project",
+                   .hint = "FILE|NAME"})
+                .when(&onLines)}
+            .embed(&ElementSettings::lines, lineSizes(), {}, &onLines);
+    return fields;
+}
+
+const Fields<ElementSettings>& planeFields() {
+    static const Fields<ElementSettings> fields{
+        field(
+            &ElementSettings::planeHeightM,
+            {.key = "plane_height_m",
+             .flag = "--plane-height",
+             .label = NM_TEXT("Height"),
+             .help = NM_TEXT("Plane and lines: height above the mean of the ground, of the region or parcel"),
+             .unit = "m",
+             .range = ValueRange{0, mostPlaneHeightM},
+             .hasDefault = false,
+             .restated = true})
+            .when(&isLevel)};
+    return fields;
+}
+
+const Fields<ElementSettings>& elementFields() {
+    static const auto fields = Fields<ElementSettings>{}
+                                   .with(placeFields())
+                                   .embed(&ElementSettings::faces, faceFields(), {}, &onWalls)
+                                   .with(windowsFields())
+                                   .embed(&ElementSettings::windowFile, windowFileFields(), {}, &onWindows)
+                                   .with(planeFields())
+                                   .with(lineFields())
+                                   .with(pointFields())
+                                   .with(pointsFileFields())
+                                   .with(facadeFields())
+                                   .with(aboveFloorFields());
+    return fields;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,99 @@
+#include "core/sun/period_fields.h"
+
+namespace noonmark {
+
+namespace {
+
+bool byClock(const Period& period) { return !period.window; }
+bool bySun(const Period& period) { return period.window.has_value(); }
+
+// Without the sunrise rule, which is a field of its own.
+std::string formatOffsets(const SolarWindow& window) {
+    SolarWindow offsets = window;
+    offsets.rule = SunriseRule::upperLimb;
+    return formatText(offsets);
+}
+
+Value getCentre(const Period& period) { return period.window && period.window->rule == SunriseRule::centre; }
+
+Result<void> setCentre(Period& period, const Value& value) {
+    if (period.window && value == Value(true)) period.window->rule = SunriseRule::centre;
+    return {};
+}
+
+}  // namespace
+
+const Fields<Period>& periodFields() {
+    static const Fields<Period> fields{
+        textField(&Period::start, &formatText, &parseDate,
+                  {.key = "start",
+                   .flag = "--start",
+                   .label = "First day",
+                   .help = "First day: 2026-03-21",
+                   .hint = "DATE",
+                   .hasDefault = false,
+                   .restated = true}),
+        field(&Period::days, {.key = "days",
+                              .flag = "--days",
+                              .label = "Days",
+                              .help = "Number of days",
+                              .hint = "N",
+                              .range = ValueRange{1, 3660},
+                              .restated = true}),
+        textField(&Period::window, &formatOffsets, &parseSolarWindow,
+                  {.key = "window",
+                   .flag = "--window",
+                   .label = "From sunrise to sunset",
+                   .help = "Hours relative to sunrise and sunset: sunrise+1.5h..sunset-1.5h; every "
+                           "minute counts",
+                   .hint = "WINDOW",
+                   .excludes = {"--from", "--hours"}}),
+        derivedField(ValueKind::yesNo, &getCentre, &setCentre,
+                     {.key = "centre",
+                      .flag = "--centre",
+                      .label = "Sunrise at",
+                      .help = "Define sunrise and sunset of --window by the sun's centre at 0 deg, "
+                              "not by its upper limb on the horizon (-0.833 deg)",
+                      .needs = "--window"})
+            .when(&bySun),
+        textField(&Period::from, &formatText, &parseTimeOfDay,
+                  {.key = "from",
+                   .flag = "--from",
+                   .label = "From",
+                   .help = "Local time of the first step (default 09:00)",
+                   .hint = "HH:MM",
+                   .restated = true})
+            .when(&byClock),
+        field(&Period::hours, {.key = "hours",
+                               .flag = "--hours",
+                               .label = "Hours per day",
+                               .help = "Hours a day, 0 to 24; 0 is one instant",
+                               .unit = "h",
+                               .range = ValueRange{0, 24},
+                               .restated = true})
+            .when(&byClock),
+        field(&Period::stepMinutes,
+              {.key = "step_min",
+               .flag = "--step",
+               .label = "Step",
+               .help = "Length of a step, minutes; adjusted so that whole steps fill the hours of "
+                       "each day",
+               .unit = "min",
+               .range = ValueRange{1.0 / 60, 240},
+               .restated = true}),
+        field(&Period::zone, {.key = "zone",
+                              .flag = "--zone",
+                              .label = "Time zone",
+                              .help = "Time zone, for example America/New_York",
+                              .hint = "ZONE",
+                              .hasDefault = false,
+                              .restated = true}),
+        field(&Period::refraction, {.key = "refraction",
+                                    .flag = "--no-refraction",
+                                    .label = "Sun as seen through the air",
+                                    .help = "Use the geometric position of the sun, as planning rules do"}),
+    };
+    return fields;
+}
+
+}  // namespace noonmark

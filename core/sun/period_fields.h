@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/describe/field.h"
+#include "core/sun/period.h"
+
+namespace noonmark {
+
+const Fields<Period>& periodFields();
+
+}  // namespace noonmark

@@ -1,0 +1,66 @@
+#include "scenarios/weights/score_figures.h"
+
+#include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
+
+namespace noonmark {
+
+namespace {
+
+// The same figures of the region, of a month and of an interval.
+template <class R>
+Figure weightedShade() {
+    return figure(
+        &R::weightedShadeM2h,
+        {.key = "weighted_shade_m2h",
+         .label = NM_TEXT("Weighted shade"),
+         .definition =
+             NM_TEXT("sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how "
+                     "the weight table is cut into intervals does not change it")});
+}
+
+template <class R>
+Figure scoreM2() {
+    return figure(
+        &R::scoreM2,
+        {.key = "score_m2",
+         .label = NM_TEXT("Shadow score"),
+         .definition =
+             NM_TEXT("sum over the intervals of the weight table of weight x share of the interval's sunlit "
+                     "time in shadow, times cell area; an interval that is cut in two counts twice")});
+}
+
+template <class R>
+Figure shadowArea() {
+    return figure(&R::shadowAreaM2, findFigure(shadowFigures().rows(), "shadow_area_m2"));
+}
+
+}  // namespace
+
+const Figures<ScoreTotals>& scoreFigures() {
+    static const Figures<ScoreTotals> figures{weightedShade<ScoreTotals>(), scoreM2<ScoreTotals>()};
+    return figures;
+}
+
+const Figures<MonthFigures>& scoreMonthFigures() {
+    static const Figures<MonthFigures> figures{
+        figure(&MonthFigures::sunlitMinutes,
+               {.key = "sunlit_min",
+                .label = NM_TEXT("Sunlit time"),
+                .definition = NM_TEXT("minutes of the period with the sun above the horizon")}),
+        weightedShade<MonthFigures>(), shadowArea<MonthFigures>(), scoreM2<MonthFigures>()};
+    return figures;
+}
+
+const Figures<IntervalFigures>& scoreIntervalFigures() {
+    static const Figures<IntervalFigures> figures{
+        figure(&IntervalFigures::weight,
+               {.key = "weight",
+                .label = NM_TEXT("Weight"),
+                .definition = NM_TEXT("from -1 (shadow is unwanted) to 1 (shade is wanted)"),
+                .decimals = 3}),
+        weightedShade<IntervalFigures>(), shadowArea<IntervalFigures>(), scoreM2<IntervalFigures>()};
+    return figures;
+}
+
+}  // namespace noonmark
