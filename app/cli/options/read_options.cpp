@@ -1,7 +1,8 @@
 #include "app/cli/options/read_options.h"
 
-#include <map>
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/options/lon_lat_option.h"
@@ -12,25 +13,27 @@ namespace noonmark::cli {
 
 namespace {
 
-std::map<std::string, LengthUnit> lengthUnits() {
-    std::map<std::string, LengthUnit> units;
-    for (const LengthUnitEntry& entry : listLengthUnits()) units.emplace(entry.key, entry.unit);
-    return units;
-}
+/// The words of an option and what each stands for, in the order in which help lists them.
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
 
-std::vector<std::string> unitKeys() {
-    std::vector<std::string> keys;
-    for (const LengthUnitEntry& entry : listLengthUnits()) keys.emplace_back(entry.key);
-    return keys;
+/// An option that takes one of these words.
+template <class Value, class Target>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, Target& target,
+                       const Choices<Value>& choices, const std::string& help) {
+    std::vector<std::string> words;
+    for (const auto& [word, value] : choices) words.push_back(word);
+    const auto take = [&target, choices](const std::string& word) {
+        target = std::ranges::find(choices, word, &std::pair<std::string, Value>::first)->second;
+    };
+    return command.add_option_function<std::string>(name, take, help)->check(CLI::IsMember(words));
 }
 
 template <class Target>
-CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
-    return command
-        .add_option_function<std::string>(
-            name, [&target](const std::string& unit) { target = lengthUnits().at(unit); }, help)
-        ->check(CLI::IsMember(unitKeys()))
-        ->type_name("UNIT");
+void addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
+    Choices<LengthUnit> units;
+    for (const LengthUnitEntry& entry : listLengthUnits()) units.emplace_back(entry.key, entry.unit);
+    addChoice(command, name, target, units, help)->type_name("UNIT");
 }
 
 void addHeightOptions(CLI::App& command, ReadSettings& settings) {
@@ -57,27 +60,21 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
 }
 
 void addTerrainOptions(CLI::App& command, ReadSettings& settings) {
-    static const std::map<std::string, TerrainFromBases> choices{{"auto", TerrainFromBases::automatic},
-                                                                 {"always", TerrainFromBases::always},
-                                                                 {"never", TerrainFromBases::never}};
-    command
-        .add_option_function<std::string>(
-            "--terrain-from-bases",
-            [&settings](const std::string& choice) { settings.terrainFromBases = choices.at(choice); },
-            "If there is no terrain, derive one from the ground elevations of the buildings; auto (default): "
-            "only where neighbours stand at different heights")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
+    addChoice<TerrainFromBases>(
+        command, "--terrain-from-bases", settings.terrainFromBases,
+        {{"auto", TerrainFromBases::automatic},
+         {"always", TerrainFromBases::always},
+         {"never", TerrainFromBases::never}},
+        "If there is no terrain, derive one from the ground elevations of the buildings; auto (default): "
+        "only where neighbours stand at different heights")
         ->type_name("WHEN");
-    static const std::map<std::string, TerrainShows> shown{{"auto", TerrainShows::automatic},
-                                                           {"ground", TerrainShows::ground},
-                                                           {"surface", TerrainShows::surface}};
-    command
-        .add_option_function<std::string>(
-            "--terrain-shows",
-            [&settings](const std::string& choice) { settings.terrainShows = shown.at(choice); },
-            "What terrain rasters show: the bare ground, or a surface with the buildings on it; auto "
-            "(default): a surface where they jump at the outlines of buildings")
-        ->check(CLI::IsMember({"auto", "ground", "surface"}))
+    addChoice<TerrainShows>(
+        command, "--terrain-shows", settings.terrainShows,
+        {{"auto", TerrainShows::automatic},
+         {"ground", TerrainShows::ground},
+         {"surface", TerrainShows::surface}},
+        "What terrain rasters show: the bare ground, or a surface with the buildings on it; auto "
+        "(default): a surface where they jump at the outlines of buildings")
         ->type_name("WHAT");
     command.add_flag("--heights-from-surface", settings.heightsFromSurface,
                      "Give buildings without a height that of the surface model above the ground");
@@ -98,29 +95,20 @@ void addMeshOptions(CLI::App& command, ReadSettings& settings) {
 }  // namespace
 
 void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
-    command
-        .add_option_function<std::string>(
-            "--up",
-            [&settings](const std::string& axis) {
-                settings.upAxis = axis == "z" ? UpAxis::z : axis == "y" ? UpAxis::y : UpAxis::automatic;
-            },
-            "Meshes: the axis that points up, y or z; auto (default): as the format says or the shape "
-            "suggests")
-        ->check(CLI::IsMember({"auto", "y", "z"}))
+    addChoice<UpAxis>(command, "--up", settings.upAxis,
+                      {{"auto", UpAxis::automatic}, {"y", UpAxis::y}, {"z", UpAxis::z}},
+                      "Meshes: the axis that points up, y or z; auto (default): as the format says or the "
+                      "shape suggests")
         ->type_name("AXIS");
     addUnit(command, "--mesh-unit", settings.meshUnit,
             "Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)");
 }
 
 void addStandOption(CLI::App& command, ReadSettings& settings) {
-    static const std::map<std::string, Stand> choices{
-        {"auto", Stand::automatic}, {"terrain", Stand::terrain}, {"absolute", Stand::absolute}};
-    command
-        .add_option_function<std::string>(
-            "--stand", [&settings](const std::string& choice) { settings.stand = choices.at(choice); },
-            "Where buildings stand: each on the terrain, or at the elevations that the file states "
-            "(absolute); auto (default): as its bases lie against the terrain")
-        ->check(CLI::IsMember({"auto", "terrain", "absolute"}))
+    addChoice<Stand>(command, "--stand", settings.stand,
+                     {{"auto", Stand::automatic}, {"terrain", Stand::terrain}, {"absolute", Stand::absolute}},
+                     "Where buildings stand: each on the terrain, or at the elevations that the file states "
+                     "(absolute); auto (default): as its bases lie against the terrain")
         ->type_name("HOW");
 }
 

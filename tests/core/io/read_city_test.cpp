@@ -8,6 +8,7 @@
 #include "core/city/terrain/building_ground.h"
 #include "core/io/write_city.h"
 #include "tests/core/io/cityjson_fixtures.h"
+#include "tests/core/io/city_reading.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/box_obj.h"
@@ -21,14 +22,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using tests::sizedRectangle;
 
-class ReadCity : public testing::Test {
+class ReadCity : public tests::CityReading {
 protected:
-    CityRead read(const std::vector<std::filesystem::path>& files) {
-        NoProgress quiet;
-        auto result = readCity(files, settings, quiet, {});
-        EXPECT_TRUE(result) << result.error().text();
-        return result ? *std::move(result) : CityRead();
-    }
     std::string errorOf(const std::vector<std::filesystem::path>& files) {
         NoProgress quiet;
         const auto result = readCity(files, settings, quiet, {});
@@ -60,7 +55,6 @@ protected:
     }
 
     tests::TemporaryFolder folder;
-    ReadSettings settings;
 };
 
 TEST_F(ReadCity, OneFileIsACity) {

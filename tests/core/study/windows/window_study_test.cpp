@@ -44,7 +44,7 @@ WindowStudy reviewed(const Rule& rule, const City& baseline, const City& scenari
     return *std::move(study);
 }
 
-// South of the house an endless wall, 20 m high, 30 m away. A window at height z that faces south sees the
+// South of the building an endless wall, 20 m high, 30 m away. A window at height z that faces south sees the
 // sun where the tangent of its altitude, seen square to the wall, is above (20 - z) / 30.
 TEST(WindowStudy, AnEndlessWallOppositeHidesTheLowSun) {
     const City city = named({house, {{-4000, -42, 0}, {4000, -30, 20}}}, {127, 37.5});
