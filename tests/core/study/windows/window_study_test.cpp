@@ -33,7 +33,10 @@ City named(std::vector<Box3> boxes, LonLat origin) {
 const Box3 house{{0, 0, 0}, {12, 12, 9}};
 
 WindowReviewSettings facadesOf(const std::string& name, const std::string& zone) {
-    return {{.buildings = {name}}, makeRegionFromLocalBox({{-50, -50}, {80, 80}}), zone, 2026};
+    return {{.buildings = {name}, .facades = {.storeyM = 3}},
+            makeRegionFromLocalBox({{-50, -50}, {80, 80}}),
+            zone,
+            2026};
 }
 
 WindowStudy reviewed(const Rule& rule, const City& baseline, const City& scenario,
