@@ -2418,6 +2418,14 @@ Alle Seiten %2, Fläche %3</translation>
         <source>inches</source>
         <translation>Zoll</translation>
     </message>
+    <message>
+        <source>Water left out</source>
+        <translation>Wasser ausgelassen</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes of the map, which are no ground</source>
+        <translation>Flüsse und Seen der Karte, die kein Boden sind</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -2418,6 +2418,14 @@ Todos los lados %2, área %3</translation>
         <source>inches</source>
         <translation>pulgadas</translation>
     </message>
+    <message>
+        <source>Water left out</source>
+        <translation>Agua excluida</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes of the map, which are no ground</source>
+        <translation>Ríos y lagos del mapa, que no son suelo</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -2395,6 +2395,14 @@ All sides %2, area %3</source>
         <source>inches</source>
         <translation>インチ</translation>
     </message>
+    <message>
+        <source>Water left out</source>
+        <translation>除外した水面</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes of the map, which are no ground</source>
+        <translation>地図上の川や湖 (地面ではないため)</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

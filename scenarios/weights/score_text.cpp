@@ -57,6 +57,7 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
     json["receiver_area_m2"] = answer.score.receiverAreaM2;
+    json["water_m2"] = answer.score.waterM2;
     json["weighted_shade_m2h"] = answer.score.weightedShadeM2h;
     json["score_m2"] = answer.score.scoreM2;
     json["months"] = monthsJson(answer.score);

@@ -51,13 +51,15 @@ ShadowStatistics parseStatistics(const Json& study) {
             study.at("mean_gross_min"),
             study.at("max_gross_min"),
             minutesFrom(study.at("mean_continuous_min")),
-            minutesFrom(study.at("max_continuous_min"))};
+            minutesFrom(study.at("max_continuous_min")),
+            study.value("water_m2", 0.0)};
 }
 
 ComparisonFigures parseComparison(const Json& impact) {
     ComparisonFigures figures{
         impact.at("from"),           impact.at("to"), {}, {}, impact.at("period").at("text"),
         impact.at("engine_settings")};
+    figures.waterM2 = impact.value("water_m2", 0.0);
     for (const Json& one : impact.at("impact")) figures.all.push_back(parseImpactFigures(one));
     if (figures.all.empty()) throw std::invalid_argument("no figures");
     for (const Json& building : impact.at("by_building"))
@@ -70,6 +72,7 @@ Score parseScore(const Json& json) {
     score.scoreM2 = json.at("score_m2");
     score.weightedShadeM2h = json.value("weighted_shade_m2h", unknown);
     score.receiverAreaM2 = json.at("receiver_area_m2");
+    score.waterM2 = json.value("water_m2", 0.0);
     for (const Json& month : json.at("months"))
         score.months.push_back({monthFrom(month.at("month")), month.at("shadow_area_m2"),
                                 month.at("score_m2"), month.at("sunlit_min"),

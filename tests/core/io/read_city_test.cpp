@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/gdal_calls.h"
+#include "core/city/map_context.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/io/write_city.h"
-#include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/city_reading.h"
+#include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/box_obj.h"
@@ -166,6 +167,20 @@ TEST_F(ReadCity, WarningsSayWhoseTheyAreAmongSeveralFiles) {
     const CityRead read = this->read({osmFile("a.osm", 50), folder.file("b.osm", osm.xml())});
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_EQ(read.warnings[0].where, "b.osm: way 1");
+}
+
+TEST_F(ReadCity, AMapSaysWhereWaterIs) {
+    tests::OsmText osm;
+    osm.way(sizedRectangle(0, 0, 20, 20), {{"building", "yes"}, {"height", "30"}});
+    osm.relation(sizedRectangle(100, 0, 80, 50), {sizedRectangle(120, 10, 20, 20)}, {{"natural", "water"}});
+    osm.way(sizedRectangle(200, 0, 30, 30), {{"leisure", "park"}});
+    const CityRead read = this->read({folder.file("river.osm", osm.xml()), osmFile("dry.osm", 300)});
+    ASSERT_NE(read.city.context, nullptr);
+    ASSERT_EQ(read.city.context->areas.size(), 1U) << "and nothing else";
+    EXPECT_EQ(read.city.context->areas[0].kind, ContextKind::water);
+    EXPECT_NEAR(area(read.city.context->areas[0].polygons.at(0)), 80 * 50 - 20 * 20, 1)
+        << "without the island";
+    EXPECT_EQ(this->read({osmFile("dry.osm", 300)}).city.context, nullptr);
 }
 
 TEST_F(ReadCity, AFileThatCannotBeReadNamesItself) {
