@@ -51,6 +51,7 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
                           study.field.stepMinutes));
     table.add("receivers", fmt::format("{} cells of {:g} m, {:.0f} m2", withCommas(figures.receivers),
                                        study.receivers.grid.cellM, figures.receiverAreaM2));
+    addWater(table, figures.waterM2);
     table.add("shadow area",
               fmt::format("{:.1f} m2 (share of the sunlit time x area)", figures.shadowAreaM2));
     table.add("gross shadow",

@@ -17,6 +17,10 @@ void Table::print(std::ostream& out) const {
         out << fmt::format("{:<{}}  {}\n", cleanText(label), width, cleanText(value));
 }
 
+void addWater(Table& table, double waterM2) {
+    if (waterM2 > 0) table.add("water", fmt::format("{:.0f} m2 left out", waterM2));
+}
+
 std::string withCommas(std::size_t number) { return formatNumber(double(number)); }
 
 void printWarnings(std::ostream& out, const Warnings& warnings) {

@@ -19,6 +19,9 @@ private:
     std::vector<std::pair<std::string, std::string>> rows_;
 };
 
+/// A line that says how much of the region was left out as water; nothing for none.
+void addWater(Table& table, double waterM2);
+
 /// "1,234,567"
 std::string withCommas(std::size_t number);
 

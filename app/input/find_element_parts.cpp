@@ -5,6 +5,7 @@
 
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
 
@@ -52,10 +53,25 @@ void findProposed(ElementSettings& elements, const City& existing, const City& c
         if (!before.contains(building.get())) elements.parts.proposed.push_back(building->sourceId);
 }
 
+/// Storeys as they were designed. Where scenarios have different towers of one id, none is known.
+OwnStoreys findDesignedStoreys(const std::vector<Scenario>& scenarios) {
+    OwnStoreys storeys;
+    std::set<std::string> unclear;
+    for (const Scenario& scenario : scenarios)
+        for (const auto& [id, tower] : findProposedTowers(scenario.edits)) {
+            if (tower.storeyHeightM <= 0) continue;
+            const auto [at, isNew] = storeys.emplace(id, tower.storeyHeightM);
+            if (!isNew && at->second != tower.storeyHeightM) unclear.insert(id);
+        }
+    for (const std::string& id : unclear) storeys.erase(id);
+    return storeys;
+}
+
 }  // namespace
 
 Result<ElementSettings> findElementParts(ElementSettings elements, const Project& project, const City& city) {
     elements.parts = {};
+    elements.parts.storeys = findDesignedStoreys(project.scenarios);
     if (elements.proposed) findProposed(elements, *project.city, city);
     return findFacedPlace(elements, project.places)
         .and_then([&] { return findParcel(elements, project, city.frame); })

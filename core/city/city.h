@@ -4,8 +4,8 @@
 // part is a prism over a footprint or a mesh. Footprints are polygons in plan (footprints/), meshes are
 // triangles (meshes/), the ground is in terrain/. settle_parts.h decides which raised parts are overhangs,
 // height_counts.h counts the sources of heights, map_context.h holds streets, parks and water, which are
-// drawn and not measured, and city_observer.h places the observer who sees the sun. Readers of files are in
-// core/io.
+// drawn (water is no ground either), and city_observer.h places the observer who sees the sun. Readers of
+// files are in core/io.
 
 #include <cstdint>
 #include <memory>
@@ -26,7 +26,7 @@ struct City {
     Frame frame;
     std::vector<std::shared_ptr<const Building>> buildings;  ///< none null
     std::shared_ptr<const Terrain> terrain;                  ///< null: the ground is flat at z = 0
-    std::shared_ptr<const MapContext> context;               ///< drawn on the ground; null: none is known
+    std::shared_ptr<const MapContext> context;               ///< on the ground; null: none is known
 };
 
 /// Every part of every building as triangles, each with the index of its building.

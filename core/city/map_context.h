@@ -63,8 +63,8 @@ struct ContextPicture {
 };
 
 /// What maps and views draw on the ground for orientation: streets, paths, rails, parks, water and trees, and
-/// a picture such as an aerial photograph. It
-/// casts no shadow and nothing is measured on it.
+/// a picture such as an aerial photograph. It casts no shadow. Areas of water are no ground (WaterCells in
+/// core/receivers/receivers.h).
 struct MapContext {
     std::vector<ContextArea> areas;
     std::vector<ContextLine> lines;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -18,6 +19,8 @@ struct FigureFacts {
     std::string_view label = {};       ///< "Shadow area"
     std::string_view definition = {};  ///< begins in lower case and ends without a full stop
     int decimals = 1;                  ///< in CSV and tables
+    /// In saved results of versions that did not state it; none: it was always stated.
+    std::optional<double> whenMissing = {};
 };
 
 /// A row of a table of figures. NaN stands for what was not counted. Its functions take the struct that the

@@ -30,13 +30,11 @@ Json definitionsJson(std::span<const Figure> figures) {
     return json;
 }
 
-double figures::readFigure(const Figure& figure, const Json& json, bool needed) {
-    constexpr double notCounted = std::numeric_limits<double>::quiet_NaN();
-    const auto found = json.find(figure.key);
-    if (found == json.end() && !needed) return notCounted;
+double figures::readFigure(const Figure& figure, const Json& json) {
+    if (figure.whenMissing && !json.contains(figure.key)) return *figure.whenMissing;
     const Json& value = json.at(std::string(figure.key));
     if (figure.isCount) return double(wholeNumberFrom<std::size_t>(value));
-    return value.is_null() ? notCounted : value.get<double>();
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
 std::vector<std::string> listColumns(std::span<const Figure> figures) {

@@ -15,10 +15,10 @@ nlohmann::ordered_json figuresJson(const DescribedFigures& figures);
 /// What the figures mean, by key.
 nlohmann::ordered_json definitionsJson(std::span<const Figure> figures);
 
-/// Reads what figuresJson() wrote. Null is NaN; so is a figure that is missing, unless `allNeeded`. Throws
-/// nlohmann's exceptions for JSON of another structure, std::out_of_range for a count that is none.
+/// Reads what figuresJson() wrote, also in an earlier version. Null is NaN. Throws nlohmann's exceptions for
+/// JSON of another structure, std::out_of_range for a count that is none.
 template <class R>
-R readFigures(const Figures<R>& table, const nlohmann::ordered_json& json, bool allNeeded = true);
+R readFigures(const Figures<R>& table, const nlohmann::ordered_json& json);
 
 /// The keys as columns of a table.
 std::vector<std::string> listColumns(std::span<const Figure> figures);
@@ -27,14 +27,13 @@ std::vector<std::string> listColumns(std::span<const Figure> figures);
 void addFigures(CsvText& csv, const DescribedFigures& figures);
 
 namespace figures {
-double readFigure(const Figure& figure, const nlohmann::ordered_json& json, bool needed);
+double readFigure(const Figure& figure, const nlohmann::ordered_json& json);
 }
 
 template <class R>
-R readFigures(const Figures<R>& table, const nlohmann::ordered_json& json, bool allNeeded) {
+R readFigures(const Figures<R>& table, const nlohmann::ordered_json& json) {
     R result;
-    for (const Figure& figure : table.rows())
-        figure.set(&result, figures::readFigure(figure, json, allNeeded));
+    for (const Figure& figure : table.rows()) figure.set(&result, figures::readFigure(figure, json));
     return result;
 }
 

@@ -12,11 +12,14 @@
 #include "core/base/clean_text.h"
 #include "core/base/gdal_calls.h"
 #include "core/base/progress_share.h"
+#include "core/city/map_context.h"
 #include "core/city/same_buildings.h"
+#include "core/io/context/read_context.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_advice.h"
 #include "core/io/heights/implausible_buildings.h"
 #include "core/io/meshes/mesh_scene.h"
+#include "core/io/osm/read_osm_buildings.h"
 #include "core/io/read_part.h"
 #include "core/io/terrain/ground_choice.h"
 #include "core/io/terrain/standing.h"
@@ -252,6 +255,26 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+// A map says where water is, which is no ground. A map whose water cannot be read is still a city.
+void readWater(CityRead& all, const Path& file, MapContext& water, const std::stop_token& stop) {
+    NoProgress quiet;
+    auto read = readContext(file, {.waterOnly = true}, all.city.frame, quiet, stop);
+    if (!read) {
+        all.warnings.push_back({WarningKind::leftOut, "water: " + read.error().what, read.error().where});
+        return;
+    }
+    std::ranges::move(read->context.areas, std::back_inserter(water.areas));
+    std::ranges::move(read->warnings, std::back_inserter(all.warnings));
+}
+
+// Of all maps, also those of which a window reads no building.
+void readWater(CityRead& all, const std::vector<Path>& files, const std::stop_token& stop) {
+    auto water = std::make_shared<MapContext>();
+    for (const Path& file : files)
+        if (findOsmFormat(file)) readWater(all, file, *water, stop);
+    if (!water->empty()) all.city.context = std::move(water);
+}
+
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
                          const ReadWindow* window, Progress& progress, const std::stop_token& stop) {
     const GdalCalls calls(stop);  // recognising a file may read all of it
@@ -279,6 +302,7 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
         all.features += file.piece.features;
     }
     dropSame(all);
+    readWater(all, paths, stop);
     countBeyondTerrain(all);
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);

@@ -67,7 +67,8 @@ struct ReadSettings {
 
 /// The result of reading files.
 struct CityRead {
-    City city;
+    City
+        city;  ///< its context: the water of OpenStreetMap's files, which is no ground; null if there is none
     Warnings warnings;
     std::string format;        ///< for display: "OpenStreetMap PBF"
     std::size_t features = 0;  ///< number of features read

@@ -168,10 +168,10 @@ std::uint32_t PlaceReceivers::receiverOf(std::size_t place, std::size_t cell) co
 
 Result<Receivers> placeCommonReceivers(std::span<const City* const> cities, const Region& region,
                                        const Grid& grid, const std::stop_token& stop) {
-    auto common = placeReceiversInPart(*cities.front(), region, grid, stop);
+    auto common = placeReceiversInPart(*cities.front(), region, grid, stop, WaterCells::ground);
     for (const City* city : cities.subspan(1)) {
         if (!common) return common;
-        const auto other = placeReceiversInPart(*city, region, grid, stop);
+        const auto other = placeReceiversInPart(*city, region, grid, stop, WaterCells::ground);
         if (!other) return other;
         keepCommon(*common, *other);
     }

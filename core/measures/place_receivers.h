@@ -37,8 +37,8 @@ struct PlaceReceivers {
     [[nodiscard]] std::uint32_t receiverOf(std::size_t place, std::size_t cell) const;
 };
 
-/// The cells of a region that are receivers on the ground in every city, of which there is at least one.
-/// Errors as of placeReceiversInPart().
+/// The cells of a region that are receivers on the ground in every city, of which there is at least one;
+/// water counts as ground. Errors as of placeReceiversInPart().
 Result<Receivers> placeCommonReceivers(std::span<const City* const> cities, const Region& region,
                                        const Grid& grid, const std::stop_token& stop = {});
 

@@ -1,5 +1,6 @@
 #include "core/measures/place_timeline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -59,6 +60,44 @@ private:
     bool before_ = false;
 };
 
+/// The longest run of rows in which a column has its bit.
+std::size_t findLongestRunOf(const std::vector<BitRow>& rows, std::size_t column) {
+    const std::uint64_t bit = std::uint64_t{1} << column % 64;
+    const std::size_t word = column / 64;
+    std::size_t longest = 0, current = 0;
+    for (const BitRow& row : rows) {
+        const bool set = row.set != nullptr && (row.set[word] & bit) != 0 &&
+                         (row.unset == nullptr || (row.unset[word] & bit) == 0);
+        current = set ? current + 1 : 0;
+        longest = std::max(longest, current);
+    }
+    return longest;
+}
+
+bool isBesidePlace(const PlaceShadow& shadow, std::size_t cell) {
+    return std::ranges::any_of(shadow.uneven,
+                               [&](const UnevenCell& one) { return one.bit == cell && one.isBeside; });
+}
+
+/// The most steps between a cell's longest run and those of the cells beside it that have their centres in
+/// the place.
+std::size_t findStepsBeside(const PlaceShadow& shadow, const std::vector<BitRow>& rows, std::size_t cell,
+                            std::size_t steps) {
+    std::size_t most = 0;
+    const auto compare = [&](std::size_t from, std::size_t to, std::size_t count) {
+        if (cell < from || cell >= from + count) return;
+        const std::size_t other = to + (cell - from);
+        if (isBesidePlace(shadow, other)) return;
+        const std::size_t beside = findLongestRunOf(rows, other);
+        most = std::max(most, steps - std::min(steps, beside));
+    };
+    for (const NeighbourCells& pairs : shadow.neighbours) {
+        compare(pairs.first, pairs.second, pairs.count);
+        compare(pairs.second, pairs.first, pairs.count);
+    }
+    return most;
+}
+
 // The steps' rows, with an empty row where steps do not follow each other.
 std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const StepMasks& of,
                                            const StepMasks* without = nullptr) {
@@ -78,8 +117,11 @@ std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const Step
     const auto run = findLongestColumnRun(rows, of.wordsPerStep());
     if (!run) return std::nullopt;
     const std::size_t first = stepOfRow[run->row], last = first + run->length - 1;
-    return LongestStay{
-        double(run->length) * shadow.stepMinutes, run->column, {shadow.steps[first].at, times.endOf(last)}};
+    const std::size_t beside = findStepsBeside(shadow, rows, run->column, run->length);
+    return LongestStay{.minutes = double(run->length) * shadow.stepMinutes,
+                       .errorMin = double(beside + 1) * shadow.stepMinutes,
+                       .cell = run->column,
+                       .when = {shadow.steps[first].at, times.endOf(last)}};
 }
 
 void addLongestStays(const PlaceShadow& shadow, DayTimeline& day) {

@@ -26,9 +26,12 @@ struct TimeSpan {
     bool operator==(const TimeSpan&) const = default;
 };
 
-/// The longest unbroken shadow at one cell.
+/// The longest unbroken shadow at the centre of one cell.
 struct LongestStay {
-    double minutes = 0;    ///< steps x step length
+    double minutes = 0;  ///< steps x step length
+    /// How much longer it may last elsewhere in that cell: the most that lies between its stay and the
+    /// longest of the cells beside it, and a step.
+    double errorMin = 0;
     std::size_t cell = 0;  ///< its bit in the place's masks; the first of several
     TimeSpan when;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/engines/api/blank_field.h"
 #include "core/measures/has_runs.h"
 #include "core/receivers/rasterize.h"
 
@@ -48,7 +49,10 @@ ShadowStatistics computeStatistics(const ShadowSums& sums, double sunlitMinutesP
 }
 
 ShadowStatistics computeStatistics(const ShadowField& field) {
-    return computeStatistics(computeSums(field), field.sunlitMinutesPerDay, field.grid.cellAreaM2());
+    ShadowStatistics statistics =
+        computeStatistics(computeSums(field), field.sunlitMinutesPerDay, field.grid.cellAreaM2());
+    statistics.waterM2 = findWaterM2(field);
+    return statistics;
 }
 
 ShadowStatistics computeStatistics(const ShadowField& field, const Region& region) {

@@ -20,6 +20,7 @@ struct ShadowStatistics {
     double maxGrossMin = 0;
     double meanContinuousMin = 0;  ///< NaN, like the largest, if runs were not counted
     double maxContinuousMin = 0;
+    double waterM2 = 0;  ///< of the region's cells on water, which are no receivers; of whole fields only
 };
 
 /// Sums from which the statistics of a field in several pieces are computed. All pieces have the same period

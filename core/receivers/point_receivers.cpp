@@ -16,10 +16,12 @@ namespace {
 /// Places the receivers of one building after the other.
 class FacadePlacer {
 public:
-    FacadePlacer(const City& city, const FacadeSettings& settings)
-        : city_(city), settings_(settings), solids_(city) {}
+    FacadePlacer(const City& city, const FacadeSettings& settings, const OwnStoreys& own)
+        : city_(city), settings_(settings), own_(own), solids_(city) {}
 
     void addBuilding(std::uint32_t index) {
+        storeyM_ = findStoreyM(*city_.buildings[index], settings_, own_);
+        aboveFloorM_ = std::min(settings_.aboveFloorM, storeyM_);
         std::vector<WallFace> faces;
         for (const Part& part : city_.buildings[index]->parts)
             for (WallFace& face : findWallFaces(part)) faces.push_back(std::move(face));
@@ -34,11 +36,11 @@ public:
 private:
     void addWall(const WallFace& face, double lowest, std::uint32_t building, std::size_t wall) {
         const int bays = std::max(1, int(std::lround(face.lengthM / settings_.bayM)));
-        const double first = lowest + settings_.aboveFloorM;
-        const int floor = std::max(0, int(std::ceil((face.lowM - first) / settings_.storeyM)));
-        for (int storey = floor; first + storey * settings_.storeyM < face.highM; ++storey)
+        const double first = lowest + aboveFloorM_;
+        const int floor = std::max(0, int(std::ceil((face.lowM - first) / storeyM_)));
+        for (int storey = floor; first + storey * storeyM_ < face.highM; ++storey)
             for (int bay = 0; bay < bays; ++bay) {
-                const glm::dvec2 place{(bay + 0.5) * face.lengthM / bays, first + storey * settings_.storeyM};
+                const glm::dvec2 place{(bay + 0.5) * face.lengthM / bays, first + storey * storeyM_};
                 if (face.covers(place) && isOpen(face, place))
                     addPoint(face, place,
                              {.id = idOf(building, wall, storey, bay),
@@ -51,9 +53,9 @@ private:
 
     // The part of the wall between the floors and the sides of the bay.
     [[nodiscard]] PaneSize paneOf(const WallFace& face, double widthM, double heightM) const {
-        const double floorM = heightM - settings_.aboveFloorM;
+        const double floorM = heightM - aboveFloorM_;
         return {{-widthM / 2, std::max(face.lowM, floorM) - heightM},
-                {widthM / 2, std::min(face.highM, floorM + settings_.storeyM) - heightM}};
+                {widthM / 2, std::min(face.highM, floorM + storeyM_) - heightM}};
     }
 
     [[nodiscard]] bool isOpen(const WallFace& face, glm::dvec2 place) const {
@@ -76,6 +78,8 @@ private:
 
     const City& city_;
     const FacadeSettings& settings_;
+    const OwnStoreys& own_;
+    double storeyM_ = 0, aboveFloorM_ = 0;  // of the building that is being added
     SolidParts solids_;
     PointReceivers placed_;
 };
@@ -108,10 +112,16 @@ std::string_view nameOf(ElementKind kind) {
     return "point";
 }
 
+double findStoreyM(const Building& building, const FacadeSettings& settings, const OwnStoreys& own) {
+    const auto found = own.find(building.sourceId);
+    return found == own.end() ? settings.storeyM : found->second;
+}
+
 Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uint32_t> buildings,
-                                      const FacadeSettings& settings, const std::stop_token& stop) {
+                                      const FacadeSettings& settings, const std::stop_token& stop,
+                                      const OwnStoreys& own) {
     if (const auto ok = checkFacades(settings); !ok) return tl::make_unexpected(ok.error());
-    FacadePlacer placer(city, settings);
+    FacadePlacer placer(city, settings, own);
     for (const std::uint32_t building : buildings) {
         if (stop.stop_requested()) return cancelled();
         if (building >= city.buildings.size())

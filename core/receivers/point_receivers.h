@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/city/storeys.h"
 #include "core/receivers/points/window_pane.h"
 #include "core/receivers/region.h"
 #include "core/receivers/surface_points.h"
@@ -42,11 +44,17 @@ struct PointReceivers {
 /// Receivers on walls: one for each storey and bay.
 struct FacadeSettings {
     static constexpr double leastM = 0.25, mostM = 50;  ///< of a bay and of a storey
-    double bayM = 3;           ///< width of a bay: a wall has as many equal bays as come nearest to it
-    double storeyM = 3;        ///< height of a storey
-    double aboveFloorM = 1.5;  ///< height of the receivers above the floor of their storey, 0 to storeyM
+    double bayM = 3;                ///< width of a bay: a wall has as many equal bays as come nearest to it
+    double storeyM = usualStoreyM;  ///< height of a storey, of buildings that state none (OwnStoreys)
+    double aboveFloorM = 1.5;       ///< height of the receivers above the floor of their storey, 0 to storeyM
     bool operator==(const FacadeSettings&) const = default;
 };
+
+/// Heights of storeys, metres, of buildings that state them, as designed towers do; by Building::sourceId.
+using OwnStoreys = std::map<std::string, double, std::less<>>;
+
+/// The height of the storeys of a building's facades: its own, or that of the settings.
+double findStoreyM(const Building& building, const FacadeSettings& settings, const OwnStoreys& own);
 
 /// Receivers on the outside of all walls of these buildings, in the middle of each bay. Storeys are counted
 /// from the building's lowest wall. There are none where the wall touches another part or building (5 cm in
@@ -54,7 +62,8 @@ struct FacadeSettings {
 /// vertical; faces of one plane make one wall. Error: a setting out of range, an index that does not exist,
 /// more than `mostReceivers`, cancelled(). Some 1 us a receiver.
 Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uint32_t> buildings,
-                                      const FacadeSettings& settings, const std::stop_token& stop = {});
+                                      const FacadeSettings& settings, const std::stop_token& stop = {},
+                                      const OwnStoreys& own = {});
 inline constexpr std::size_t mostReceivers = 20'000'000;
 
 /// The buildings whose outline's middle lies in the region, ascending.

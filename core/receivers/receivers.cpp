@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/city/map_context.h"
 #include "core/city/terrain/ground_contact.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
@@ -32,6 +33,16 @@ void mark(Receivers& receivers, const Footprint& footprint, CellKind from, CellK
             if (kind == from) kind = to;
         }
     });
+}
+
+void markWater(Receivers& receivers, const City& city) {
+    if (!city.context) return;
+    for (const ContextArea& area : city.context->areas) {
+        if (area.kind != ContextKind::water) continue;
+        for (const Footprint& polygon : area.polygons)
+            if (overlaps(bounds(polygon), receivers.grid))
+                mark(receivers, polygon, CellKind::ground, CellKind::water);
+    }
 }
 
 void markBuildings(Receivers& receivers, const City& city, const std::stop_token& stop) {
@@ -100,13 +111,14 @@ Result<Receivers> placeReceiversOnGround(const City& city, const Region& region,
 }
 
 Result<Receivers> placeReceiversInPart(const City& city, const Region& region, const Grid& part,
-                                       const std::stop_token& stop) {
+                                       const std::stop_token& stop, WaterCells water) {
     Receivers receivers;
     receivers.grid = part;
     receivers.kind.assign(receivers.grid.size(), CellKind::outside);
     for (const Footprint& polygon : region.polygons)
         mark(receivers, polygon, CellKind::outside, CellKind::ground);
     markBuildings(receivers, city, stop);
+    if (water == WaterCells::leftOut) markWater(receivers, city);
     sampleGround(receivers, city, stop);
     if (stop.stop_requested()) return cancelled();
     listGroundCells(receivers);

@@ -21,6 +21,7 @@ enum class CellKind : std::uint8_t {
     building,  ///< its centre is where a part touches the ground (core/city/terrain/ground_contact.h)
     ground,    ///< a receiver
     roof,      ///< a receiver on top of a building
+    water,     ///< its centre is on water of the city's map, and in no building: no receiver
 };
 inline bool isReceiver(CellKind kind) { return kind == CellKind::ground || kind == CellKind::roof; }
 
@@ -33,6 +34,11 @@ struct Receivers {
     [[nodiscard]] glm::vec3 position(std::uint32_t cell) const;
     [[nodiscard]] bool flat() const { return groundM.empty(); }
 };
+
+/// What cells on water are (areas of ContextKind::water in City::context): no receivers, as in every study of
+/// a region, or ground, as for places, which are measured whole, and for outlines, as shadow falls on water
+/// too.
+enum class WaterCells { leftOut, ground };
 
 /// The surfaces where shadow is measured.
 enum class ReceiverPlaces { ground, roofs, both };
@@ -58,9 +64,10 @@ Result<Receivers> placeReceiversOnGround(const City& city, const Region& region,
 /// The grid of these receivers, which covers the region's box. The same errors.
 Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings);
 
-/// The cells of any part of that grid, identical to those of the whole. O(cells of the part + buildings).
-/// cancelled() when stopped.
+/// The cells of any part of that grid, identical to those of the whole. O(cells of the part + buildings +
+/// areas of the map). cancelled() when stopped.
 Result<Receivers> placeReceiversInPart(const City& city, const Region& region, const Grid& part,
-                                       const std::stop_token& stop = {});
+                                       const std::stop_token& stop = {},
+                                       WaterCells water = WaterCells::leftOut);
 
 }  // namespace noonmark

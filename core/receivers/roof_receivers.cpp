@@ -79,7 +79,8 @@ Receivers placeAtHeights(Receivers receivers, const City& city, ReceiverPlaces p
     if (places == ReceiverPlaces::ground) return receivers;
     addRoofs(receivers, city);
     if (places == ReceiverPlaces::roofs)
-        std::ranges::replace(receivers.kind, CellKind::ground, CellKind::outside);
+        for (const CellKind open : {CellKind::ground, CellKind::water})
+            std::ranges::replace(receivers.kind, open, CellKind::outside);
     receivers.cells.clear();
     for (std::size_t cell = 0; cell < receivers.kind.size(); ++cell)
         if (isReceiver(receivers.kind[cell])) receivers.cells.push_back(std::uint32_t(cell));

@@ -104,6 +104,12 @@ Result<SpotFinder> prepareSpots(const Rule& rule, const PreparedReview& prepared
     return finder;
 }
 
+/// Rays at the points around the worst spots of each place, at every step in each city.
+double estimateSpotSeconds(const Rule& rule, const PreparedReview& prepared, EngineLoad load) {
+    load.receivers = prepared.measured.places.size() * listSpotSearches(rule).size() * pointsOfASearch;
+    return double(prepared.scene.cities().size()) * estimateSeconds(load).ray;
+}
+
 }  // namespace
 
 Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, const City& scenario,
@@ -115,7 +121,8 @@ Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, con
     const EngineLoad load = measureEngineLoad(cities, prepared->scene.receivers.receivers, prepared->days.sun,
                                               HorizonSweepSettings());
     const EstimatedSeconds one = estimateSeconds(load);
-    return double(cities.size()) * (load.level ? one.projected : one.ray);
+    const double fields = double(cities.size()) * (load.level ? one.projected : one.ray);
+    return fields + (settings.refinesSpots ? estimateSpotSeconds(rule, *prepared, load) : 0);
 }
 
 Result<RuleTimelines> computeRuleTimelines(const Rule& rule, const City& baseline, const City& scenario,

@@ -37,7 +37,7 @@ Result<void> checkReceivers(const Study& study) {
         return failure("No cell of the region lies on a roof", study.settings.region.name,
                        "Choose a region with buildings, or smaller cells");
     return failure("No cell of the region lies on open ground", study.settings.region.name,
-                   "Choose a region outside the buildings, or smaller cells");
+                   "Choose a region outside buildings and water, or smaller cells");
 }
 
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }

@@ -38,6 +38,7 @@ Json cellsJson(const Study& study) {
             {"south_m", grid.southM},
             {"outside_region", count(cellsOutside)},
             {"under_buildings", count(cellsUnderBuildings)},
+            {"on_water", count(cellsOnWater)},
             {"crs", study.city.frame.projString()},
             {"row_order", "row 0 is the southernmost; in shadow.tif the northernmost"}};
 }
@@ -75,7 +76,9 @@ Json definitions(bool runs) {
          "the longest day)"},
         {"receiver",
          "a cell of the region with its centre at the place that receivers_on states: on the ground, outside "
-         "every footprint that stands on it, or on the roof of a building there, its highest surface"},
+         "every footprint that stands on it and off the water of the map, or on the roof of a building "
+         "there, "
+         "its highest surface"},
         {"period",
          "the hours of each day (hours_min_per_day in the mean) are divided into whole steps of nearly "
          "step_min; each counts counted_step_min, so that no time is dropped; the steps of a day add up to "

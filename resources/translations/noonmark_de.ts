@@ -2756,6 +2756,14 @@ Alle Seiten %2, Fläche %3</translation>
         <source>from -1 (shadow is unwanted) to 1 (shade is wanted)</source>
         <translation>von -1 (Schatten unerwünscht) bis 1 (Schatten erwünscht)</translation>
     </message>
+    <message>
+        <source>Water left out</source>
+        <translation>Wasser ausgelassen</translation>
+    </message>
+    <message>
+        <source>area of rivers and lakes in the region, which is no ground</source>
+        <translation>Fläche der Flüsse und Seen im Gebiet, die kein Boden ist</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

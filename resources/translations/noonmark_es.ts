@@ -2756,6 +2756,14 @@ Todos los lados %2, área %3</translation>
         <source>from -1 (shadow is unwanted) to 1 (shade is wanted)</source>
         <translation>de -1 (sombra no deseada) a 1 (sombra deseada)</translation>
     </message>
+    <message>
+        <source>Water left out</source>
+        <translation>Agua excluida</translation>
+    </message>
+    <message>
+        <source>area of rivers and lakes in the region, which is no ground</source>
+        <translation>área de ríos y lagos de la región, que no es suelo</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

@@ -2733,6 +2733,14 @@ All sides %2, area %3</source>
         <source>from -1 (shadow is unwanted) to 1 (shade is wanted)</source>
         <translation>-1（影は望ましくない）から 1（日陰が望ましい）まで</translation>
     </message>
+    <message>
+        <source>Water left out</source>
+        <translation>除外した水面</translation>
+    </message>
+    <message>
+        <source>area of rivers and lakes in the region, which is no ground</source>
+        <translation>範囲内の川や湖の面積（地面に含まれない）</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

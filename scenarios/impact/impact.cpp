@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/engines/api/blank_field.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
@@ -229,6 +230,7 @@ Impact computeDifference(const ShadowField& before, const ShadowField& after,
     impact.change = std::move(change);
     impact.sunlitMinutesPerDay = after.sunlitMinutesPerDay;
     impact.stepMinutes = after.stepMinutes;
+    impact.waterM2 = findWaterM2(after);
     impact.engine = after.engine;
     impact.warnings = after.warnings;
     return impact;

@@ -41,6 +41,7 @@ struct Impact {
     std::vector<CellChange> change;    ///< one per cell, grid order
     double sunlitMinutesPerDay = 0;
     double stepMinutes = 1;
+    double waterM2 = 0;  ///< of the region's cells on water, which are no receivers
     std::string engine;  ///< of both fields: name and settings, as text
     Warnings warnings;
 };

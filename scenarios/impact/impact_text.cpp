@@ -83,8 +83,8 @@ std::vector<CommandOption> optionsOf(const ImpactAnswer& answer) {
 
 ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
-    ComparisonFigures figures{answer.from, answer.to, {}, {}, formatText(answer.settings.study.period),
-                              total.engine};
+    ComparisonFigures figures{answer.from,  answer.to,    {}, {}, formatText(answer.settings.study.period),
+                              total.engine, total.waterM2};
     for (const double threshold : answer.thresholdsMin)
         figures.all.push_back(computeFigures(total, threshold));
     for (const BuildingImpact& building : answer.study.byBuilding)
@@ -108,6 +108,7 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["steps"] = answer.study.sun.steps.size();
     json["period"]["counted_step_min"] = total.stepMinutes;
     json["sunlit_min_per_day"] = total.sunlitMinutesPerDay;
+    json["water_m2"] = total.waterM2;
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["impact"] = figuresJson(total, answer.thresholdsMin);
     json["by_building"] = Json::array();

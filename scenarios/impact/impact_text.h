@@ -30,6 +30,7 @@ struct ComparisonFigures {
     std::vector<NewBuilding> byBuilding;
     std::string period;  ///< as text
     std::string engine;
+    double waterM2 = 0;  ///< of the region, left out
 };
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
 

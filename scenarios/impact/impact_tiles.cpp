@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/engines/api/blank_field.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/tiles/map_bands.h"
 #include "scenarios/impact/impact_figures.h"
@@ -62,10 +63,12 @@ private:
 
     // Where a tower covers the whole tile, its cells still became building.
     static TileAnswer withoutReceivers(CommonReceivers common) {
+        Cost cost;
+        countSkippedCells(cost, common.receivers);
         Impact impact{.grid = common.receivers.grid, .change = std::move(common.change)};
         impact.grossMin.assign(impact.grid.size(), std::numeric_limits<float>::quiet_NaN());
         impact.continuousMin = impact.grossMin;
-        return {.result = {.figures = listFigures(impact)}};
+        return {.result = {.figures = listFigures(impact), .cost = std::move(cost)}};
     }
 
     // The engine that "auto" chooses is the same for both cities: else they would differ by it too.

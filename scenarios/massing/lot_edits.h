@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/city/storeys.h"
 #include "scenarios/edits/edit.h"
 #include "scenarios/massing/massing.h"
 
@@ -15,9 +16,6 @@ std::vector<Footprint> computeOutline(const Building& building);
 
 /// Demolitions of all buildings whose centroid lies on the lot.
 std::vector<Edit> clearing(const City& city, const Footprint& lot);
-
-/// Storey height of buildings that do not state one, metres.
-inline constexpr double usualStoreyM = 3.5;
 
 /// A variant of a building with the same gross floor area on a plate `plateFactor` times as large
 /// (findSameFloorArea()). It keeps the building's id, name and place in the list. Errors as of

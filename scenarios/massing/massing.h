@@ -12,6 +12,7 @@
 
 #include "core/base/result.h"
 #include "core/city/building.h"
+#include "core/city/storeys.h"
 
 namespace noonmark {
 
@@ -55,10 +56,10 @@ struct FloorUse {
 
 /// User settings for a tower on a lot.
 struct MassingSettings {
-    double storeyHeightM = 3.5;  ///< 2 to 10
-    int storeys = 0;             ///< in total, podium included: 1 to 500; 0: as many as fit into heightM
-    double heightM = 0;          ///< 0: storeys x storey height; else 2 to 2000
-    PlateSize plate;             ///< of the tower at its base
+    double storeyHeightM = usualStoreyM;  ///< 2 to 10
+    int storeys = 0;     ///< in total, podium included: 1 to 500; 0: as many as fit into heightM
+    double heightM = 0;  ///< 0: storeys x storey height; else 2 to 2000
+    PlateSize plate;     ///< of the tower at its base
     std::optional<Podium> podium;
     std::vector<Setback> setbacks;  ///< from bottom to top
     double clockwiseDeg = 0;  ///< turns the tower about the centroid of its plate; it must stay on the lot

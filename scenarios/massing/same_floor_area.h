@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/city/storeys.h"
 #include "scenarios/massing/floor_plate.h"
 
 namespace noonmark {
@@ -10,7 +11,7 @@ namespace noonmark {
 struct GivenMass {
     Plate plate;              ///< where the building touches the ground
     double grossFloorM2 = 0;  ///< preserved
-    double storeyHeightM = 3.5;
+    double storeyHeightM = usualStoreyM;
     int estimatedStoreys = 0;  ///< of open meshes (core/city/meshes/mesh_section.h)
 };
 

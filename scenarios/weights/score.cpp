@@ -122,7 +122,7 @@ Result<Score> placeAndScore(const City& city, const StudySettings& settings, con
     if (!receivers) return tl::make_unexpected(receivers.error());
     if (receivers->cells.empty())
         return failure("No cell of the region lies on open ground", settings.region.name,
-                       "Choose a region outside the buildings, or smaller cells");
+                       "Choose a region outside buildings and water, or smaller cells");
     const auto sun = validate(settings.period).and_then([&](const Period& period) {
         return computeDaylightSteps(period, makeObserver(city, settings), stop);
     });

@@ -39,6 +39,7 @@ struct Score {
     std::vector<float> score;  ///< one per cell, NaN where there is no receiver; grid order
     double scoreM2 = 0;
     double receiverAreaM2 = 0;
+    double waterM2 = 0;                      ///< of the region's cells on water, which are no receivers
     double weightedShadeM2h = 0;             ///< NaN: of a result saved before it was counted
     std::vector<MonthFigures> months;        ///< of the period, in order
     std::vector<IntervalFigures> intervals;  ///< of the weight table, in its order

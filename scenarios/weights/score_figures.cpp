@@ -16,7 +16,8 @@ Figure weightedShade() {
          .label = NM_TEXT("Weighted shade"),
          .definition =
              NM_TEXT("sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how "
-                     "the weight table is cut into intervals does not change it")});
+                     "the weight table is cut into intervals does not change it"),
+         .whenMissing = std::numeric_limits<double>::quiet_NaN()});
 }
 
 template <class R>

@@ -63,6 +63,8 @@ Score ScoreSum::finish() && {
         score_.scoreM2 += sum_[cell] * receivers_.grid.cellAreaM2();
     }
     score_.receiverAreaM2 = double(receivers_.cells.size()) * receivers_.grid.cellAreaM2();
+    score_.waterM2 =
+        double(std::ranges::count(receivers_.kind, CellKind::water)) * receivers_.grid.cellAreaM2();
     for (MonthFigures& month : score_.months) month.shadowAreaM2 /= month.sunlitMinutes;
     for (IntervalFigures& interval : score_.intervals)
         interval.scoreM2 = interval.weight * interval.shadowAreaM2;

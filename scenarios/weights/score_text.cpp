@@ -50,6 +50,7 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
     json["receiver_area_m2"] = answer.score.receiverAreaM2;
+    json["water_m2"] = answer.score.waterM2;
     json.update(figuresJson(scoreFigures().of(totalsOf(answer.score))));
     json["months"] = listJson(answer.score.months, "month", &monthOf, scoreMonthFigures());
     json["intervals"] = listJson(

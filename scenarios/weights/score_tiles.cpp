@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/engines/api/blank_field.h"
 #include "scenarios/weights/score.h"
 #include "scenarios/weights/weights_text.h"
 
@@ -38,18 +39,22 @@ public:
         if (!zone) return tl::make_unexpected(zone.error());
         const auto receivers = placeReceiversInPart(*scored_.city, question_.settings.region, tile, stop);
         if (!receivers) return tl::make_unexpected(receivers.error());
-        if (receivers->cells.empty()) return TileAnswer{};
+        Cost cost;
+        countSkippedCells(cost, *receivers);
+        if (receivers->cells.empty()) return TileAnswer{.result = {.cost = std::move(cost)}};
         auto score = computeScore(*scored_.city, *receivers, question_.sun, *zone, scored_.weights,
                                   question_.engine, progress, stop);
         if (!score) return tl::make_unexpected(score.error());
-        return answerOf(*std::move(score), receivers->cells.size());
+        return answerOf(*std::move(score), receivers->cells.size(), std::move(cost));
     }
 
 private:
     // A score has no minutes of shadow.
-    [[nodiscard]] TileAnswer answerOf(Score score, std::size_t receivers) const {
+    [[nodiscard]] TileAnswer answerOf(Score score, std::size_t receivers, Cost cost) const {
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-        TileAnswer answer{.result = {.sums = {receivers, unknown, unknown}, .figures = listFigures(score)}};
+        TileAnswer answer{.result = {.sums = {receivers, unknown, unknown},
+                                     .figures = listFigures(score),
+                                     .cost = std::move(cost)}};
         answer.result.engineKey = score.engineKey.empty() ? question_.settings.engine : score.engineKey;
         answer.result.engine = std::move(score.engine);
         answer.bands.push_back(std::move(score.score));

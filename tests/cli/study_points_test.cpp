@@ -132,7 +132,7 @@ TEST_F(StudyPoints, FacesOfADirectionAreChosen) {
     const Spoken all = study({"--receivers", "facades", "--json"});
     const Spoken south = study({"--receivers", "facades", "--facing", "135-225", "--json"});
     ASSERT_EQ(south.code, exitOk) << south.err;
-    // The house is 25 m wide and 22 m deep: 8 and 7 bays.
+    // The building is 25 m wide and 22 m deep: 8 and 7 bays.
     EXPECT_EQ(south.json()["receivers"].get<int>() * 30, all.json()["receivers"].get<int>() * 8);
     EXPECT_EQ(south.json()["elements"]["facing_deg"][0], 135);
     EXPECT_THAT(south.json()["repeat"].get<std::string>(), HasSubstr("--facing 135-225"));

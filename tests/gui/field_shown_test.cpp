@@ -39,6 +39,9 @@ TEST_F(FieldShown, PictureHasTheReportsColours) {
     EXPECT_EQ(picture.pixels[2], pixelOf(1)) << "under a building: the colour of the ground beside it";
     EXPECT_EQ(picture.pixels[3].a, 0) << "outside the region the ground keeps its own colour";
     EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::continuous, 60).pixels[1], pixelOf(0.5));
+    receivers.kind[2] = CellKind::water;
+    EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::gross, 60).pixels[2].a, 0)
+        << "and so does water";
 }
 
 TEST_F(FieldShown, RoofsHaveAPictureOfTheirOwn) {

@@ -67,7 +67,8 @@ TEST_F(LotEditingTest, ADraggedCornerSnapsToAHouse) {
 
 TEST_F(LotEditingTest, ADraggedSideStaysParallelAndEndsWhereItSnaps) {
     drag({50, 30}, {60.4, 36});
-    EXPECT_EQ(bounds(yard().outline), (Box2{{20, 20}, {60, 50}})) << "its line is that of the house's wall";
+    EXPECT_EQ(bounds(yard().outline), (Box2{{20, 20}, {60, 50}}))
+        << "its line is that of the building's wall";
     drag({30, 50}, {33, 70});
     const Box2 box = bounds(yard().outline);
     EXPECT_NEAR(double(box.high.y), 70, 0.01);

@@ -24,7 +24,7 @@ TEST(SnapTargets, WithoutACornerWithinReachTheNearestPointOfAnEdgeCounts) {
     const SnapTargets targets(test::smallCity());
     EXPECT_EQ(targets.find({26, -45}, reach10), (Snap{SnapKind::edge, {20, -45}}));
     EXPECT_FALSE(targets.find({30.5, -45}, reach10)) << "10.5 m away";
-    EXPECT_FALSE(targets.find({0, -40}, reach10)) << "the middle of the house, 20 m from its edges";
+    EXPECT_FALSE(targets.find({0, -40}, reach10)) << "the middle of the building, 20 m from its edges";
 }
 
 TEST(SnapTargets, OfTwoCornersTheNearerOnTheScreenCounts) {

@@ -93,6 +93,7 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
     table.add("receivers", fmt::format("{:.0f} m2 of open ground in both", figures.receiverAreaM2));
     table.add("no receivers", fmt::format("{:.0f} m2 became building, {:.0f} m2 became ground",
                                           figures.becameBuildingM2, figures.becameGroundM2));
+    addWater(table, impact.waterM2);
     table.add("touched", fmt::format("{:.0f} m2 more shadow, {:.0f} m2 less", figures.gross.touchedM2,
                                      figures.gross.easedM2));
     table.add("change",

@@ -69,6 +69,7 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
     table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
+    addWater(table, score.waterM2);
     table.add("weighted shade", fmt::format("{:+.0f} m2 h ({:+.2f} h on every m2)", score.weightedShadeM2h,
                                             score.weightedShadeM2h / std::max(1.0, score.receiverAreaM2)));
     table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} per m2)", score.scoreM2,

@@ -57,8 +57,10 @@ ElevationBuilding drawBuilding(const ElementStudy& study, const ElementMap& map,
     const std::string& name = first.buildingName.empty() ? first.building : first.buildingName;
     ElevationBuilding drawn{
         name.empty() ? QStringLiteral("Points at no building") : plainText(name), nullptr, {}, {{}}, {}};
-    if (group.building < study.city.buildings.size())
+    if (group.building < study.city.buildings.size()) {
         drawn.building = study.city.buildings[group.building].get();
+        drawn.storeyM = findStoreyM(*drawn.building, study.elements.facades, study.elements.parts.storeys);
+    }
     for (const std::size_t i : group.points) {
         drawn.panes.push_back(paneOf(map.elements[i]));
         drawn.cells[0].push_back(
@@ -80,15 +82,13 @@ Legend hoursLegend(const ElementMap& map) {
 std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap& map,
                                      const BookSettings& settings) {
     const Legend legend = hoursLegend(map);
-    ElevationSheets sheets{QStringLiteral("Elevations: hours of sun"),
-                           QStringLiteral("%1. Floors of %2 m.")
-                               .arg(describePeriod(study.settings.period))
-                               .arg(study.elements.facades.storeyM),
-                           QStringLiteral("Elevations"),
-                           {QStringLiteral("Hours of sun a day")},
-                           {{legend}},
-                           study.elements.facades.storeyM,
-                           study.city.frame};
+    ElevationSheets sheets{
+        QStringLiteral("Elevations: hours of sun"),
+        QStringLiteral("%1. %2.").arg(describePeriod(study.settings.period), describeFloors(study.elements)),
+        QStringLiteral("Elevations"),
+        {QStringLiteral("Hours of sun a day")},
+        {{legend}},
+        study.city.frame};
     sheets.foot.hasMarks = false;
     sheets.foot.note = QStringLiteral("Seen square to the wall, from outside.");
     sheets.scale = settings.scale;

@@ -7,6 +7,7 @@
 
 #include "app/report/book/page_text.h"
 #include "app/report/maps/legend_painter.h"
+#include "core/city/storeys.h"
 #include "core/receivers/points/facade_elevations.h"
 
 namespace noonmark {
@@ -37,7 +38,7 @@ struct ElevationDrawing {
     std::shared_ptr<const FacadeElevation> elevation;  ///< not null
     std::vector<ElevationPanel> panels;
     ElevationLayout layout;
-    double storeyM = 3;
+    double storeyM = usualStoreyM;
     Caption caption;
     double textScale = 1;
 };

@@ -132,8 +132,8 @@ private:
 
     [[nodiscard]] ElevationDrawing makeDrawing(const ElevationBuilding& building, FacadeElevation elevation,
                                                const ElevationLayout& layout) const {
-        ElevationDrawing drawing{nullptr, {}, layout, sheets_.storeyM, captionOf(building, elevation, layout),
-                                 scale_};
+        ElevationDrawing drawing{
+            nullptr, {}, layout, building.storeyM, captionOf(building, elevation, layout), scale_};
         for (std::size_t i = 0; i < sheets_.panels.size(); ++i) {
             ElevationPanel& panel = drawing.panels.emplace_back();
             panel.title = sheets_.panels[i];
@@ -156,6 +156,12 @@ private:
 };
 
 }  // namespace
+
+QString describeFloors(const ElementSettings& elements) {
+    const QString floors = QStringLiteral("Floors of %1 m").arg(elements.facades.storeyM);
+    return elements.parts.storeys.empty() ? floors
+                                          : floors + QStringLiteral(", of designed towers as designed");
+}
 
 std::vector<BookPage> makeElevationPages(const PageSetup& setup, ElevationSheets sheets,
                                          const std::vector<ElevationBuilding>& buildings) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/report/book/book.h"
+#include "core/city/storeys.h"
+#include "core/study/elements/place_elements.h"
 
 namespace noonmark {
 
@@ -11,7 +13,11 @@ struct ElevationBuilding {
     std::vector<ElevationPane> panes;               ///< its windows
     std::vector<std::vector<ElevationCell>> cells;  ///< by panel, then by pane; a panel may be empty
     std::vector<QString> notes;                     ///< by panel: why it is empty
+    double storeyM = usualStoreyM;                  ///< between the floors that are drawn
 };
+
+/// "Floors of 3.5 m", and that designed towers have their own.
+QString describeFloors(const ElementSettings& elements);
 
 /// What all pages of elevations of a book share.
 struct ElevationSheets {
@@ -19,7 +25,6 @@ struct ElevationSheets {
     QString bookmark;
     std::vector<QString> panels;  ///< titles: "Baseline", "Scenario", "Change"
     ElevationFoot foot;
-    double storeyM = 3;
     Frame frame;  ///< of the city, for azimuths from true north
     std::size_t mostPages = 40;
     std::optional<double> scale{};  ///< 1:scale, of all sides that fit on a page at it; none: chosen for each

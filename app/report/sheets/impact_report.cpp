@@ -108,6 +108,8 @@ std::vector<FigureText> makeImpactFigures(const ComparisonFigures& all, const Im
         {QStringLiteral("Largest decrease"), describeSigned(-first.gross.mostLostMin, 1, " min/day")});
     figures.push_back({QStringLiteral("Mean change"), describeSigned(first.gross.meanMin, 2, " min/day")});
     figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
+    if (impact.waterM2 > 0)
+        figures.push_back({QStringLiteral("Water left out"), describeArea(impact.waterM2)});
     figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
     figures.push_back({QStringLiteral("Became ground"), describeArea(first.becameGroundM2)});
     return figures;

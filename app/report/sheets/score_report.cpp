@@ -95,6 +95,9 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
         {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
         {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
         {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
+    if (score.waterM2 > 0)
+        figures.push_back(
+            {QStringLiteral("Water left out"), describeAmount(score.waterM2, 0) + QStringLiteral(" m²")});
     for (const MonthFigures& month : score.months)
         figures.push_back(
             {monthName(month.month),

@@ -100,6 +100,9 @@ std::vector<FigureText> makeStudyFigures(const ShadowStatistics& s, const Shadow
     figures.push_back({QStringLiteral("Receivers"), describeCount(s.receivers)});
     figures.push_back(
         {QStringLiteral("Area of receivers"), describeAmount(s.receiverAreaM2, 0) + QStringLiteral(" m²")});
+    if (s.waterM2 > 0)
+        figures.push_back(
+            {QStringLiteral("Water left out"), describeAmount(s.waterM2, 0) + QStringLiteral(" m²")});
     figures.push_back(
         {QStringLiteral("Cell size"), describeAmount(field.grid.cellM, 2) + QStringLiteral(" m")});
     figures.push_back({QStringLiteral("Steps of the sun"), describeCount(steps)});

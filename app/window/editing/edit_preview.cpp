@@ -7,6 +7,7 @@
 #include "app/window/view/view_panel.h"
 #include "app/window/widgets/error_words.h"
 #include "app/window/widgets/number_words.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
 
@@ -103,6 +104,9 @@ Result<void> EditPreview::show(const std::vector<Edit>& edits) {
     const bool before = shown_;
     const bool others = !shown_ || changes_.removed != edited->changes.removed;
     changes_ = std::move(edited->changes);
+    storeys_.clear();
+    for (const auto& [id, tower] : findProposedTowers(edits))
+        if (tower.storeyHeightM > 0) storeys_[id] = tower.storeyHeightM;
     shown_ = true;
     City proposed;
     proposed.buildings = changes_.added;
@@ -164,7 +168,7 @@ void EditPreview::beginFacades() {
 }
 
 void EditPreview::followFacades() {
-    if (shown_) facades_.follow(changes_.added, neighbours_);
+    if (shown_) facades_.follow(changes_.added, neighbours_, storeys_);
 }
 
 void EditPreview::showLiveFacades() {

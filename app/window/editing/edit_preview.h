@@ -80,6 +80,7 @@ private:
     LiveFollower live_;
     LiveFacades facades_;
     FacadeSettings facadeSettings_;
+    OwnStoreys storeys_;  // of the shown shape
     bool facadesShown_ = true;
     std::vector<std::shared_ptr<const Building>> neighbours_;
 };

@@ -6,6 +6,7 @@
 
 #include "app/window/view/shortcut_claim.h"
 #include "app/window/view/typed_length.h"
+#include "core/city/storeys.h"
 #include "render/view/view_navigator.h"
 
 namespace noonmark {
@@ -24,7 +25,7 @@ public:
     struct Tower {
         glm::dvec3 foot{0};  ///< on the ground, under the handle
         double heightM = 0;
-        double storeyM = 3.5;
+        double storeyM = usualStoreyM;
         double groundElevationM = 0;  ///< of the foot, above the datum: heights may be typed from there
     };
     void stand(const Tower& tower);

@@ -49,11 +49,16 @@ FacadeSettings coarsened(FacadeSettings facades, double areaM2, std::size_t poin
     return facades;
 }
 
-Result<FacadeAnswer> measure(FacadeScene scene, const FacadeSettings& facades, const SunSteps& sun,
-                             Progress& progress, const std::stop_token& stop) {
+OwnStoreys scaled(OwnStoreys storeys, double times) {
+    for (auto& [id, metres] : storeys) metres = std::min(metres * times, FacadeSettings::mostM);
+    return storeys;
+}
+
+Result<FacadeAnswer> measure(FacadeScene scene, const FacadeSettings& facades, const OwnStoreys& storeys,
+                             const SunSteps& sun, Progress& progress, const std::stop_token& stop) {
     ElementStudy study;
     study.city = std::move(scene.city);
-    auto receivers = placeOnFacades(study.city, scene.measured, facades, stop);
+    auto receivers = placeOnFacades(study.city, scene.measured, facades, stop, storeys);
     if (!receivers) return tl::make_unexpected(receivers.error());
     study.receivers = *std::move(receivers);
     study.sun = sun;
@@ -95,18 +100,20 @@ private:
 
 Result<FacadeAnswer> measureFacades(const FacadeQuestion& question, Progress& progress,
                                     const std::stop_token& stop) {
-    return measure(makeScene(question, [](const Building&) { return true; }), question.facades, *question.sun,
-                   progress, stop);
+    return measure(makeScene(question, [](const Building&) { return true; }), question.facades,
+                   question.storeys, *question.sun, progress, stop);
 }
 
 Result<FacadeAnswer> measureFacadesCoarsely(const FacadeQuestion& question, std::size_t points,
                                             Progress& progress, const std::stop_token& stop) {
     FacadeScene scene = makeScene(question, NearShape(question));
     const FacadeSettings facades = coarsened(question.facades, wallAreaM2(scene), points);
-    return measure(std::move(scene), facades, *question.sun, progress, stop).map([](FacadeAnswer answer) {
-        answer.coarse = true;
-        return answer;
-    });
+    const OwnStoreys storeys = scaled(question.storeys, facades.storeyM / question.facades.storeyM);
+    return measure(std::move(scene), facades, storeys, *question.sun, progress, stop)
+        .map([](FacadeAnswer answer) {
+            answer.coarse = true;
+            return answer;
+        });
 }
 
 }  // namespace noonmark

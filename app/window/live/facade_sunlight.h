@@ -18,6 +18,7 @@ struct FacadeQuestion {
     FacadeSettings facades;
     Buildings shape;       ///< the edited buildings, not in `rest`
     Buildings neighbours;  ///< of `rest`, whose facades are shown too
+    OwnStoreys storeys{};  ///< of the shape
 };
 
 /// The sunlight of these facades.

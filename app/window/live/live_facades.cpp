@@ -44,11 +44,12 @@ void LiveFacades::end() {
 }
 
 // A running measurement of every bay is of an older shape: it is cancelled.
-void LiveFacades::follow(const FacadeQuestion::Buildings& shape,
-                         const FacadeQuestion::Buildings& neighbours) {
+void LiveFacades::follow(const FacadeQuestion::Buildings& shape, const FacadeQuestion::Buildings& neighbours,
+                         const OwnStoreys& storeys) {
     if (!question_) return;
     question_->shape = shape;
     question_->neighbours = neighbours;
+    question_->storeys = storeys;
     rest_.stop();
     newer_ = true;
     if (!slot_.busy() || !coarse_) ask(true);

@@ -23,8 +23,10 @@ public:
 
     /// Ends what was followed before. `rest`: the city without the buildings that the edit replaces.
     void begin(City rest, const SunQuestion& sun, const FacadeSettings& facades);
-    /// The edited buildings, and those of the city whose facades are shown too. Does nothing before begin().
-    void follow(const FacadeQuestion::Buildings& shape, const FacadeQuestion::Buildings& neighbours);
+    /// The edited buildings with their own storeys, and those of the city whose facades are shown too. Does
+    /// nothing before begin().
+    void follow(const FacadeQuestion::Buildings& shape, const FacadeQuestion::Buildings& neighbours,
+                const OwnStoreys& storeys = {});
     void end();
 
     /// The latest answer since begin(); null if there is none yet.

@@ -13,7 +13,7 @@ namespace noonmark {
 namespace {
 
 City within(const City& city, const Grid& grid) {
-    City some{.frame = city.frame, .terrain = city.terrain};
+    City some{.frame = city.frame, .terrain = city.terrain, .context = city.context};
     for (const auto& building : city.buildings)
         if (overlaps(bounds(*building), grid)) some.buildings.push_back(building);
     return some;

@@ -86,6 +86,7 @@ std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures) {
     addBuildings(rows, figures);
     rows.push_back({QObject::tr("Ground compared"), describeArea(all.receiverAreaM2),
                     QObject::tr("Open ground in both")});
+    addWaterRow(rows, figures.waterM2);
     rows.push_back({QObject::tr("Period"), QString::fromStdString(figures.period), {}});
     rows.push_back(
         {QObject::tr("Engine"), QString::fromStdString(figures.engine), QObject::tr("Used for both")});

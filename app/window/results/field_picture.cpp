@@ -22,7 +22,8 @@ struct ShownCells {
     [[nodiscard]] float at(int column, int row) const {
         const std::size_t cell = grid.index(column, row);
         if (!receivers || receivers->kind[cell] == kind) return values[cell];
-        const bool wanted = kind == CellKind::roof || receivers->kind[cell] != CellKind::outside;
+        const CellKind is = receivers->kind[cell];
+        const bool wanted = kind == CellKind::roof || (is != CellKind::outside && is != CellKind::water);
         return wanted ? meanAround(column, row) : std::nanf("");
     }
 

@@ -74,6 +74,10 @@ StudyFigures figuresOfStudy(const Study& study) {
 
 }  // namespace
 
+void addWaterRow(std::vector<ResultRow>& rows, double waterM2) {
+    if (waterM2 > 0) rows.push_back(figureRow(shadowFigures().rows(), "water_m2", describeArea(waterM2)));
+}
+
 QString describeSteps(std::uint64_t belowHorizon) {
     return QObject::tr("Positions of the sun above the horizon; %1 below it was/were left out", "",
                        pluralNumber(belowHorizon))
@@ -84,6 +88,7 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures) {
     std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
     rows.push_back({QObject::tr("Receivers"), formatCount(figures.statistics.receivers),
                     QObject::tr("Cells in which shadow is measured")});
+    addWaterRow(rows, figures.statistics.waterM2);
     rows.push_back(
         {QObject::tr("Steps of the sun"), formatCount(figures.steps), describeSteps(figures.belowHorizon)});
     rows.push_back({QObject::tr("Sunlit time"),

@@ -29,6 +29,9 @@ struct StudyFigures {
     std::string engine;
 };
 
+/// Adds how much of the region was left out as water; nothing for none.
+void addWaterRow(std::vector<ResultRow>& rows, double waterM2);
+
 /// The meaning of the row of steps: "Positions of the sun above the horizon; 312 below it were left out".
 QString describeSteps(std::uint64_t belowHorizon);
 std::vector<ResultRow> makeRows(const StudyFigures& figures);

@@ -76,6 +76,7 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
     addIntervals(rows, score);
     rows.push_back({QObject::tr("Receivers"), formatAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²"),
                     QObject::tr("Open ground of the region")});
+    addWaterRow(rows, score.waterM2);
     rows.push_back({QObject::tr("Period"), QString::fromStdString(period), {}});
     rows.push_back({QObject::tr("Engine"), QString::fromStdString(score.engine), {}});
     return rows;

@@ -60,7 +60,7 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
     if (json.contains("impact")) figures.impact = parseImpactFigures(json.at("impact"));
     if (json.contains("score")) {
         figures.weights = weightsFrom(json.at("score"));
-        figures.score = readFigures(scoreFigures(), json.at("score"), false);
+        figures.score = readFigures(scoreFigures(), json.at("score"));
     }
     return saved;
 } catch (const std::exception&) {  // JSON of another shape

@@ -168,16 +168,16 @@ private:
     [[nodiscard]] bool isInTheAir(double heightM) const { return heightM > double(lowM_ + openAirM); }
 
     void addUpright(const RoofFace& face) {
-        const bool hangs = isInTheAir(face.lowestM()) && !walls_.isBeside(face.middle());
-        addFace(face, hangs ? cut_.eaves : cut_.body);
+        const bool isOverhanging = isInTheAir(face.lowestM()) && !walls_.isBeside(face.middle());
+        addFace(face, isOverhanging ? cut_.eaves : cut_.body);
     }
 
     void addCrossing(const RoofFace& face) {
         for (const Footprint& piece : walls_.inside(face)) addPiece(face, piece, cut_.body);
         if (face.highestM() <= double(lowM_ + levelSheetM)) return;  // the floor
         for (const Footprint& piece : walls_.outside(face)) {
-            const bool hangs = isInTheAir(lowestOf(face, piece)) && !walls_.isNarrow(piece);
-            addPiece(face, piece, hangs ? cut_.eaves : cut_.body);
+            const bool isOverhanging = isInTheAir(lowestOf(face, piece)) && !walls_.isNarrow(piece);
+            addPiece(face, piece, isOverhanging ? cut_.eaves : cut_.body);
         }
     }
 

@@ -5,18 +5,23 @@
 
 namespace noonmark {
 
-namespace {
+double findWaterM2(const Cost& cost, const Grid& grid) {
+    const auto found = cost.skipped.find(cellsOnWater);
+    return found == cost.skipped.end() ? 0 : double(found->second) * grid.cellAreaM2();
+}
 
-void countSkipped(Cost& cost, const Receivers& receivers, const SunSteps& sun) {
+void countSkippedCells(Cost& cost, const Receivers& receivers) {
     const auto cellsThatAre = [&](CellKind kind) {
         return std::uint64_t(std::count(receivers.kind.begin(), receivers.kind.end(), kind));
     };
     cost.skipped[cellsUnderBuildings] = cellsThatAre(CellKind::building);
     cost.skipped[cellsOutside] = cellsThatAre(CellKind::outside);
-    cost.skipped["steps with the sun below the horizon"] = sun.belowHorizon;
+    const std::uint64_t water = cellsThatAre(CellKind::water);
+    if (water > 0)
+        cost.skipped[cellsOnWater] = water;
+    else
+        cost.skipped.erase(cellsOnWater);
 }
-
-}  // namespace
 
 ShadowField makeBlankField(const Receivers& receivers, const SunSteps& sun) {
     ShadowField field;
@@ -33,7 +38,8 @@ void setPeriod(ShadowField& field, const Receivers& receivers, const SunSteps& s
     field.days = std::max(1, int(sun.dayCount()));
     field.sunlitMinutesPerDay = sun.sunlitMinutes() / field.days;
     field.cost = {};
-    countSkipped(field.cost, receivers, sun);
+    countSkippedCells(field.cost, receivers);
+    field.cost.skipped["steps with the sun below the horizon"] = sun.belowHorizon;
 }
 
 }  // namespace noonmark

@@ -120,8 +120,8 @@ struct ShadowCache::State {
     }
 
     void remask(std::size_t cell, CellKind now) {
-        std::uint64_t& under = field.cost.skipped[cellsUnderBuildings];
-        under += std::uint64_t(now == CellKind::building) - std::uint64_t(kinds[cell] == CellKind::building);
+        recount(cellsUnderBuildings, CellKind::building, kinds[cell], now);
+        recount(cellsOnWater, CellKind::water, kinds[cell], now);
         kinds[cell] = now;
         const int column = int(cell % std::size_t(field.grid.columns)),
                   row = int(cell / std::size_t(field.grid.columns));
@@ -129,6 +129,11 @@ struct ShadowCache::State {
             bands[std::size_t(row / CachedBand::rows)].mark(column, row);
         else
             field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
+    }
+
+    void recount(const char* reason, CellKind kind, CellKind before, CellKind now) {
+        if ((before == kind) != (now == kind))
+            field.cost.skipped[reason] += std::uint64_t(now == kind) - std::uint64_t(before == kind);
     }
 
     Result<void> changeTo(const Buildings& now, Progress& progress, const std::stop_token& stop) {

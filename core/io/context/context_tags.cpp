@@ -89,14 +89,24 @@ const LineRule* findLine(const PlaceTags& tags) {
     return rule == lineRules.end() ? nullptr : &*rule;
 }
 
+// A river or lake of a negative layer lies under bridges, not under the ground.
+bool isOpenWater(const TagRule& rule) { return rule.kind == ContextKind::water && rule.key != "leisure"; }
+
+PlaceTags withoutLayer(PlaceTags tags) {
+    tags.erase("layer");
+    return tags;
+}
+
 }  // namespace
 
 std::optional<ContextKind> classifyContextArea(const PlaceTags& tags) {
     const std::string_view building = valueOf(tags, "building");
-    if ((!building.empty() && building != "no") || isUnderground(tags)) return std::nullopt;
-    for (const TagRule& rule : areaRules)
-        if (valueOf(tags, rule.key) == rule.value) return rule.kind;
-    return std::nullopt;
+    if (!building.empty() && building != "no") return std::nullopt;
+    const auto fits = [&](const TagRule& rule) { return valueOf(tags, rule.key) == rule.value; };
+    const auto rule = std::ranges::find_if(areaRules, fits);
+    if (rule == areaRules.end()) return std::nullopt;
+    const bool hidden = isOpenWater(*rule) ? isUnderground(withoutLayer(tags)) : isUnderground(tags);
+    return hidden ? std::nullopt : std::optional(rule->kind);
 }
 
 std::optional<ContextKind> classifyContextLine(const PlaceTags& tags) {

@@ -16,7 +16,10 @@ namespace noonmark {
 struct ContextSettings {
     /// Most features of one file that are drawn; more would be a whole country.
     static constexpr std::size_t mostFeatures = 1'000'000;
-    double farAwayM = 60000;         ///< features farther from the frame's origin are left out and counted
+    /// Features farther from the frame's origin are left out and counted; areas that reach nearer are cut to
+    /// the square of twice this side about it.
+    double farAwayM = 60000;
+    bool waterOnly = false;          ///< areas of water and nothing else
     std::optional<std::string> crs;  ///< "EPSG:2263", for files that state none
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/city/footprints/clip_ring.h"
 #include "core/geo/distance.h"
 #include "core/io/context/context_tags.h"
 #include "core/io/context/read_context.h"
@@ -33,7 +34,8 @@ struct UnplacedShape {
 /// Collects the features of one layer that a map draws.
 class ContextLayer {
 public:
-    ContextLayer(OGRLayer& layer, CrsToLonLat toLonLat) : toLonLat_(std::move(toLonLat)) {
+    ContextLayer(OGRLayer& layer, CrsToLonLat toLonLat, bool waterOnly)
+        : toLonLat_(std::move(toLonLat)), waterOnly_(waterOnly) {
         const OGRFeatureDefn& definition = *layer.GetLayerDefn();
         for (int i = 0; i < definition.GetFieldCount(); ++i)
             fields_.emplace_back(i, definition.GetFieldDefn(i)->GetNameRef());
@@ -46,7 +48,7 @@ public:
         if (geometry == nullptr || geometry->IsEmpty() != FALSE) return;
         const PlaceTags tags = tagsOf(feature);
         const auto kind = kindOf(feature, tags, geometry->getDimension());
-        if (!kind) return;
+        if (!kind || (waterOnly_ && *kind != ContextKind::water)) return;
         UnplacedShape shape{*kind, nameIn(tags), widthOf(feature, *kind, tags), readPolygons(*geometry), {}};
         if (shape.polygons.empty()) addLines(*geometry, shape.lines);
         if (!shape.polygons.empty() || !shape.lines.empty()) shapes_.push_back(std::move(shape));
@@ -137,21 +139,32 @@ private:
         return near ? std::optional(std::move(local)) : std::nullopt;
     }
 
+    /// The next polygon, cut to what lies near: of a lake as long as a country, the city needs its own shore.
+    /// Nothing if none of it is near, or if it is nowhere or reaches farther than the frame.
+    std::optional<Footprint> placePolygon(const CrsPolygon& polygon, const Frame& frame, double farAwayM) {
+        const auto reach = float(farAwayM);
+        const Box2 nearby{glm::vec2(-reach), glm::vec2(reach)};
+        bool placed = true;
+        std::vector<Ring> rings;
+        for (const Points& ring : polygon) {
+            auto local = placeNext(ring.size(), frame, std::max(farAwayM, widestM));
+            placed = placed && local;
+            if (local) rings.push_back(clipRing(open(*std::move(local)), nearby));
+        }
+        if (!placed || rings.empty() || rings.front().empty()) return std::nullopt;
+        std::erase_if(rings, [](const Ring& ring) { return ring.size() < 3; });
+        Footprint footprint{std::move(rings.front()), {}};
+        std::move(rings.begin() + 1, rings.end(), std::back_inserter(footprint.holes));
+        return footprint;
+    }
+
     void add(const UnplacedShape& shape, const Frame& frame, double farAwayM, ContextRead& into) {
         ContextArea area{shape.kind, shape.name, {}};
         bool near = true;
         for (const CrsPolygon& polygon : shape.polygons) {
-            std::vector<Ring> rings;
-            for (const Points& ring : polygon) {
-                auto local = placeNext(ring.size(), frame, farAwayM);
-                near = near && local;
-                if (local) rings.push_back(open(*std::move(local)));
-            }
-            if (rings.size() != polygon.size() || rings.empty() || rings.front().size() < 3) continue;
-            std::erase_if(rings, [](const Ring& ring) { return ring.size() < 3; });
-            Footprint footprint{std::move(rings.front()), {}};
-            std::move(rings.begin() + 1, rings.end(), std::back_inserter(footprint.holes));
-            area.polygons.push_back(std::move(footprint));
+            auto placed = placePolygon(polygon, frame, farAwayM);
+            near = near && placed;
+            if (placed) area.polygons.push_back(*std::move(placed));
         }
         if (!area.polygons.empty()) into.context.areas.push_back(std::move(area));
         for (const Points& line : shape.lines) {
@@ -167,7 +180,10 @@ private:
         if (!near) ++farAway_;
     }
 
+    static constexpr double widestM = 1e6;  // as far as a frame is meant for
+
     CrsToLonLat toLonLat_;
+    bool waterOnly_;
     std::vector<std::pair<int, std::string>> fields_;
     int kindField_ = -1, widthField_ = -1;
     std::vector<UnplacedShape> shapes_;
@@ -190,7 +206,7 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
         auto system = findLayerCrs(*layer, settings.crs, file);
         if (!system) return tl::make_unexpected(system.error());
         layers.push_back(layer);
-        readers.emplace_back(*layer, *std::move(system));
+        readers.emplace_back(*layer, *std::move(system), settings.waterOnly);
     }
     std::size_t kept = 0;
     const auto take = [&](std::size_t layer, const OGRFeature& feature) -> Result<void> {
@@ -208,7 +224,7 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
     for (ContextLayer& reader : readers) reader.place(frame, settings.farAwayM, read);
     if (stop.stop_requested()) return cancelled();
     if (isFromOsm(dataset)) read.context.attribution = osmCredit;
-    if (!read.context.empty() || isFromOsm(dataset)) return read;
+    if (!read.context.empty() || isFromOsm(dataset) || settings.waterOnly) return read;
     return failure("It holds no streets, parks, water or trees", file,
                    "Give the features OpenStreetMap's keys (highway, leisure, ...), or a field 'kind' with "
                    "street, path, rail, park, grass, wood, water, plaza or tree");
@@ -230,11 +246,20 @@ OsmSelection selectContext() {
     return selection;
 }
 
-Result<DatasetPointer> openMap(const std::filesystem::path& file, Progress& progress,
+// The keys of which areas of water have one.
+OsmSelection selectWater() {
+    const std::vector<std::string> kinds{"natural", "waterway", "landuse", "leisure"};
+    OsmSelection selection{.keys = kinds, .areaKeys = kinds, .kindKeys = kinds};
+    for (const char* key : {"name", "building", "tunnel", "layer", "location"})
+        selection.keys.emplace_back(key);
+    return selection;
+}
+
+Result<DatasetPointer> openMap(const std::filesystem::path& file, bool waterOnly, Progress& progress,
                                const std::stop_token& stop) {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     if (const auto osm = findOsmFormat(file))
-        return readOsmLayers(file, *osm, selectContext(), progress, stop);
+        return readOsmLayers(file, *osm, waterOnly ? selectWater() : selectContext(), progress, stop);
     return openDataset(file, DatasetContent::vectors);
 }
 
@@ -243,7 +268,7 @@ Result<DatasetPointer> openMap(const std::filesystem::path& file, Progress& prog
 Result<ContextRead> readContext(const std::filesystem::path& file, const ContextSettings& settings,
                                 const Frame& frame, Progress& progress, const std::stop_token& stop) try {
     const GdalCalls calls(stop);
-    const auto dataset = openMap(file, progress, stop);
+    const auto dataset = openMap(file, settings.waterOnly, progress, stop);
     if (!dataset) return tl::make_unexpected(dataset.error());
     return readLayers(**dataset, file.filename().string(), settings, frame, calls, progress, stop);
 } catch (const std::exception& exception) {

@@ -42,9 +42,13 @@ bool isSame(const fs::path& one, const fs::path& other) {
     return fs::equivalent(one, other, ignored);
 }
 
-bool belongsTo(const fs::path& file, const fs::path& input) {
+bool liesInFolder(const fs::path& file, const fs::path& input) {
     std::error_code ignored;
-    if (fs::is_directory(input, ignored)) return isSame(fs::absolute(file, ignored).parent_path(), input);
+    return fs::is_directory(input, ignored) && isSame(fs::absolute(file, ignored).parent_path(), input);
+}
+
+bool belongsTo(const fs::path& file, const fs::path& input) {
+    if (liesInFolder(file, input)) return true;
     const auto companions = listCompanionFiles(input);
     return isSame(file, input) || std::ranges::any_of(companions, [&](const fs::path& companion) {
                return isSame(file, companion);
@@ -60,6 +64,15 @@ Result<void> checkNoInput(const fs::path& file, const std::vector<fs::path>& inp
         where +=
             fmt::format(" ({} {})", isSame(file, *input) ? "the same file as" : "read with", input->string());
     return failure("This file is an input, which would be lost", where, anotherName);
+}
+
+// A folder that is a data set (a file geodatabase, Shapefiles) is hashed with all its files: with one more it
+// would be another, and no result of it could be verified.
+Result<void> checkNoInputFolder(const fs::path& file, const std::vector<fs::path>& inputs) {
+    const auto input =
+        std::ranges::find_if(inputs, [&](const fs::path& one) { return liesInFolder(file, one); });
+    if (input == inputs.end()) return {};
+    return failure("This folder is an input, which would be changed", input->string(), "Name another folder");
 }
 
 Result<void> checkNoProject(const fs::path& file, OutputKind kind) {
@@ -106,7 +119,7 @@ Result<void> checkOutput(const fs::path& file, OutputKind kind, const OutputRule
     if (!there) return tl::make_unexpected(there.error());
     // Also where the old file is gone and only its journal was left behind.
     if (auto free = checkNoJournal(file, kind); !free) return free;
-    if (!*there) return {};
+    if (!*there) return checkNoInputFolder(file, rules.inputs);
     if (auto may = checkReplaceable(file, kind, rules); !may || rules.overwrite) return may;
     return failure("There is a file of this name already", file.string(),
                    "Add --overwrite to replace it, or name another file");

@@ -12,7 +12,8 @@ namespace noonmark {
 /// Which existing files may be overwritten.
 struct OutputRules {
     /// The files that the output is made from. Their companions (listCompanionFiles) count too, and for a
-    /// folder that is a data set all files in it. Names without a file ("sample:grid") are ignored.
+    /// folder that is a data set all files in it, which also gets no further ones. Names without a file
+    /// ("sample:grid") are ignored.
     std::vector<std::filesystem::path> inputs{};
     bool overwrite = false;  ///< a file of the kind that is written may be replaced
 };

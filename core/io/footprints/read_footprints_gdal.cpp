@@ -43,6 +43,7 @@ Result<OpenFile> openFile(const Path& file) {
 std::string formatName(const OpenFile& open) {
     if (open.driver == "GPKG") return "GeoPackage";
     if (open.driver == "ESRI Shapefile") return "Shapefile";
+    if (open.driver == "OpenFileGDB") return "file geodatabase";
     return open.driver;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/warnings.h"
 #include "core/city/city.h"
+#include "core/city/storeys.h"
 #include "core/receivers/point_receivers.h"
 #include "core/receivers/points/window_pane.h"
 #include "core/receivers/region.h"
@@ -23,8 +24,8 @@ struct WindowShape {
 };
 
 struct WindowSettings {
-    double storeyM = 3;        ///< height of a storey, to number the floors of windows that state none
-    bool aboveGround = false;  ///< heights are metres above the ground below the window
+    double storeyM = usualStoreyM;  ///< height of a storey, to number the floors of windows that state none
+    bool aboveGround = false;       ///< heights are metres above the ground below the window
 };
 
 struct WindowsPlaced {

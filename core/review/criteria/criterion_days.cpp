@@ -135,57 +135,60 @@ RunCounts runsOf(const SpotRuns& runs, std::size_t cell) {
 struct WorstSpot {
     std::uint32_t steps = 0;
     RunCounts runs;
-    double besideMin = 0;  ///< most minutes between its cell and those beside it; 0 of single points
 };
 
-/// Most minutes between a cell and its neighbours.
-double findSpreadMin(const PlaceShadow& shadow, const std::vector<std::uint32_t>& steps, std::uint32_t cell) {
-    double spread = 0;
-    const auto compare = [&](std::uint32_t other) {
-        const double apart = std::abs(double(steps[cell]) - double(steps[other])) * shadow.stepMinutes;
-        spread = std::max(spread, apart);
-    };
-    for (const NeighbourCells& pairs : shadow.neighbours) {
-        if (cell - pairs.first < pairs.count) compare(pairs.second + (cell - pairs.first));
-        if (cell - pairs.second < pairs.count) compare(pairs.first + (cell - pairs.second));
-    }
-    return spread;
-}
-
-/// Takes the worst of these spots, most shadow or least sun, if it is worse than `worst`.
-void takeWorse(const Criterion& criterion, const PlaceShadow& shadow, bool former,
-               std::optional<WorstSpot>& worst) {
+/// Takes the worst of these spots, most shadow or least sun, if it is worse than `worst`. Returns the figure
+/// of each spot.
+std::vector<std::uint32_t> takeWorse(const Criterion& criterion, const PlaceShadow& shadow, bool former,
+                                     std::optional<WorstSpot>& worst) {
     const SpotRuns runs =
         countRuns(shadow, criterion.quantity, former, {criterion.runs, criterion.dropShorterMin});
     const std::vector<std::uint32_t>& all = stepsOf(runs, criterion.measure);
     std::vector<std::uint32_t> steps = all;
     leaveOutBeside(shadow, criterion.quantity, steps);
-    if (steps.empty()) return;
+    if (steps.empty()) return all;
     const bool least = criterion.quantity == Quantity::sun;
     const auto found = least ? std::ranges::min_element(steps) : std::ranges::max_element(steps);
-    if (worst && (least ? *found >= worst->steps : *found <= worst->steps)) return;
-    const auto spot = std::uint32_t(found - steps.begin());
-    worst = WorstSpot{*found, runsOf(runs, spot), findSpreadMin(shadow, all, spot)};
+    if (worst && (least ? *found >= worst->steps : *found <= worst->steps)) return all;
+    worst = WorstSpot{*found, runsOf(runs, std::size_t(found - steps.begin()))};
+    return all;
 }
 
-/// Minutes and runs of the worst spot. A spot near it may be worse: where only centres were looked at, by
-/// what lies between its cell and those beside it; else by as much as the nearest points were worse than all
-/// others.
+/// By how many steps a spot may be worse than the worst that was found.
+double findExcessSteps(Quantity quantity, std::uint32_t bound, std::uint32_t worst) {
+    const double excess = double(bound) - double(worst);
+    return std::max(0.0, quantity == Quantity::sun ? -excess : excess);
+}
+
+/// The worst that a spot of any cell may be where only centres were looked at; else of the cells that no
+/// point lies in. None: points lie in all that may be worse than the worst centre.
+std::optional<std::uint32_t> boundOfTheRest(const Criterion& criterion, const DayShadow& day,
+                                            const std::vector<std::uint32_t>& steps) {
+    const Quantity quantity = criterion.quantity;
+    if (!day.spots().empty()) return listSuspects(day.shadow(), quantity, steps).next;
+    const auto bounds = boundSpots(day.shadow(), quantity, steps);
+    return quantity == Quantity::sun ? std::ranges::min(bounds) : std::ranges::max(bounds);
+}
+
+/// Minutes and runs of the worst spot. A spot may be worse by as much as the nearest points were worse than
+/// all others, and one of a cell that no point lies in by what lies between that cell and those beside it.
 Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool former) {
     std::optional<WorstSpot> worst;
-    takeWorse(criterion, day.shadow(), former, worst);
+    const std::vector<std::uint32_t> steps = takeWorse(criterion, day.shadow(), former, worst);
     if (!worst) return {};
-    double besideMin = worst->besideMin;
+    double beyond = 0;
     for (const PlaceShadow& spots : day.spots()) {
         const double before = worst->steps;
         takeWorse(criterion, spots, former, worst);
-        besideMin = std::abs(before - double(worst->steps)) * day.stepMin();
+        beyond = std::abs(before - double(worst->steps));
     }
+    if (const auto bound = boundOfTheRest(criterion, day, steps))
+        beyond = std::max(beyond, findExcessSteps(criterion.quantity, *bound, worst->steps));
     Measured measured = measureSpot(criterion, worst->runs, {day.stepMin(), day.runErrorMin()});
     if (criterion.quantity == Quantity::sun)
-        measured.low = std::max(0.0, measured.low - besideMin);
+        measured.low = std::max(0.0, measured.low - beyond * day.stepMin());
     else
-        measured.high += besideMin;
+        measured.high += beyond * day.stepMin();
     return measured;
 }
 
@@ -276,16 +279,15 @@ void findExcesses(const Criterion& criterion, const PlaceShadow& shadow, const R
         take(spot, findExcess(criterion, runsOf(now, spot), runsOf(former, spot), more[spot], error));
 }
 
-/// The area of the spots with more than the criterion's minutes. Points near the worst spots have no area;
-/// where one exceeds them and no cell does, a cell may.
+/// The area of the spots with more than the criterion's minutes, of all cells by their shares of the place,
+/// as every area. Points near the worst spots have no area; where one exceeds them and no cell does, a cell
+/// may.
 Measured measureAreaOver(const Criterion& criterion, const DayShadow& day) {
     const RunError error{day.stepMin(), day.runErrorMin()};
     const double cellM2 = day.shadow().cellAreaM2;
     MeetingSpots cells(day.shadow());
-    std::vector<bool> beside(day.shadow().baseline.receivers);
-    for (const UnevenCell& cell : day.shadow().uneven) beside[cell.bit] = cell.isBeside;
     findExcesses(criterion, day.shadow(), error, [&](std::size_t cell, const ExcessOfSpot& excess) {
-        if (!beside[cell]) cells.take(cell, excess.surely, excess.measured, excess.possibly);
+        cells.take(cell, excess.surely, excess.measured, excess.possibly);
     });
     const Measured count = cells.count();
     bool anyPoint = false;

@@ -15,7 +15,8 @@ struct SearchRound {
     double reach, spacing;
 };
 
-// A round covers the squares of the one before; the first also the strip beside a wall on which no centre is.
+// A round covers the squares of the one before; the first also the strip beside a wall on which no centre is,
+// and the squares around all suspects.
 constexpr std::array<SearchRound, 3> rounds{{{8, 1, 0.5}, {3, 0.25, 0.125}, {2, 0.125, spotDistanceCells}}};
 
 bool isNear(glm::dvec2 a, glm::dvec2 b, double distanceM) {
@@ -50,6 +51,15 @@ void addWorstSpots(const PlaceShadow& shadow, const SpotSearch& search,
     spots.insert(spots.end(), found.begin(), found.end());
 }
 
+/// The centres of a search's suspects.
+void addSuspects(const PlaceShadow& shadow, const SpotSearch& search,
+                 const std::function<glm::dvec2(std::size_t)>& positionOf, std::vector<glm::dvec2>& spots) {
+    const SpotRuns runs = countRuns(shadow, search.quantity, search.former, search.runs);
+    for (const std::uint32_t cell :
+         listSuspects(shadow, search.quantity, stepsOf(runs, search.measure)).cells)
+        spots.push_back(positionOf(cell));
+}
+
 void addSearch(std::vector<SpotSearch>& searches, const SpotSearch& search) {
     if (std::ranges::find(searches, search) == searches.end()) searches.push_back(search);
 }
@@ -82,6 +92,43 @@ const std::vector<std::uint32_t>& stepsOf(const SpotRuns& runs, Measure measure)
     return measure == Measure::spotLongestRun ? runs.longest : runs.longestRuns;
 }
 
+std::vector<std::uint32_t> boundSpots(const PlaceShadow& shadow, Quantity quantity,
+                                      const std::vector<std::uint32_t>& steps) {
+    std::vector<std::uint32_t> between(steps.size());  // most, between a cell and those beside it
+    for (const NeighbourCells& pairs : shadow.neighbours)
+        for (std::uint32_t i = 0; i < pairs.count; ++i) {
+            const std::uint32_t a = pairs.first + i, b = pairs.second + i;
+            const std::uint32_t apart = std::max(steps[a], steps[b]) - std::min(steps[a], steps[b]);
+            between[a] = std::max(between[a], apart);
+            between[b] = std::max(between[b], apart);
+        }
+    std::vector<std::uint32_t> bounds(steps.size());
+    for (std::size_t cell = 0; cell < steps.size(); ++cell)
+        bounds[cell] = quantity == Quantity::sun ? steps[cell] - std::min(steps[cell], between[cell])
+                                                 : steps[cell] + between[cell];
+    leaveOutBeside(shadow, quantity, bounds);
+    return bounds;
+}
+
+Suspects listSuspects(const PlaceShadow& shadow, Quantity quantity, const std::vector<std::uint32_t>& steps) {
+    if (steps.empty()) return {};
+    std::vector<std::uint32_t> centres = steps;
+    leaveOutBeside(shadow, quantity, centres);
+    const bool least = quantity == Quantity::sun;
+    const auto isWorse = [&](std::uint32_t a, std::uint32_t b) { return least ? a < b : a > b; };
+    const std::uint32_t worst = std::ranges::min(centres, isWorse);
+    const std::vector<std::uint32_t> bounds = boundSpots(shadow, quantity, steps);
+    std::vector<std::uint32_t> cells;
+    for (std::uint32_t cell = 0; cell < bounds.size(); ++cell)
+        if (isWorse(bounds[cell], worst)) cells.push_back(cell);
+    std::ranges::stable_sort(cells, isWorse, [&](std::uint32_t cell) { return bounds[cell]; });
+    Suspects suspects;
+    if (cells.size() > mostSuspects) suspects.next = bounds[cells[mostSuspects]];
+    cells.resize(std::min(cells.size(), mostSuspects));
+    suspects.cells = std::move(cells);
+    return suspects;
+}
+
 std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& shadow,
                                           const PlacePoints& points, std::span<const SpotSearch> searches) {
     std::vector<PlaceShadow> near;
@@ -90,11 +137,13 @@ std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& 
     for (const SearchRound& round : rounds) {
         std::vector<glm::dvec2> spots;
         const PlaceShadow& coarser = near.empty() ? shadow : near.back();
-        for (const SpotSearch& search : searches)
-            addWorstSpots(
-                coarser, search,
-                [&](std::size_t i) { return near.empty() ? points.centreOf(place, i) : at[i]; }, round.spots,
-                round.reach * points.cellM(), spots);
+        const auto positionOf = [&](std::size_t i) {
+            return near.empty() ? points.centreOf(place, i) : at[i];
+        };
+        for (const SpotSearch& search : searches) {
+            addWorstSpots(coarser, search, positionOf, round.spots, round.reach * points.cellM(), spots);
+            if (near.empty()) addSuspects(coarser, search, positionOf, spots);
+        }
         at = points.around(place, spots, {round.reach * points.cellM(), round.spacing * points.cellM()});
         if (at.empty()) return near;
         near.push_back(points.shade(at, shadow));

@@ -92,7 +92,7 @@ Result<PlacedElements> placeFacades(const City& city, const Region& region, cons
     if (names.empty()) names = buildingsOf(elements.faces.faces);
     return chooseBuildings(city, region, names)
         .and_then([&](const std::vector<std::uint32_t>& buildings) {
-            return placeOnFacades(city, buildings, elements.facades, stop);
+            return placeOnFacades(city, buildings, elements.facades, stop, elements.parts.storeys);
         })
         .map([&](PointReceivers placed) {
             return PlacedElements{std::move(placed), {}, 0, {}};

@@ -37,6 +37,7 @@ struct ElementParts {
     std::vector<Footprint> facedPlace;  ///< the polygons of FaceChoice::place
     std::vector<Footprint> parcel;      ///< the polygons of ElementSettings::parcel
     std::vector<std::string> proposed;  ///< ids of the buildings that the existing city lacks
+    OwnStoreys storeys;                 ///< of towers that were designed in the project
     bool operator==(const ElementParts& /*other*/) const { return true; }
 };
 

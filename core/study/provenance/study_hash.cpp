@@ -4,6 +4,7 @@
 
 #include "core/base/version.h"
 #include "core/city/footprints/repair_footprint.h"
+#include "core/city/map_context.h"
 #include "core/describe/field_checks.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/sha256.h"
@@ -14,8 +15,8 @@ namespace noonmark {
 namespace {
 
 // Increase this number whenever the same study gives other results, so that older tiles are not resumed. 2:
-// the sun is in the frame of the geometry, and rays decide doubtful longest runs.
-constexpr std::uint32_t methodNumber = 2;
+// the sun is in the frame of the geometry, and rays decide doubtful longest runs. 3: water is no ground.
+constexpr std::uint32_t methodNumber = 3;
 
 template <class T>
 void addAll(Sha256& sum, const std::vector<T>& values) {
@@ -55,6 +56,15 @@ void addPosts(Sha256& sum, const PostGrid& posts) {
     }
 }
 
+// What of the map decides where the ground is. Nothing where there is no water.
+void addWater(Sha256& sum, const MapContext& map) {
+    for (const ContextArea& area : map.areas) {
+        if (area.kind != ContextKind::water) continue;
+        sum.add(area.polygons.size());
+        for (const Footprint& polygon : area.polygons) addFootprint(sum, polygon);
+    }
+}
+
 void addCity(Sha256& sum, const City& city) {
     const LonLat origin = city.frame.origin();
     for (const double number : {origin.lonDeg, origin.latDeg, city.frame.originElevationM()}) sum.add(number);
@@ -64,9 +74,11 @@ void addCity(Sha256& sum, const City& city) {
         for (const Part& part : building->parts) addPart(sum, part);
     }
     sum.add(bool(city.terrain));
-    if (!city.terrain) return;
-    addPosts(sum, city.terrain->grid);
-    addAll(sum, city.terrain->elevationM);
+    if (city.terrain) {
+        addPosts(sum, city.terrain->grid);
+        addAll(sum, city.terrain->elevationM);
+    }
+    if (city.context) addWater(sum, *city.context);
 }
 
 void addRegion(Sha256& sum, const Region& region) {

@@ -6,12 +6,12 @@
 
 namespace noonmark {
 
-/// SHA-256 of a city's geometry, position and terrain, without names and sources: equal for cities with
-/// identical shadows. Lower-case hex. O(points), some 0.1 s for 43,000 buildings.
+/// SHA-256 of a city's geometry, position, terrain and water, without names and sources: equal for cities
+/// with identical shadows. Lower-case hex. O(points), some 0.1 s for 43,000 buildings.
 std::string hashCity(const City& city);
 
-/// SHA-256 of everything that a result depends on: the version of the program, the city's geometry, position
-/// and terrain, and the settings. Names, sources and the memory limit are not included. Lower-case hex.
+/// SHA-256 of everything that a result depends on: the version of the program, the city's geometry, position,
+/// terrain and water, and the settings. Names, sources and the memory limit are not included. Lower-case hex.
 /// O(points).
 std::string hashStudy(const City& city, const StudySettings& settings);
 

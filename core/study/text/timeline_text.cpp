@@ -38,6 +38,7 @@ public:
                   {"share_of_theoretical", share(shadow.areaHoursM2, day.theoreticalM2h())}};
         if (!shadow.longest) return json;
         json["longest_stay_min"] = rounded(shadow.longest->minutes);
+        json["longest_stay_longer_by_up_to_min"] = rounded(shadow.longest->errorMin);
         json["longest_stay"] = spanJson(shadow.longest->when);
         return json;
     }

@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
+#include "core/engines/api/blank_field.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/measures/has_runs.h"
 #include "core/study/breakdown_check.h"
@@ -103,6 +104,7 @@ void addTiles(TiledStudy& tiled, const TileJournal& journal) {
     tiled.months = sumMonths(study, journal.finished());
     const ShadowField& field = study.field;
     study.statistics = computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
+    study.statistics.waterM2 = findWaterM2(field);
     study.field.engine = describeEngine(tiled, first);
     study.field.engineKey =
         tiled.tilesByEngine.size() == 1 ? tiled.tilesByEngine.begin()->first : study.settings.engine;
@@ -124,7 +126,7 @@ void setGrid(Study& study, const Grid& grid) {
 Result<void> checkOpenGround(const Study& study) {
     if (study.statistics.receivers > 0) return {};
     return failure("No cell of the region lies on open ground", study.settings.region.name,
-                   "Choose a region outside the buildings, or smaller cells");
+                   "Choose a region outside buildings and water, or smaller cells");
 }
 
 // The first map has the name that the caller chose; the others lie beside it.

@@ -48,6 +48,7 @@ ComparisonFigures parseComparison(const Json& impact) {
     ComparisonFigures figures{
         impact.at("from"),           impact.at("to"), {}, {}, impact.at("period").at("text"),
         impact.at("engine_settings")};
+    figures.waterM2 = impact.value("water_m2", 0.0);
     for (const Json& one : impact.at("impact")) figures.all.push_back(parseImpactFigures(one));
     if (figures.all.empty()) throw std::invalid_argument("no figures");
     for (const Json& building : impact.at("by_building"))
@@ -55,22 +56,20 @@ ComparisonFigures parseComparison(const Json& impact) {
     return figures;
 }
 
-// Results of versions before weighted shade lack it.
-ScoreTotals parseTotals(const Json& json) { return readFigures(scoreFigures(), json, false); }
-
 Score parseScore(const Json& json) {
     Score score;
-    const ScoreTotals totals = parseTotals(json);
+    const auto totals = readFigures(scoreFigures(), json);
     score.scoreM2 = totals.scoreM2;
     score.weightedShadeM2h = totals.weightedShadeM2h;
     score.receiverAreaM2 = json.at("receiver_area_m2");
+    score.waterM2 = json.value("water_m2", 0.0);
     for (const Json& month : json.at("months")) {
-        MonthFigures& figures = score.months.emplace_back(readFigures(scoreMonthFigures(), month, false));
+        MonthFigures& figures = score.months.emplace_back(readFigures(scoreMonthFigures(), month));
         figures.month = monthFrom(month.at("month"));
     }
     for (const Json& interval : json.at("intervals")) {
         IntervalFigures& figures =
-            score.intervals.emplace_back(readFigures(scoreIntervalFigures(), interval, false));
+            score.intervals.emplace_back(readFigures(scoreIntervalFigures(), interval));
         figures.name = interval.at("name");
     }
     score.engine = json.at("engine_settings");

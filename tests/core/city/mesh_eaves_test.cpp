@@ -117,7 +117,7 @@ TEST(Eaves, AreReadFromCityJson) {
 }
 
 // A house in a row without its party walls, and with a shed whose walls are complete: the shed's walls alone
-// enclose an area, yet the roof of the house is no eaves.
+// enclose an area, yet the roof of the building is no eaves.
 TEST(Eaves, AHouseWhosePartyWallsAreMissingIsNone) {
     TriangleMesh mesh = tests::box({0, 0, 0}, {3, 3, 2.5F});
     const auto at = std::uint32_t(mesh.vertices.size());

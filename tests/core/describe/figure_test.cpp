@@ -23,7 +23,9 @@ const Figures<Harvest>& harvestFigures() {
     static const Figures<Harvest> figures{
         figure(&Harvest::apples, {.key = "apples", .label = "Apples", .definition = "number of apples"}),
         figure(&Harvest::weightKg, {.key = "weight_kg", .label = "Weight", .decimals = 2}),
-        figure(&Harvest::sugarPct, {.key = "sugar_pct", .label = "Sugar"})};
+        figure(
+            &Harvest::sugarPct,
+            {.key = "sugar_pct", .label = "Sugar", .whenMissing = std::numeric_limits<double>::quiet_NaN()})};
     return figures;
 }
 
@@ -36,14 +38,13 @@ TEST(Figures, AreWrittenAndReadByKey) {
     EXPECT_TRUE(std::isnan(back.sugarPct));
 }
 
-TEST(Figures, ThatAreMissingAreNotCountedOrAnError) {
+TEST(Figures, ThatEarlierVersionsLackHaveTheirValueOrAreAnError) {
     const Json json{{"apples", 2}, {"weight_kg", 1.5}};
-    EXPECT_TRUE(std::isnan(readFigures(harvestFigures(), json, false).sugarPct));
-    EXPECT_THROW(readFigures(harvestFigures(), json), Json::exception);
-    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", 2.5}}, false), std::out_of_range);
-    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", -1}}, false), std::out_of_range);
-    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", 1}, {"weight_kg", "a"}}, false),
-                 Json::exception);
+    EXPECT_TRUE(std::isnan(readFigures(harvestFigures(), json).sugarPct));
+    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", 2}}), Json::exception);
+    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", 2.5}, {"weight_kg", 1}}), std::out_of_range);
+    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", -1}, {"weight_kg", 1}}), std::out_of_range);
+    EXPECT_THROW(readFigures(harvestFigures(), Json{{"apples", 1}, {"weight_kg", "a"}}), Json::exception);
 }
 
 TEST(Figures, AreColumnsWithTheirDecimals) {
@@ -56,8 +57,9 @@ TEST(Figures, AreColumnsWithTheirDecimals) {
 
 TEST(Figures, OfShadowKeepTheirKeys) {
     EXPECT_EQ(listColumns(shadowFigures().rows()),
-              (std::vector<std::string>{"receivers", "receiver_area_m2", "shadow_area_m2", "mean_gross_min",
-                                        "max_gross_min", "mean_continuous_min", "max_continuous_min"}));
+              (std::vector<std::string>{"receivers", "receiver_area_m2", "water_m2", "shadow_area_m2",
+                                        "mean_gross_min", "max_gross_min", "mean_continuous_min",
+                                        "max_continuous_min"}));
 }
 
 }  // namespace

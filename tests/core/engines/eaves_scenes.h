@@ -14,7 +14,7 @@
 namespace noonmark::tests {
 
 /// A house with walls, a floor and a saddle roof of two sheets that overhang the walls on all sides. The
-/// ridge runs along the length, from west to east before the house is turned.
+/// ridge runs along the length, from west to east before the building is turned.
 struct EavesHouse {
     glm::dvec2 at{0, 0};  ///< the south-west corner of the walls
     double turnDeg = 0;   ///< counter-clockwise about that corner

@@ -141,7 +141,7 @@ TEST(Eaves, LeaveTheFacadesBelowThemAndTheirSun) {
     const City city = cityOf(village());
     std::vector<std::uint32_t> all(city.buildings.size());
     std::iota(all.begin(), all.end(), 0U);
-    const PointReceivers placed = placeOnFacades(city, all, {}).value();
+    const PointReceivers placed = placeOnFacades(city, all, {.storeyM = 3}).value();
     EXPECT_GT(placed.size(), 49U * 15U) << "each house has some";
     SunSteps sun = days(47.4, 10, 2);
     for (SunDay& day : sun.days) day.date = std::chrono::year(2026) / 3 / 1;
@@ -160,7 +160,7 @@ TEST(Eaves, LeaveTheFacadesBelowThemAndTheirSun) {
 
 TEST(Eaves, OfOneHouseLeaveAllItsFacadePoints) {
     const City city = cityOf(std::vector{EavesHouse{.wallM = 6.5}});
-    const PointReceivers placed = placeOnFacades(city, std::vector{0U}, {}).value();
+    const PointReceivers placed = placeOnFacades(city, std::vector{0U}, {.storeyM = 3}).value();
     // Storeys of 3 m, points at 1.5 and 4.5 m, of the gables at 7.5 m too where they are that high (to 8.5
     // m): 3 bays on 10 m, 3 on 8 m, of the gables' third storey the middle one.
     EXPECT_EQ(placed.size(), 2U * (3 + 3) * 2 + 2);

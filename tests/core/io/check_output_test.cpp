@@ -92,7 +92,9 @@ TEST_F(CheckOutput, CompanionsAndFoldersOfInputsAreInputs) {
                 HasSubstr("is an input"));
     EXPECT_THAT(whyNever(folder.file("layer.json", "{}"), OutputKind::json, {folder.path("")}),
                 HasSubstr("is an input"));
-    EXPECT_EQ(why(folder.path("new.json"), OutputKind::json, {{folder.path("")}, false}), "");
+    EXPECT_THAT(why(folder.path("new.json"), OutputKind::json, {{folder.path("")}, false}),
+                HasSubstr("folder is an input"));
+    EXPECT_EQ(why(folder.path("out/new.json"), OutputKind::json, {{folder.path("")}, false}), "");
 }
 
 TEST_F(CheckOutput, AProjectIsKnownByItsContent) {

@@ -19,7 +19,7 @@
 namespace noonmark {
 namespace {
 
-Result<FilePiece> readMeshFile(const std::filesystem::path& file) {
+Result<FilePiece> readUnsafeMesh(const std::filesystem::path& file) {
     ReadSettings settings;
     settings.upAxis = UpAxis::z;
     settings.meshAnchor = LonLat{-73.98, 40.75};
@@ -29,7 +29,7 @@ Result<FilePiece> readMeshFile(const std::filesystem::path& file) {
 
 // The error of a mesh file that cannot be read; empty if it can.
 std::string meshError(const std::filesystem::path& file) {
-    const auto piece = readMeshFile(file);
+    const auto piece = readUnsafeMesh(file);
     return piece ? "" : piece.error().text();
 }
 

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/gdal_calls.h"
+#include "core/city/map_context.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/io/write_city.h"
+#include "tests/core/io/city_reading.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
@@ -21,14 +23,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using tests::sizedRectangle;
 
-class ReadCity : public testing::Test {
+class ReadCity : public tests::CityReading {
 protected:
-    CityRead read(const std::vector<std::filesystem::path>& files) {
-        NoProgress quiet;
-        auto result = readCity(files, settings, quiet, {});
-        EXPECT_TRUE(result) << result.error().text();
-        return result ? *std::move(result) : CityRead();
-    }
     std::string errorOf(const std::vector<std::filesystem::path>& files) {
         NoProgress quiet;
         const auto result = readCity(files, settings, quiet, {});
@@ -60,7 +56,6 @@ protected:
     }
 
     tests::TemporaryFolder folder;
-    ReadSettings settings;
 };
 
 TEST_F(ReadCity, OneFileIsACity) {
@@ -172,6 +167,20 @@ TEST_F(ReadCity, WarningsSayWhoseTheyAreAmongSeveralFiles) {
     const CityRead read = this->read({osmFile("a.osm", 50), folder.file("b.osm", osm.xml())});
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_EQ(read.warnings[0].where, "b.osm: way 1");
+}
+
+TEST_F(ReadCity, AMapSaysWhereWaterIs) {
+    tests::OsmText osm;
+    osm.way(sizedRectangle(0, 0, 20, 20), {{"building", "yes"}, {"height", "30"}});
+    osm.relation(sizedRectangle(100, 0, 80, 50), {sizedRectangle(120, 10, 20, 20)}, {{"natural", "water"}});
+    osm.way(sizedRectangle(200, 0, 30, 30), {{"leisure", "park"}});
+    const CityRead read = this->read({folder.file("river.osm", osm.xml()), osmFile("dry.osm", 300)});
+    ASSERT_NE(read.city.context, nullptr);
+    ASSERT_EQ(read.city.context->areas.size(), 1U) << "and nothing else";
+    EXPECT_EQ(read.city.context->areas[0].kind, ContextKind::water);
+    EXPECT_NEAR(area(read.city.context->areas[0].polygons.at(0)), 80 * 50 - 20 * 20, 1)
+        << "without the island";
+    EXPECT_EQ(this->read({osmFile("dry.osm", 300)}).city.context, nullptr);
 }
 
 TEST_F(ReadCity, AFileThatCannotBeReadNamesItself) {

@@ -28,6 +28,10 @@ TEST(ContextTags, SayWhatIsDrawn) {
     EXPECT_EQ(classifyContextArea({{"leisure", "park"}, {"landuse", "grass"}}), ContextKind::park);
     EXPECT_FALSE(classifyContextArea({{"leisure", "park"}, {"layer", "-1"}}));
     EXPECT_FALSE(classifyContextArea({{"leisure", "park"}, {"building", "yes"}}));
+    EXPECT_EQ(classifyContextArea({{"natural", "water"}, {"layer", "-1"}}), ContextKind::water)
+        << "a river under bridges";
+    EXPECT_FALSE(classifyContextArea({{"natural", "water"}, {"layer", "-1"}, {"tunnel", "culvert"}}));
+    EXPECT_FALSE(classifyContextArea({{"leisure", "swimming_pool"}, {"layer", "-1"}})) << "in a cellar";
     EXPECT_EQ(classifyContextLine({{"highway", "residential"}}), ContextKind::street);
     EXPECT_EQ(classifyContextLine({{"highway", "footway"}}), ContextKind::path);
     EXPECT_EQ(classifyContextLine({{"railway", "rail"}}), ContextKind::rail);
@@ -86,6 +90,29 @@ TEST(ReadContext, TakesKindsAndWidthsOfOtherFiles) {
     EXPECT_EQ(read->context.trees.size(), 2U);
     ASSERT_EQ(read->warnings.size(), 1U);
     EXPECT_THAT(read->warnings[0].what, HasSubstr("too far"));
+}
+
+// A lake of some 200 km, whose western shore passes 10 km east of the city, with an island off the city.
+TEST(ReadContext, CutsLakesThatReachFarAway) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("lake.geojson");
+    std::ofstream(file) << R"({"type":"FeatureCollection","features":[
+        {"type":"Feature","properties":{"kind":"water","name":"Lake"},"geometry":{"type":"Polygon","coordinates":
+         [[[-73.862,39.85],[-71.6,39.85],[-71.6,41.65],[-73.862,41.65],[-73.862,39.85]],
+          [[-73.8,40.7],[-73.8,40.8],[-73.7,40.8],[-73.7,40.7],[-73.8,40.7]]]}},
+        {"type":"Feature","properties":{"kind":"water"},"geometry":{"type":"Polygon","coordinates":
+         [[[10,40],[11,40],[11,41],[10,40]]]}}]})";
+    const auto read = readContextFrom(file);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->context.areas.size(), 1U) << "the other is on another continent";
+    const Footprint& lake = read->context.areas[0].polygons.at(0);
+    EXPECT_TRUE(contains(lake, {30000, 0}));
+    EXPECT_TRUE(contains(lake, {59000, 59000}));
+    EXPECT_FALSE(contains(lake, {5000, 0}));
+    EXPECT_FALSE(contains(lake, {18000, 0})) << "the island";
+    EXPECT_LE(bounds(lake).high.x, 60000);
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_THAT(read->warnings[0].where, HasSubstr("1 features"));
 }
 
 TEST(ReadContext, RefusesFilesWithNothingToDraw) {

@@ -71,7 +71,7 @@ TEST(SameBuildings, TwoExtractsOfATownGiveEachHouseOnce) {
     EXPECT_EQ(said->where.size(), 2U);
 }
 
-// Without height and with one: a demolition of the house that is shown leaves open ground.
+// Without height and with one: a demolition of the building that is shown leaves open ground.
 TEST(SameBuildings, AFeatureThatIsThereTwiceCanBeDemolished) {
     const TemporaryFolder folder;
     const auto file = folder.file(

@@ -10,6 +10,7 @@
 #include "core/io/terrain/stand_on_terrain.h"
 #include "core/io/write_city.h"
 #include "tests/core/city/mesh_fixtures.h"
+#include "tests/core/io/city_reading.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/footprint_files.h"
 #include "tests/core/io/terrain_files.h"
@@ -32,14 +33,8 @@ std::vector<glm::dvec2> corners() {
     return all;
 }
 
-class StandingTest : public testing::Test {
+class StandingTest : public tests::CityReading {
 protected:
-    CityRead read(const std::vector<std::filesystem::path>& files) {
-        NoProgress quiet;
-        auto result = readCity(files, settings, quiet, {});
-        EXPECT_TRUE(result) << result.error().text();
-        return result ? *std::move(result) : CityRead();
-    }
     std::filesystem::path hill(double (*ground)(double, double) = slope) {
         return writeTerrain(folder.path("hill.tif"), manhattan, ground);
     }
@@ -101,7 +96,6 @@ protected:
     }
 
     TemporaryFolder folder;
-    ReadSettings settings;
 };
 
 TEST_F(StandingTest, FootprintsWithAConstantGapAreShiftedOntoTheTerrain) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/io/read_city.h"
+#include "tests/core/io/city_reading.h"
 #include "tests/core/io/footprint_files.h"
 #include "tests/core/io/terrain_files.h"
 
@@ -25,7 +26,7 @@ std::vector<House> houses() {
 
 double ground(double x, double /*y*/) { return 50 + x / 10; }
 
-// Roofs are level, at their height above the ground at the middle of the house.
+// Roofs are level, at their height above the ground at the middle of the building.
 double surface(double x, double y) {
     for (const House& house : houses()) {
         const Box2 box = bounds(house.outline);
@@ -35,14 +36,8 @@ double surface(double x, double y) {
     return ground(x, y);
 }
 
-class SurfaceModel : public testing::Test {
+class SurfaceModel : public tests::CityReading {
 protected:
-    CityRead read(const std::vector<std::filesystem::path>& files) {
-        NoProgress quiet;
-        auto result = readCity(files, settings, quiet, {});
-        EXPECT_TRUE(result) << result.error().text();
-        return result ? *std::move(result) : CityRead();
-    }
     std::filesystem::path outlines(bool withHeights = true) {
         std::string features;
         for (const House& house : houses())
@@ -75,7 +70,6 @@ protected:
     }
 
     TemporaryFolder folder;
-    ReadSettings settings;
 };
 
 TEST_F(SurfaceModel, TheGroundAroundTheOutlinesReplacesItsRoofs) {

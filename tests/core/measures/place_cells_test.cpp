@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/city/map_context.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/measures/place_areas.h"
 #include "core/measures/place_run.h"
@@ -46,6 +47,16 @@ TEST(PlaceCells, OfANarrowPlaceBetweenCentresAreThoseItTouches) {
     const PlaceReceivers cells = cellsOf({}, placeOver({rectangle(0, 0.55F, 20, 0.95F), {}}), 1);
     EXPECT_EQ(cells.cellCount(0), 20U);
     EXPECT_NEAR(areaOf(cells, 0), 8, 1e-4);
+}
+
+// A pond belongs to its park, and a lake may itself be the place whose sunlight matters.
+TEST(PlaceCells, KeepTheWaterOfAPlace) {
+    MapContext map;
+    map.areas = {{ContextKind::water, "Pond", {{rectangle(2, 2, 8, 8), {}}}}};
+    City city;
+    city.context = std::make_shared<const MapContext>(map);
+    EXPECT_NEAR(areaOf(cellsOf(city, placeOver({rectangle(0, 0, 10, 10), {}}), 1), 0), 100, 1e-3);
+    EXPECT_NEAR(areaOf(cellsOf(city, placeOver({rectangle(3, 3, 7, 7), {}}), 1), 0), 16, 1e-3);
 }
 
 TEST(PlaceCells, LeaveOutWhatIsBuiltOnAndGiveTheRestToTheNextCell) {

@@ -77,10 +77,24 @@ TEST(PlaceTimeline, OfADayWorkedOutByHand) {
     EXPECT_EQ(more.longest->minutes, 4);
     EXPECT_EQ(more.longest->cell, 1U);
     EXPECT_EQ(more.longest->when, (TimeSpan{noon + 2min, noon + 6min}));
+    EXPECT_EQ(more.longest->errorMin, 2) << "a step; no cell is known to lie beside another";
     EXPECT_EQ(day.gained.minutes, 4);
     EXPECT_EQ(day.fullCoverMin, 2);
     EXPECT_EQ(day.allSunTakenMin, 2);
     EXPECT_DOUBLE_EQ(day.theoreticalM2h(), 16 * 12 / 60.0);
+}
+
+// Cells in a row that are in shadow for 5, 3 and 1 of the steps; the last has its centre beside the place.
+TEST(PlaceTimeline, ALongestStayMayBeLongerByWhatLiesBetweenCells) {
+    const std::vector<SunStep> steps = stepsIn({0, 1, 2, 3, 4, 5});
+    const std::vector<std::string> rows{"###", "##.", "##.", "#..", "#..", "..."};
+    PlaceShadow shadow = shadowOf(steps, rows, rows);
+    const std::vector<NeighbourCells> row{{0, 1, 2}};
+    shadow.neighbours = row;
+    EXPECT_EQ(computeTimeline(shadow).baseline.longest->errorMin, 2 * (1 + 2)) << "2 steps, and one";
+    const std::vector<UnevenCell> uneven{{1, -0.5, true}};
+    shadow.uneven = uneven;
+    EXPECT_EQ(computeTimeline(shadow).baseline.longest->errorMin, 2) << "the cell beside it is no spot";
 }
 
 TEST(PlaceTimeline, APlaceWithoutShadowOrWithoutCellsHasNone) {

@@ -13,7 +13,8 @@ namespace {
 using namespace tests;
 
 std::vector<ElevationPane> panesOn(const City& city) {
-    const PointReceivers facades = placeOnFacades(city, std::vector<std::uint32_t>{0}, {}).value();
+    const PointReceivers facades =
+        placeOnFacades(city, std::vector<std::uint32_t>{0}, {.storeyM = 3}).value();
     std::vector<ElevationPane> panes;
     for (std::size_t i = 0; i < facades.size(); ++i)
         panes.push_back({glm::dvec3(facades.points.positions[i]),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -15,7 +16,7 @@ namespace {
 using namespace tests;
 
 PointReceivers onFacadesOf(const City& city, const std::vector<std::uint32_t>& buildings,
-                           const FacadeSettings& settings = {}) {
+                           const FacadeSettings& settings = {.storeyM = 3}) {
     return placeOnFacades(city, buildings, settings).value();
 }
 
@@ -49,6 +50,25 @@ TEST(PointReceivers, OnePerStoreyAndBayOfEachWall) {
     }
 }
 
+// Two boxes of 14 m: the second states storeys of 4.2 m. Points stand 1.5 m above each floor.
+TEST(PointReceivers, AreOnTheStoreysThatTheirBuildingStates) {
+    City city = cityOf({{{0, 0, 0}, {3, 3, 14}}, {{50, 0, 0}, {53, 3, 14}}});
+    Building tower = *city.buildings[1];
+    tower.sourceId = "tower";
+    city.buildings[1] = std::make_shared<const Building>(tower);
+    const OwnStoreys own{{"tower", 4.2}};
+    const auto facades = placeOnFacades(city, std::array{0U, 1U}, {}, {}, own).value();
+    std::map<std::uint32_t, std::set<float>> heights;
+    for (std::size_t i = 0; i < facades.size(); ++i)
+        heights[facades.elements[i].building].insert(facades.points.positions[i].z);
+    EXPECT_EQ(heights[0], (std::set<float>{1.5F, 5, 8.5F, 12}));
+    EXPECT_EQ(heights[1], (std::set<float>{1.5F, 5.7F, 9.9F}));
+    for (std::size_t i = 0; i < facades.size(); ++i)
+        if (facades.elements[i].building == 1 && facades.elements[i].floor == 0) {
+            EXPECT_NEAR(facades.panes[i].high.y, 4.2 - 1.5, 1e-9);
+        }
+}
+
 TEST(PointReceivers, ASharedWallIsNoFacade) {
     // Wall to wall along x = 10; the second is 10 m higher: its western wall is open from 10 m on.
     const City city = cityOf({{{0, 0, 0}, {10, 6, 10}}, {{10, 0, 0}, {16, 6, 20}}});
@@ -70,7 +90,7 @@ TEST(PointReceivers, RefusesSettingsOutOfRange) {
     const std::array<std::uint32_t, 1> first{0}, other{7};
     EXPECT_FALSE(placeOnFacades(city, first, {.bayM = 0}));
     EXPECT_FALSE(placeOnFacades(city, first, {.storeyM = std::numeric_limits<double>::quiet_NaN()}));
-    EXPECT_FALSE(placeOnFacades(city, first, {.aboveFloorM = 3.5}));
+    EXPECT_FALSE(placeOnFacades(city, first, {.aboveFloorM = 3.6}));
     EXPECT_FALSE(placeOnFacades(city, other, {}));
 }
 

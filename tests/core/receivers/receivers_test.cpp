@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "core/city/map_context.h"
+
 namespace noonmark {
 namespace {
 
@@ -42,6 +44,52 @@ TEST(Receivers, CellsOutsideTheRegionAndUnderBuildingsAreNone) {
     for (const std::uint32_t cell : receivers.cells) EXPECT_EQ(receivers.kind[cell], CellKind::ground);
     EXPECT_EQ(receivers.kind[receivers.grid.index(9, 9)], CellKind::outside);
     EXPECT_EQ(receivers.kind[receivers.grid.index(2, 3)], CellKind::building);
+}
+
+// A lake of 10 x 10 m with an island of 4 x 4 m, under a corner of a house; a park is not water.
+City cityWithLake() {
+    Footprint lake = rectangle(0, 0, 10, 10);
+    lake.holes = {{{3, 3}, {3, 7}, {7, 7}, {7, 3}}};
+    MapContext map;
+    map.areas = {{ContextKind::water, "Lake", {lake}},
+                 {ContextKind::park, "Park", {rectangle(10, 0, 20, 10)}}};
+    City city;
+    city.buildings = {building(rectangle(8, 8, 12, 12))};
+    city.context = std::make_shared<const MapContext>(map);
+    return city;
+}
+
+TEST(Receivers, WaterIsNoGroundButItsIslandsAre) {
+    const City city = cityWithLake();
+    const Region region = makeRegionFromLocalBox({{0, 0}, {20, 20}});
+    const Receivers receivers = receiversOf(city, region);
+    EXPECT_EQ(countOf(receivers, CellKind::water), 100 - 16 - 4);
+    EXPECT_EQ(countOf(receivers, CellKind::building), 16);
+    EXPECT_EQ(receivers.cells.size(), 400U - 80 - 16);
+    EXPECT_EQ(receivers.kind[receivers.grid.index(5, 5)], CellKind::ground) << "the island";
+    EXPECT_EQ(receivers.kind[receivers.grid.index(9, 9)], CellKind::building) << "the building stands in it";
+}
+
+TEST(Receivers, WaterIsGroundWhereItIsAskedFor) {
+    City city = cityWithLake();
+    const Grid part{0, 0, 1, 20, 20};
+    const Region region = makeRegionFromLocalBox({{0, 0}, {20, 20}});
+    const auto whole = placeReceiversInPart(city, region, part, {}, WaterCells::ground);
+    city.context = nullptr;
+    const auto unmapped = placeReceiversInPart(city, region, part);
+    EXPECT_EQ(countOf(*whole, CellKind::water), 0);
+    EXPECT_EQ(whole->kind, unmapped->kind);
+}
+
+TEST(Receivers, PartsOfAGridHaveTheWaterOfTheWhole) {
+    const City city = cityWithLake();
+    const Region region = makeRegionFromLocalBox({{0, 0}, {20, 20}});
+    const Receivers whole = receiversOf(city, region);
+    const auto part = placeReceiversInPart(city, region, {4, 4, 1, 5, 5});
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column)
+            EXPECT_EQ(part->kind[part->grid.index(column, row)],
+                      whole.kind[whole.grid.index(column + 4, row + 4)]);
 }
 
 TEST(Receivers, RowsGoNorthAndColumnsEast) {

@@ -93,7 +93,8 @@ TEST(WindowReceivers, WhatCannotBeMeasuredIsLeftOutAndListed) {
     EXPECT_EQ(windows.warnings[1].where, "in the balcony");
 }
 
-// The box around the house is the region "city": its northern and eastern walls lie on the open edges of it.
+// The box around the building is the region "city": its northern and eastern walls lie on the open edges of
+// it.
 TEST(WindowReceivers, WindowsOnTheEdgeOfTheRegionCount) {
     const std::vector<WindowShape> windows{{"east", {{10, 5, 2}}, 90.0, {}},
                                            {"north", {{5, 10.02, 2}}, 0.0, {}},
@@ -117,7 +118,7 @@ TEST(WallFinder, FindsTheNearestOfSeveralWalls) {
 }
 
 TEST(PlanePoints, LeaveOutWhatThePlaneCuts) {
-    // 40 x 40 m in cells of 1 m; the house of 9 m takes 100 of them at 4 m, and none at 9 m.
+    // 40 x 40 m in cells of 1 m; the building of 9 m takes 100 of them at 4 m, and none at 9 m.
     const Region region = makeRegionFromLocalBox({{-20, -20}, {20, 20}});
     const City city = cityOf({{{0, 0, 0}, {10, 10, 9}}});
     const PlanePoints low = placeOnPlane(city, region, {}, 4).value();

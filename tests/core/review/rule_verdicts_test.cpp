@@ -196,6 +196,18 @@ TEST(ZurichRule, AllowsThreeHoursOrAsMuchAsTheReferenceBodyAtTheSameSpot) {
     EXPECT_DOUBLE_EQ(moved.results.at(1).value->value, 300);
 }
 
+// As in every area and share, a cell counts with its share of the place, wherever its centre lies.
+TEST(ZurichRule, CountsTheCellsOnTheEdgeOfAPlaceWithTheirShare) {
+    const PaperDay day(on(2026, 2, 8), 480, 1, times(4, lit(540)),
+                       times(3, lit(540)) + times(1, shaded(200) + lit(340)));
+    const std::vector<UnevenCell> uneven{{3, -0.7, true}};
+    PlaceShadow shadow = day.shadow;
+    shadow.uneven = uneven;
+    const Measured over = measureDay(shippedRule("zurich").criteria.at(0), DayShadow(shadow, 0), false);
+    EXPECT_NEAR(over.value, 0.3, 1e-12);
+    EXPECT_EQ(over.low, 0) << "the edge of the shadow passes through the place there";
+}
+
 TEST(MelbourneRule, AllowsNoAddedShadow) {
     const Rule rule = shippedRule("melbourne-c278");
     const auto verdict = [&](int minutes) {

@@ -52,6 +52,77 @@ TEST(WorstSpots, AreFoundBetweenTheCentresOfCells) {
     EXPECT_EQ(most, 2);
 }
 
+// In the west a slab in the air shades all centres for the first two of five steps. In the east a wall of
+// 1.4 m whose north face lies at y = 0 shades up to y = 1.4 in these steps, with the sun 45 deg high, and up
+// to y = 0.272 in the other three, with the sun 79 deg high: the strip at its foot has all five steps, and no
+// centre more than two. The row of cells beside it has two, the next none: it may hold four.
+TEST(WorstSpots, AreFoundInANookWhoseCentreIsNoWorseThanMany) {
+    City city = tests::cityOf({{{42, -5, 0}, {58, 0, 1.4}}});
+    city.buildings.push_back(tests::buildingOf({tests::rectangle(-10, -40, 30, -15), {}}, 20, 21, true));
+    const std::vector<Place> places{
+        {"Streets",
+         PlaceKind::street,
+         {{tests::rectangle(2, 0, 18, 4), {}}, {tests::rectangle(44, 0, 56, 4), {}}},
+         "test"}};
+    const std::array<const City*, 2> cities{&city, &city};
+    const PlaceReceivers cells = placeReceiversOnPlaces(cities, places, {.cellM = 1}).value();
+    const SunSteps sun = tests::oneDay({{180, 45}, {180, 45}, {180, 79}, {180, 79}, {180, 79}});
+    const PlacePoints points = PlacePoints::over(cities, places, cells, {}, sun).value();
+    StepMasks masks(cells.cellCount(0), 5);
+    for (std::size_t cell = 0; cell < masks.receivers; ++cell) {
+        const glm::dvec2 centre = points.centreOf(0, cell);
+        if (centre.x < 30 || centre.y < 1.4)
+            for (const std::size_t step : {0U, 1U}) masks.shade(step, cell);
+    }
+    PlaceShadow shadow{on(2026, 3, 21), sun.steps, 1, 1, masks, masks};
+    shadow.uneven = cells.unevenOf[0];
+    shadow.neighbours = cells.neighboursOf[0];
+    const std::vector<SpotSearch> searches{{Quantity::shadow, Measure::spotTotal, {}, false}};
+    std::uint32_t most = 0;
+    for (const PlaceShadow& near : refineWorstSpots(0, shadow, points, searches))
+        for (const std::uint32_t steps : countRuns(near, Quantity::shadow, false).total)
+            most = std::max(most, steps);
+    EXPECT_EQ(most, 5);
+}
+
+// A hundred pairs of cells beside each other with 2 and 1 steps of shadow, and a cell by itself with 3: a
+// spot in the cells with 2 may have 3, no more than the worst centre. A pair with 2 and 0 may hold 4; where
+// all pairs have 3 and 2, a hundred cells may hold 4, and not all of them are looked at.
+TEST(WorstSpots, AreSuspectedWhereTheirCellsMayHoldMore) {
+    constexpr std::uint32_t pairs = 100;
+    static_assert(pairs > mostSuspects);
+    const std::vector<NeighbourCells> beside{{0, pairs, pairs}};
+    PlaceShadow shadow;
+    shadow.neighbours = beside;
+    std::vector<std::uint32_t> steps(pairs, 2);
+    steps.resize(2 * pairs, 1);
+    steps.push_back(3);
+    EXPECT_TRUE(listSuspects(shadow, Quantity::shadow, steps).cells.empty());
+    steps[pairs + 7] = 0;
+    const Suspects one = listSuspects(shadow, Quantity::shadow, steps);
+    EXPECT_EQ(one.cells, std::vector<std::uint32_t>{7});
+    EXPECT_FALSE(one.next);
+    for (std::uint32_t pair = 0; pair < pairs; ++pair) steps[pair] = 3, steps[pairs + pair] = 2;
+    const Suspects many = listSuspects(shadow, Quantity::shadow, steps);
+    EXPECT_EQ(many.cells.size(), mostSuspects);
+    EXPECT_EQ(many.next, 4U);
+    EXPECT_EQ(listSuspects(shadow, Quantity::sun, steps).next, 1U)
+        << "least sun: 2 steps, less the one between";
+}
+
+// As before, with points in the place: those of the cells that none lies in may be worse.
+TEST(WorstSpots, HaveAnErrorThatIncludesTheCellsWithoutPoints) {
+    constexpr int pairs = 100;
+    const PaperDay day(on(2026, 3, 21), 480, 1, times(2 * pairs, lit(60)),
+                       times(pairs, shaded(30) + lit(30)) + times(pairs, shaded(20) + lit(40)));
+    const std::vector<NeighbourCells> beside{{0, pairs, pairs}};
+    PlaceShadow shadow = day.shadow;
+    shadow.neighbours = beside;
+    const Criterion most{.quantity = Quantity::shadow, .measure = Measure::spotTotal};
+    const std::vector<PlaceShadow> points{day.shadow};
+    EXPECT_EQ(measureDay(most, DayShadow(shadow, 0, points), false).high, 30 + 1 + 10);
+}
+
 TEST(WorstSpots, LieInThePlaceAndOutsideBuildings) {
     const City city = tests::cityOf({{{0, 0, 0}, {10, 10, 10}}});
     const std::vector<Place> places{streetOf(tests::rectangle(5, 5, 12, 8))};

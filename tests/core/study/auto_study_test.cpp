@@ -102,7 +102,7 @@ TEST(AutoStudy, TilesGoOnOneByOne) {
         << "tiles out of the roof's shadow have no reason to";
 }
 
-// In April the sun sets behind the roof as seen from the house, and shines below it.
+// In April the sun sets behind the roof as seen from the building, and shines below it.
 StudySettings atPoints(const std::string& engine) {
     StudySettings settings = winterOf(engine);
     settings.region = makeRegionFromLocalBox({{-50, -50}, {80, 60}});

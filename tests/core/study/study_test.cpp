@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/city/map_context.h"
 #include "core/study/text/error_words.h"
 
 namespace noonmark {
@@ -55,6 +56,28 @@ TEST(RunStudy, FillsEveryPart) {
     EXPECT_LE(study->statistics.maxContinuousMin, study->statistics.maxGrossMin);
     for (const char* stage : {"receivers", "sun", "accumulate", "total"})
         EXPECT_TRUE(study->seconds.contains(stage)) << stage;
+}
+
+// A canal of 20 m along the east of the region, 110 m long.
+TEST(RunStudy, LeavesWaterOutAndSaysHowMuch) {
+    MapContext map;
+    map.areas = {{ContextKind::water, "Canal", {{{{40, -100}, {60, -100}, {60, 100}, {40, 100}}, {}}}}};
+    City city = towers();
+    city.context = std::make_shared<const MapContext>(map);
+    for (const char* engine : {"ray", "projected", "horizon", "auto"}) {
+        StudySettings settings = aroundTheTower();
+        settings.engine = engine;
+        NoProgress progress;
+        const auto dry = run(settings);
+        const auto study = runStudy(city, settings, progress, {});
+        ASSERT_TRUE(study) << errorOf(study);
+        EXPECT_EQ(study->statistics.waterM2, 20 * 110) << engine;
+        EXPECT_EQ(study->statistics.receiverAreaM2, dry->statistics.receiverAreaM2 - 20 * 110) << engine;
+        for (const std::uint32_t cell : study->receivers.cells)
+            EXPECT_NEAR(study->field.grossMin[cell], dry->field.grossMin[cell], 1e-3) << engine;
+        EXPECT_EQ(nlohmann::json::parse(studyJson(*study))["water_m2"], 2200);
+        EXPECT_EQ(nlohmann::json::parse(studyJson(*dry))["water_m2"], 0);
+    }
 }
 
 TEST(RunStudy, PicksAnEngineByItself) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "core/city/map_context.h"
 #include "core/io/write_raster.h"
 #include "core/measures/has_runs.h"
 #include "core/study/memory_need.h"
@@ -92,6 +93,19 @@ TEST_F(TiledStudyTest, IsTheSameAsInOnePiece) {
     EXPECT_EQ(differences(cells.at(0), whole.field.grossMin), 0U);
     EXPECT_EQ(differences(cells.at(1), whole.field.continuousMin), 0U);
     EXPECT_EQ(folder.names(), std::vector<std::string>{"shadow.tif"});
+}
+
+TEST_F(TiledStudyTest, LeavesTheSameWaterOut) {
+    MapContext map;
+    map.areas = {{ContextKind::water, "River", {{{{-40, 60}, {230, 90}, {230, 160}, {-40, 100}}, {}}}}};
+    city.context = std::make_shared<const MapContext>(map);
+    const Study whole = inOnePiece(city, question("ray"));
+    const auto tiled = run(question("ray"));
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    EXPECT_GT(whole.statistics.waterM2, 1000);
+    EXPECT_EQ(tiled->study.statistics.waterM2, whole.statistics.waterM2);
+    EXPECT_EQ(tiled->study.statistics.receivers, whole.statistics.receivers);
+    EXPECT_EQ(differences(bands(whole.field.grid).at(0), whole.field.grossMin), 0U);
 }
 
 TEST_F(TiledStudyTest, ProjectedShadowsAndTheSweepTooButForCellsAtAnEdge) {
@@ -308,6 +322,14 @@ TEST(StudyHash, EverySettingAndEveryPointCounts) {
     building.parts.front().topM += 0.01F;
     higher.buildings[40] = std::make_shared<const Building>(building);
     EXPECT_NE(hashStudy(higher, settings), hash);
+    MapContext map;
+    map.areas = {{ContextKind::park, "Park", {city.buildings[40]->parts.front().footprint}}};
+    City mapped = city;
+    mapped.context = std::make_shared<const MapContext>(map);
+    EXPECT_EQ(hashStudy(mapped, settings), hash) << "a park is ground";
+    map.areas.front().kind = ContextKind::water;
+    mapped.context = std::make_shared<const MapContext>(map);
+    EXPECT_NE(hashStudy(mapped, settings), hash);
     building = *city.buildings[40];
     building.name = "Renamed";
     higher.buildings[40] = std::make_shared<const Building>(building);

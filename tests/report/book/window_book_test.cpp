@@ -60,7 +60,7 @@ TEST_F(WindowBook, DrawsEachSideOfAHouseBeforeAndAfterAtAScale) {
     ASSERT_EQ(drawings.size(), 4U);
     for (const ElevationDrawing* drawing : drawings) {
         ASSERT_EQ(drawing->panels.size(), 3U);
-        // 20 m wide and high, bays and storeys of 3 m: 7 x 7, or 6 where the top floor's middle is too high.
+        // 20 m wide: 7 bays of some 3 m.
         EXPECT_EQ(drawing->elevation->windows.size() % 7, 0U);
         for (const ElevationPanel& panel : drawing->panels)
             EXPECT_EQ(panel.cells.size(), drawing->elevation->windows.size());

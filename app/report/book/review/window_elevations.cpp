@@ -67,8 +67,11 @@ ElevationBuilding makeBuilding(const WindowBookSource& source, const WindowMeasu
                                const PanesOfBuilding& group) {
     const WindowStudy& study = source.study;
     ElevationBuilding building{nameOfBuilding(study, group), nullptr, {}, {{}, {}, {}}, {}};
-    if (group.building < source.scenario.buildings.size())
+    if (group.building < source.scenario.buildings.size()) {
+        const ElementSettings& elements = study.settings.elements;
         building.building = source.scenario.buildings[group.building].get();
+        building.storeyM = findStoreyM(*building.building, elements.facades, elements.parts.storeys);
+    }
     bool hasFormer = false;
     for (const std::size_t index : group.panes) {
         const ReviewedPane& pane = study.panes[index];
@@ -103,14 +106,13 @@ std::vector<BookPage> makePagesOf(const WindowBookSource& source, const BookSett
     const WindowStudy& study = source.study;
     ElevationSheets sheets{
         QStringLiteral("Elevations: ") + plainText(measure.title),
-        QStringLiteral("%1 and %2. Floors of %3 m. Colours beyond the ends of a scale are "
+        QStringLiteral("%1 and %2. %3. Colours beyond the ends of a scale are "
                        "those of its ends.")
-            .arg(plainText(source.labels.from), plainText(source.labels.to))
-            .arg(study.settings.elements.facades.storeyM),
+            .arg(plainText(source.labels.from), plainText(source.labels.to),
+                 describeFloors(study.settings.elements)),
         QStringLiteral("Elevations: ") + plainText(measure.title),
         {plainText(source.labels.from), plainText(source.labels.to), QStringLiteral("Change")},
         {{legendOf(measure, false), legendOf(measure, true)}},
-        study.settings.elements.facades.storeyM,
         source.scenario.frame,
         mostElevationPages};
     sheets.scale = settings.scale;

@@ -78,8 +78,7 @@ struct HorizonCache::State {
     void countCity() {
         field.cost.seconds.clear();
         field.cost.buildingsUsed = std::uint32_t(walls.buildings());
-        field.cost.skipped[cellsUnderBuildings] =
-            std::uint64_t(std::ranges::count(receivers.kind, CellKind::building));
+        countSkippedCells(field.cost, receivers);
     }
 
     void begin(const SunSteps& sun) {

@@ -8,6 +8,7 @@
 
 #include "core/base/progress_share.h"
 #include "core/describe/figure_text.h"
+#include "core/engines/api/blank_field.h"
 #include "core/io/files/pending_file.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
@@ -61,8 +62,10 @@ private:
         ShadowSums sums;
         MonthSums months;
         std::map<std::string, double> ownFigures;
+        double waterM2 = 0;
         for (const auto& [tile, done] : finished) {
             sums.add(done.result.sums);
+            waterM2 += findWaterM2(done.result.cost, district.tiles.whole);
             for (const auto& [name, value] : done.result.figures) ownFigures[name] += value;
             months.add(done.result);
             files[tile] =
@@ -77,7 +80,8 @@ private:
         const auto sun = computeDaylightSteps(own.period, makeObserver(ground, own), stop_);
         if (!sun) return tl::make_unexpected(sun.error());
         const double sunlit = sun->sunlitMinutes() / double(std::max<std::size_t>(1, sun->dayCount()));
-        const ShadowStatistics figures = computeStatistics(sums, sunlit, district.tiles.whole.cellAreaM2());
+        ShadowStatistics figures = computeStatistics(sums, sunlit, district.tiles.whole.cellAreaM2());
+        figures.waterM2 = waterM2;
         addStatistics(district, figures, finished.size());
         addFigures(ownFigures);
         const std::vector<TileMap> maps =
@@ -153,6 +157,7 @@ private:
         all.maxContinuousMin = std::max(all.maxContinuousMin, figures.maxContinuousMin);
         all.receivers += figures.receivers;
         all.receiverAreaM2 += figures.receiverAreaM2;
+        all.waterM2 += figures.waterM2;
         all.shadowAreaM2 += figures.shadowAreaM2;
     }
 

@@ -80,6 +80,7 @@ std::string formatPlaces(const PlaceShadows& shadows) {
         if (figures.receivers == 0)  // no shadow is known of it
             figures.shadowAreaM2 = figures.meanGrossMin = figures.maxGrossMin = figures.meanContinuousMin =
                 figures.maxContinuousMin = std::numeric_limits<double>::quiet_NaN();
+        figures.waterM2 = std::numeric_limits<double>::quiet_NaN();  // the cells of a place are all counted
         csv.text(name).text(std::string(nameOf(shadow.kind)));
         addFigures(csv, shadowFigures().of(figures));
         csv.endRow();

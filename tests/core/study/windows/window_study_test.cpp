@@ -33,7 +33,10 @@ City named(std::vector<Box3> boxes, LonLat origin) {
 const Box3 house{{0, 0, 0}, {12, 12, 9}};
 
 WindowReviewSettings facadesOf(const std::string& name, const std::string& zone) {
-    return {{.buildings = {name}}, makeRegionFromLocalBox({{-50, -50}, {80, 80}}), zone, 2026};
+    return {{.buildings = {name}, .facades = {.storeyM = 3}},
+            makeRegionFromLocalBox({{-50, -50}, {80, 80}}),
+            zone,
+            2026};
 }
 
 WindowStudy reviewed(const Rule& rule, const City& baseline, const City& scenario,
@@ -44,7 +47,7 @@ WindowStudy reviewed(const Rule& rule, const City& baseline, const City& scenari
     return *std::move(study);
 }
 
-// South of the house an endless wall, 20 m high, 30 m away. A window at height z that faces south sees the
+// South of the building an endless wall, 20 m high, 30 m away. A window at height z that faces south sees the
 // sun where the tangent of its altitude, seen square to the wall, is above (20 - z) / 30.
 TEST(WindowStudy, AnEndlessWallOppositeHidesTheLowSun) {
     const City city = named({house, {{-4000, -42, 0}, {4000, -30, 20}}}, {127, 37.5});
