@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <numbers>
 
@@ -46,7 +47,38 @@ void addOpen(const Building& building, const Part& part, std::vector<OpenBelow>&
     if (std::ranges::any_of(carriers, carriesAll)) return;
     if (boundAreaOutside({part.footprint}, carriers).mostM2 < least.areaM2) return;
     for (const Footprint& piece : cutPiecesOutside({part.footprint}, carriers, least))
-        open.push_back({bounds(piece), part.bottomM, part.topM});
+        open.push_back({piece, bounds(piece), part.bottomM, part.topM});
+}
+
+double distanceTo(const Ring& ring, glm::dvec2 place) {
+    double least = 1e30;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 a(ring[i]), along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
+        const double share =
+            std::clamp(glm::dot(place - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
+        least = std::min(least, glm::distance(place, a + share * along));
+    }
+    return least;
+}
+
+/// Azimuths from `low` to `high`, radians.
+struct Arc {
+    double low, high;
+};
+
+// Half a turn or more if the place is among the corners.
+Arc arcOf(const Ring& ring, glm::dvec2 place) {
+    const auto azimuthOf = [&](glm::vec2 corner) {
+        const glm::dvec2 to = glm::dvec2(corner) - place;
+        return std::atan2(to.x, to.y);
+    };
+    const double first = azimuthOf(ring.front());
+    Arc arc{first, first};
+    for (const glm::vec2 corner : ring) {
+        const double azimuth = first + std::remainder(azimuthOf(corner) - first, 2 * std::numbers::pi);
+        arc = {std::min(arc.low, azimuth), std::max(arc.high, azimuth)};
+    }
+    return arc;
 }
 
 }  // namespace
@@ -66,20 +98,24 @@ std::vector<OpenBelow> findOpenBelow(const City& city, std::span<const std::uint
 
 bool isIn(const OpenBelow& open, glm::vec3 eye) {
     constexpr float spareM = 0.05F;
-    return eye.z < open.bottomM && eye.x > open.box.low.x - spareM && eye.x < open.box.high.x + spareM &&
-           eye.y > open.box.low.y - spareM && eye.y < open.box.high.y + spareM;
+    const glm::vec2 at(eye);
+    if (eye.z >= open.bottomM || glm::any(glm::lessThan(at, open.box.low - spareM)) ||
+        glm::any(glm::greaterThan(at, open.box.high + spareM)))
+        return false;
+    return contains(open.piece, glm::dvec2(at)) || distanceTo(open.piece.outer, glm::dvec2(at)) < spareM;
 }
 
 SeenOpenBelow seeFrom(const OpenBelow& open, const EyeBox& eyes) {
-    const glm::dvec2 eye = (glm::dvec2(eyes.low) + glm::dvec2(eyes.high)) / 2.0,
-                     middle = (glm::dvec2(open.box.low) + glm::dvec2(open.box.high)) / 2.0;
-    const double around =
-        glm::distance(glm::dvec2(eyes.high), eye) + glm::distance(glm::dvec2(open.box.high), middle);
+    constexpr SeenOpenBelow allAround{0, std::numbers::pi, std::numeric_limits<double>::infinity()};
+    const double rise = double(open.partTopM) - double(eyes.low.z);
     if (open.bottomM <= eyes.low.z) return {0, 0, 0};
-    const glm::dvec2 to = middle - eye;
-    const double distance = glm::length(to), rise = double(open.partTopM) - double(eyes.low.z);
-    if (distance <= around) return {0, std::numbers::pi, std::numeric_limits<double>::infinity()};
-    return {std::atan2(to.x, to.y), std::asin(around / distance), rise / (distance - around)};
+    const glm::dvec2 eye = (glm::dvec2(eyes.low) + glm::dvec2(eyes.high)) / 2.0;
+    const double around = glm::distance(glm::dvec2(eyes.high), eye),
+                 nearest = distanceTo(open.piece.outer, eye) - around;
+    const Arc arc = arcOf(open.piece.outer, eye);
+    if (nearest <= 0 || arc.high - arc.low >= std::numbers::pi) return allAround;
+    return {(arc.low + arc.high) / 2, (arc.high - arc.low) / 2 + std::asin(around / (around + nearest)),
+            rise / nearest};
 }
 
 }  // namespace noonmark

@@ -12,9 +12,10 @@ namespace noonmark {
 /// Where the sun may pass below a part that is no overhang: parts below it carry nearly all of it, and some
 /// open air is left (settleParts, markOverhangs). Horizons count that air as solid, rays do not.
 struct OpenBelow {
-    Box2 box;        ///< of the open air in plan, local metres
-    float bottomM;   ///< underside of the part, local metres
-    float partTopM;  ///< top of the part
+    Footprint piece;  ///< the open air in plan, local metres
+    Box2 box;         ///< of it
+    float bottomM;    ///< underside of the part, local metres
+    float partTopM;   ///< top of the part
 };
 
 /// Of these buildings' prisms. Gaps below meshes are not looked for. 10 ms for Midtown's 928 raised parts.

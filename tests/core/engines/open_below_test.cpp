@@ -43,7 +43,7 @@ TEST(OpenBelow, IsWhereNothingCarriesAPart) {
 }
 
 TEST(OpenBelow, IsSeenWithinAnArcUpToTheTopOfItsPart) {
-    const OpenBelow open{{{-1, -1}, {1, 1}}, 40, 60};
+    const OpenBelow open{{rectangle(-1, -1, 1, 1), {}}, {{-1, -1}, {1, 1}}, 40, 60};
     const SeenOpenBelow far = seeFrom(open, {{-100, 0, 0}, {-100, 0, 0}});
     EXPECT_NEAR(far.azimuthRad, std::numbers::pi / 2, 1e-6);
     EXPECT_GE(std::tan(far.halfRad), 1 / 99.0);

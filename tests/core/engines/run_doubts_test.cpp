@@ -87,7 +87,8 @@ TEST(RunDoubts, AreBelowPartsWithOpenAirUnlessSomethingHigherHides) {
     doubts.widen(horizons, horizons, widened);
     const double azimuth = azimuthOf(20);
     const glm::vec2 middle(glm::dvec2(std::sin(azimuth), std::cos(azimuth)) * 30.0);
-    const OpenBelow open{{middle - 0.3F, middle + 0.3F}, 20, 45};
+    const glm::vec2 low = middle - 0.3F, high = middle + 0.3F;
+    const OpenBelow open{{{low, {high.x, low.y}, high, {low.x, high.y}}, {}}, {low, high}, 20, 45};
     doubts.doubt({&open, 1}, {{0, 0, 0}, {0, 0, 0}}, widened);
     for (const std::size_t bin : {18U, 20U, 22U}) {
         EXPECT_EQ(widened.lowest[bin].values[0], noHorizon) << bin;

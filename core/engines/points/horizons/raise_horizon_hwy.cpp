@@ -165,7 +165,8 @@ private:
             const auto tan = tanIn(k, sine), old = hn::LoadU(d, raised_.horizon + k);
             const auto hidesAll = hn::Ge(tan, hn::LoadU(d, &bins_.highestTan[k]));
             const auto raised = hn::IfThenElse(hidesAll, hn::Set(d, BinDirections::always), tan);
-            hn::StoreU(hn::IfThenElse(hn::And(hn::Gt(tan, old), within), raised, old), d, raised_.horizon + k);
+            hn::StoreU(hn::IfThenElse(hn::And(hn::Gt(tan, old), within), raised, old), d,
+                       raised_.horizon + k);
             if constexpr (bounds) raiseTo(raised_.touch + k, hn::Add(tan, slackIn(k, sine, tan)), within);
         });
     }
