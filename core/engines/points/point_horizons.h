@@ -38,13 +38,14 @@ struct PointSweepSettings {
     std::optional<RayScene> scene;  ///< of the whole city, for the rays; none: made here, 0.2 s for Midtown
 };
 
-/// Minutes by month for many points on any surface, without a ray: for each point the horizon at the middle
+/// Minutes by month for many points on any surface: for each point the horizon at the middle
 /// of each of 1440 azimuths, and the altitudes that overhangs hide above it; the suns of an azimuth are
 /// looked up at once. The horizon is exact where it is taken, so the only error is that of the azimuth: a sun
 /// is up to an eighth of a degree aside, half a minute of time in middle latitudes, and errors of both signs
 /// meet. Unbroken times are counted step by step against the same horizons, and decided by rays where these
-/// leave them in doubt: they are right within two steps. Uses all cores; cancelled() soon after a stop
-/// request. Error: positions and normals differ in number.
+/// leave them in doubt: they are right within two steps, but for slits between two overhangs narrower than a
+/// bin and gaps below meshes that count as solid. Uses all cores; cancelled() soon after a stop request.
+/// Error: positions and normals differ in number.
 Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop,
                                 const PointSweepSettings& settings = {});
