@@ -16,7 +16,7 @@ namespace {
 
 using namespace tests;
 
-/// A block of 30 x 20 m up to 40 m. What stands on it up to 60 m reaches `overM` farther west.
+/// A block of 30 x 20 m up to 40 m. A second part, from there up to 60 m, reaches `overM` farther west.
 City blockWithStrip(float overM) {
     Building building;
     building.parts.push_back({.footprint = {rectangle(0, 0, 30, 20), {}}, .topM = 40});

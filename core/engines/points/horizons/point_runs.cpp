@@ -42,9 +42,10 @@ std::uint32_t PointRunSearch::longest(const TrackRun& found, const Point& point)
 void PointRunSearch::findDoubts(const TrackRun& run, const Point& point) {
     doubts_.clear();
     for (std::uint32_t step = run.first; step < run.end; ++step) {
-        const bool surely = ofShadow_ ? track_.hides(point.bounds.cover, step)
-                                      : !track_.hides(point.bounds.touch, step);
-        if (!surely) doubts_.push_back({step, track_.binOf(step), track_.hides(point.horizon, step) != ofShadow_});
+        const bool surely =
+            ofShadow_ ? track_.hides(point.bounds.cover, step) : !track_.hides(point.bounds.touch, step);
+        if (!surely)
+            doubts_.push_back({step, track_.binOf(step), track_.hides(point.horizon, step) != ofShadow_});
     }
 }
 
