@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/engines/points/horizons/bit_rows.h"
+
 namespace noonmark {
 
 namespace {
@@ -12,50 +14,6 @@ constexpr std::uint32_t firstBits(int count) { return std::uint32_t((1ULL << uns
 
 bool bitOf(const std::vector<std::uint64_t>& words, std::size_t bit) {
     return (words[bit / 64] >> (bit % 64) & 1U) != 0;
-}
-
-// The bits of some words that are not set in others.
-std::vector<std::uint64_t> without(std::vector<std::uint64_t> words,
-                                   const std::vector<std::uint64_t>& others) {
-    for (std::size_t word = 0; word < words.size(); ++word) words[word] &= ~others[word];
-    return words;
-}
-
-// The first bit from one on that is set, or is not.
-std::uint32_t firstBit(const std::vector<std::uint64_t>& words, std::uint32_t bit, bool set) {
-    for (std::size_t word = bit / 64; word < words.size(); ++word) {
-        std::uint64_t some = set ? words[word] : ~words[word];
-        if (word == bit / 64) some &= ~0ULL << (bit % 64);
-        if (some != 0) return std::uint32_t(word * 64 + std::size_t(std::countr_zero(some)));
-    }
-    return std::uint32_t(words.size() * 64);
-}
-
-// Bit k stays set if the bit `further` on is set, too; whether any does. `further`: below 64.
-bool keepBoth(std::vector<std::uint64_t>& words, std::uint32_t further) {
-    std::uint64_t any = 0;
-    for (std::size_t word = 0; word < words.size(); ++word) {
-        const std::uint64_t next = word + 1 < words.size() ? words[word + 1] : 0;
-        words[word] &= words[word] >> further | (further > 0 ? next << (64 - further) : 0);
-        any |= words[word];
-    }
-    return any != 0;
-}
-
-// Keeps the bits with which rows of at least `length` set bits begin, or go on for so many.
-void keepBeginsOfRows(std::vector<std::uint64_t>& words, std::uint32_t length) {
-    for (std::uint32_t kept = 1; kept < length;) {
-        const std::uint32_t further = std::min({kept, length - kept, 63U});
-        if (!keepBoth(words, further)) return;
-        kept += further;
-    }
-}
-
-// Length of the longest row of set bits.
-std::uint32_t findLongestRow(std::vector<std::uint64_t> words) {
-    std::uint32_t length = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) ? 1 : 0;
-    while (length > 0 && keepBoth(words, 1)) ++length;
-    return length;
 }
 
 // The shortest arc of bins that begins or ends near the first and holds all.
