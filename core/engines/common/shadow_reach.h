@@ -4,8 +4,8 @@
 // changed_buildings.h compares two cities for the caches. receiver_tiles.h, scattered_order.h and
 // finished_tiles.h divide a region into tiles and deliver running results; day_sum.h combines fields of days.
 // sun_packets.h groups sun directions for SIMD. run_counter.h and shadow_mask.h count shadow and its longest
-// runs. interval_engine.h is the interface of the accrual maps, which shade one interval of the sun at a
-// time.
+// runs. open_below.h finds the open air that horizons count as solid. interval_engine.h is the interface of
+// the accrual maps, which shade one interval of the sun at a time.
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/ray/ray_scene.h"
 #include "core/receivers/surface_points.h"
 #include "core/sun/sun_steps.h"
 
@@ -33,22 +35,25 @@ struct PointSweepSettings {
     /// Rays confirm unbroken times and search those that horizons leave in doubt; without, single points are
     /// off by hours where no bin sees a narrow gap or a narrow occluder.
     bool decidesRuns = true;
+    std::optional<RayScene> scene;  ///< of the whole city, for the rays; none: made here, 0.2 s for Midtown
 };
 
-/// Minutes by month for many points on any surface, without a ray: for each point the horizon at the middle
+/// Minutes by month for many points on any surface: for each point the horizon at the middle
 /// of each of 1440 azimuths, and the altitudes that overhangs hide above it; the suns of an azimuth are
 /// looked up at once. The horizon is exact where it is taken, so the only error is that of the azimuth: a sun
 /// is up to an eighth of a degree aside, half a minute of time in middle latitudes, and errors of both signs
 /// meet. Unbroken times are counted step by step against the same horizons, and decided by rays where these
-/// leave them in doubt: they are right within two steps. Uses all cores; cancelled() soon after a stop
-/// request. Error: positions and normals differ in number.
+/// leave them in doubt: they are right within two steps, but for slits between two overhangs narrower than a
+/// bin and gaps below meshes that count as solid. Uses all cores; cancelled() soon after a stop request.
+/// Error: positions and normals differ in number.
 Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop,
                                 const PointSweepSettings& settings = {});
 
 /// The same by rays, against which the sweep is measured: every point at every step, with unbroken times.
-/// Uses all cores.
+/// Uses all cores. `scene`: of the whole city; none: made here.
 Result<PointMonths> tracePoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
-                                Progress& progress, const std::stop_token& stop);
+                                Progress& progress, const std::stop_token& stop,
+                                std::optional<RayScene> scene = {});
 
 }  // namespace noonmark

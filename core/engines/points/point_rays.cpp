@@ -74,14 +74,18 @@ std::uint64_t tracePoint(const TraceScene& trace, glm::vec3 position, glm::vec3 
 }  // namespace
 
 Result<PointMonths> tracePoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
-                                Progress& progress, const std::stop_token& stop) {
+                                Progress& progress, const std::stop_token& stop,
+                                std::optional<RayScene> scene) {
     if (points.positions.size() != points.normals.size())
         return failure(
             fmt::format("{} places have {} normals", points.positions.size(), points.normals.size()),
             "surface points", "Give each place the direction that its surface faces");
     const Stopwatch build;
-    auto scene = RayScene::over(city, stop);
-    if (!scene) return tl::make_unexpected(scene.error());
+    if (!scene) {
+        auto made = RayScene::over(city, stop);
+        if (!made) return tl::make_unexpected(made.error());
+        scene = *std::move(made);
+    }
     const TraceScene trace{*std::move(scene), packSteps(sun), monthsOfSteps(sun), sun.stepMinutes};
     PointMonths result;
     result.possibleMin = sun.sunlitMinutes();

@@ -37,12 +37,14 @@ Result<ElementForecast> forecastElementStudy(const City& city, const StudySettin
     if (!placed) return tl::make_unexpected(placed.error());
     const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
     if (!sun) return tl::make_unexpected(sun.error());
+    const auto scene = RayScene::over(city, stop);
+    if (!scene) return tl::make_unexpected(scene.error());
     const double prepared = watch.seconds();
     const SurfacePoints& all = placed->receivers.points;
     const SurfacePoints swept = chooseProbes(all, sweptProbes), traced = chooseProbes(all, tracedProbes);
-    const auto horizons = sweepPoints(city, swept, *sun, progress, stop, {.runs = true});
+    const auto horizons = sweepPoints(city, swept, *sun, progress, stop, {.runs = true, .scene = *scene});
     if (!horizons) return tl::make_unexpected(horizons.error());
-    const auto rays = tracePoints(city, traced, *sun, progress, stop);
+    const auto rays = tracePoints(city, traced, *sun, progress, stop, *scene);
     if (!rays) return tl::make_unexpected(rays.error());
     const PointCost ofSweep = costOf(*horizons, "sweep", swept.size());
     const PointCost ofRays = costOf(*rays, "trace", traced.size());

@@ -42,13 +42,13 @@ SurfacePoints pointsAt(const SurfacePoints& all, const std::vector<std::size_t>&
     return points;
 }
 
-Result<ElementError> sampleElementError(const ElementStudy& study, Progress& progress,
-                                        const std::stop_token& stop) {
+Result<ElementError> sampleElementError(const ElementStudy& study, const std::optional<RayScene>& scene,
+                                        Progress& progress, const std::stop_token& stop) {
     const auto& sample = study.settings.errorSample;
     const auto chosen =
         choosePoints(study.receivers.size(), sampleSize(sample, study.sun.steps.size()), sample.seed);
     const auto truth =
-        tracePoints(study.city, pointsAt(study.receivers.points, chosen), study.sun, progress, stop);
+        tracePoints(study.city, pointsAt(study.receivers.points, chosen), study.sun, progress, stop, scene);
     if (!truth) return tl::make_unexpected(truth.error());
     const double whole = study.minutes.possibleMin, longest = longestDayMinutes(study.sun);
     const PointMonths& swept = study.minutes;

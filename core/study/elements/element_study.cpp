@@ -49,22 +49,33 @@ Result<void> computeSun(ElementStudy& study, const std::stop_token& stop) {
     return {};
 }
 
-Result<void> measurePoints(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
+// One for the sweep, its sample and what goes on to rays.
+Result<void> makeScene(const ElementStudy& study, std::optional<RayScene>& scene,
+                       const std::stop_token& stop) {
+    auto made = RayScene::over(study.city, stop);
+    if (!made) return tl::make_unexpected(made.error());
+    scene = *std::move(made);
+    return {};
+}
+
+Result<void> measurePoints(ElementStudy& study, const std::optional<RayScene>& scene, Progress& progress,
+                           const std::stop_token& stop) {
     const Stopwatch watch;
-    auto minutes =
-        study.engineKey == referenceEngine
-            ? tracePoints(study.city, study.receivers.points, study.sun, progress, stop)
-            : sweepPoints(study.city, study.receivers.points, study.sun, progress, stop, {.runs = true});
+    auto minutes = study.engineKey == referenceEngine
+                       ? tracePoints(study.city, study.receivers.points, study.sun, progress, stop, scene)
+                       : sweepPoints(study.city, study.receivers.points, study.sun, progress, stop,
+                                     {.runs = true, .scene = scene});
     if (!minutes) return tl::make_unexpected(minutes.error());
     study.minutes = *std::move(minutes);
     study.seconds["accumulate"] += watch.seconds();
     return {};
 }
 
-Result<void> measureElementError(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
+Result<void> measureElementError(ElementStudy& study, const std::optional<RayScene>& scene,
+                                 Progress& progress, const std::stop_token& stop) {
     if (study.engineKey == referenceEngine || study.settings.errorSample.receivers == 0) return {};
     const Stopwatch watch;
-    const auto error = sampleElementError(study, progress, stop);
+    const auto error = sampleElementError(study, scene, progress, stop);
     if (!error) return tl::make_unexpected(error.error());
     study.error = *error;
     study.seconds["error_sample"] += watch.seconds();
@@ -72,7 +83,8 @@ Result<void> measureElementError(ElementStudy& study, Progress& progress, const 
 }
 
 // By rays where "auto" swept horizons and a sample shows them to be off.
-Result<void> goOnToRays(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
+Result<void> goOnToRays(ElementStudy& study, const std::optional<RayScene>& scene, Progress& progress,
+                        const std::stop_token& stop) {
     if (study.settings.engine != "auto" || !study.error || study.error->gross.meanPct <= pointErrorTargetPct)
         return {};
     study.whyRays = fmt::format(
@@ -81,7 +93,7 @@ Result<void> goOnToRays(ElementStudy& study, Progress& progress, const std::stop
         study.error->gross.meanPct, pointErrorTargetPct);
     study.engineKey = std::string(referenceEngine);
     study.error.reset();
-    return measurePoints(study, progress, stop);
+    return measurePoints(study, scene, progress, stop);
 }
 
 Result<ElementStudy> answerElements(const City& city, const StudySettings& settings,
@@ -89,13 +101,15 @@ Result<ElementStudy> answerElements(const City& city, const StudySettings& setti
                                     const std::stop_token& stop) {
     const Stopwatch watch;
     ElementStudy study{.city = city, .settings = settings, .elements = elements};
+    std::optional<RayScene> scene;
     const auto done = chooseEngine(study)
                           .and_then([&] { return checkPeriod(settings.period); })
                           .and_then([&] { return placePoints(study, progress, stop); })
                           .and_then([&] { return computeSun(study, stop); })
-                          .and_then([&] { return measurePoints(study, progress, stop); })
-                          .and_then([&] { return measureElementError(study, progress, stop); })
-                          .and_then([&] { return goOnToRays(study, progress, stop); });
+                          .and_then([&] { return makeScene(study, scene, stop); })
+                          .and_then([&] { return measurePoints(study, scene, progress, stop); })
+                          .and_then([&] { return measureElementError(study, scene, progress, stop); })
+                          .and_then([&] { return goOnToRays(study, scene, progress, stop); });
     if (!done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;

@@ -77,5 +77,26 @@ TEST(RunDoubts, BelowOverhangsReachUpToTheirTop) {
     EXPECT_LT(widened.lowest[2].values[0], 30'000);
 }
 
+// A part of 45 m, 30 m away in the direction of bin 20, with open air below.
+TEST(RunDoubts, AreBelowPartsWithOpenAirUnlessSomethingHigherHides) {
+    const BinnedSun binned = binsFromNorth(40);
+    std::vector<RunLanes> horizons = wallsOf(40);
+    for (std::size_t bin = 0; bin < 40; ++bin) horizons[bin].values[4] = wallAt(bin, 30, 90);
+    const RunDoubts doubts(binned, 1);
+    RunDoubts::Horizons widened;
+    doubts.widen(horizons, horizons, widened);
+    const double azimuth = azimuthOf(20);
+    const glm::vec2 middle(glm::dvec2(std::sin(azimuth), std::cos(azimuth)) * 30.0);
+    const glm::vec2 low = middle - 0.3F, high = middle + 0.3F;
+    const OpenBelow open{{{low, {high.x, low.y}, high, {low.x, high.y}}, {}}, {low, high}, 20, 45};
+    doubts.doubt({&open, 1}, {{0, 0, 0}, {0, 0, 0}}, widened);
+    for (const std::size_t bin : {18U, 20U, 22U}) {
+        EXPECT_EQ(widened.lowest[bin].values[0], noHorizon) << bin;
+        EXPECT_GT(widened.lowest[bin].values[4], noHorizon) << bin;
+    }
+    EXPECT_GT(widened.lowest[10].values[0], noHorizon);
+    EXPECT_GT(widened.lowest[30].values[0], noHorizon);
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -1,6 +1,8 @@
 #include "core/engines/horizon/counting/run_decider.h"
 
+#include <algorithm>
 #include <bit>
+#include <glm/common.hpp>
 
 namespace noonmark {
 
@@ -44,7 +46,9 @@ private:
 
 void RunDecider::decide(const LongestRuns& runs, std::size_t part, std::uint64_t lanes, PartRuns& of,
                         Memory& memory) const {
+    if (lanes == 0) return;
     doubts_.widen(of.horizons, of.filled, memory.widened);
+    if (!rays_.openBelow().empty()) doubtOpen(part, lanes, memory);
     runs.ofEachDay(memory.widened.highest, memory.most);
     const RunLanes most = highestOf(memory.most);
     for (; lanes != 0; lanes &= lanes - 1) {
@@ -58,6 +62,18 @@ void RunDecider::decide(const LongestRuns& runs, std::size_t part, std::uint64_t
         longest = std::int16_t(runs.searched(lane, memory.most, memory.search));
         rays_.countReceiver();
     }
+}
+
+void RunDecider::doubtOpen(std::size_t part, std::uint64_t lanes, Memory& memory) const {
+    EyeBox eyes;
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = std::size_t(std::countr_zero(lanes));
+        const glm::vec3 eye = rays_.positionOf(blocks_.cell(part * lanesPerPart + lane));
+        eyes = {glm::min(eyes.low, eye), glm::max(eyes.high, eye)};
+        if (std::ranges::any_of(rays_.openBelow(), [&](const OpenBelow& open) { return isIn(open, eye); }))
+            RunDoubts::doubtLight(lane, memory.widened);
+    }
+    doubts_.doubt(rays_.openBelow(), eyes, memory.widened);
 }
 
 // Whether the run found is hidden except for the number of steps that a run may be off. Only steps in doubt

@@ -41,6 +41,7 @@ public:
                 Memory& memory) const;
 
 private:
+    void doubtOpen(std::size_t part, std::uint64_t lanes, Memory& memory) const;
     [[nodiscard]] bool holds(const LongestRuns& runs, std::size_t lane, const PartRuns& of,
                              const RunRays::Receiver& rays, Memory& memory) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace noonmark {
 
@@ -10,12 +11,13 @@ namespace {
 
 // Two bins are neighbours if their means are no farther apart than this; the widest bin has 2 deg.
 constexpr double neighboursDeg = 4;
+constexpr double fullTurn = 2 * std::numbers::pi;
 
 // In longer steps the sun passes what three bins see, so that one step taken for lit can part a run.
 constexpr double minutesOfManySteps = 1.5;
 
 bool areNeighbours(const AzimuthBin& a, const AzimuthBin& b) {
-    static const double cosine = std::cos(neighboursDeg * 3.14159265358979323846 / 180);
+    static const double cosine = std::cos(neighboursDeg * std::numbers::pi / 180);
     return glm::dot(a.away, b.away) > cosine;
 }
 
@@ -26,9 +28,12 @@ double sineBetween(const AzimuthBin& a, const AzimuthBin& b) {
 }  // namespace
 
 RunDoubts::RunDoubts(const BinnedSun& binned, double stepMinutes)
-    : doubtsLight_(stepMinutes > minutesOfManySteps) {
-    for (std::size_t bin = 0; bin < binned.bins.size(); ++bin)
+    : widestRad_(binned.widestDeg * std::numbers::pi / 180), doubtsLight_(stepMinutes > minutesOfManySteps) {
+    for (std::size_t bin = 0; bin < binned.bins.size(); ++bin) {
         neighbours_.push_back(neighboursOf(binned, bin));
+        const double azimuth = std::atan2(-binned.bins[bin].away.x, -binned.bins[bin].away.y);
+        azimuthsRad_.push_back(azimuth < 0 ? azimuth + fullTurn : azimuth);
+    }
 }
 
 RunDoubts::Neighbours RunDoubts::neighboursOf(const BinnedSun& binned, std::size_t bin) {
@@ -56,6 +61,36 @@ void RunDoubts::widen(std::span<const RunLanes> horizons, std::span<const RunLan
         boundOffEdge({horizons[before], horizons[bin], horizons[after]}, shares, widened.lowest[bin],
                      doubtsLight_ ? &widened.highest[bin] : nullptr);
     }
+}
+
+namespace {
+
+// One level higher, which exceeds rounding.
+HorizonCode codeAbove(double tan) {
+    const double steepness = std::isinf(tan) ? 1 : tan / (1 + tan);
+    return HorizonCode(std::min(int(toHorizonCode(float(steepness))) + 1, int(everyHorizon)));
+}
+
+}  // namespace
+
+void RunDoubts::doubt(std::span<const OpenBelow> open, const EyeBox& eyes, Horizons& widened) const {
+    for (const OpenBelow& one : open) {
+        const SeenOpenBelow seen = seeFrom(one, eyes);
+        if (seen.topTan <= 0) continue;
+        const HorizonCode top = codeAbove(seen.topTan);
+        const double half = std::min(seen.halfRad + widestRad_, std::numbers::pi);
+        const auto doubtFrom = [&](double azimuth) {
+            auto bin = std::ranges::lower_bound(azimuthsRad_, azimuth - half);
+            for (; bin != azimuthsRad_.end() && *bin <= azimuth + half; ++bin)
+                for (HorizonCode& code : widened.lowest[std::size_t(bin - azimuthsRad_.begin())].values)
+                    if (code <= top) code = noHorizon;
+        };
+        for (const double turn : {-fullTurn, 0.0, fullTurn}) doubtFrom(seen.azimuthRad + turn);
+    }
+}
+
+void RunDoubts::doubtLight(std::size_t lane, Horizons& widened) {
+    for (RunLanes& bin : widened.highest) bin.values[lane] = everyHorizon;
 }
 
 }  // namespace noonmark

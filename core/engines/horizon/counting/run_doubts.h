@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/engines/common/open_below.h"
 #include "core/engines/horizon/counting/longest_runs.h"
 #include "core/engines/horizon/counting/widen_horizons.h"
 
@@ -17,9 +18,9 @@ namespace noonmark {
 /// - certainly hidden if the horizons of its bin and of both neighbours hide it and lie on one edge;
 /// - certainly lit if none of these horizons hides it and, at steps of more than a minute or so, where a
 ///   single one may part a run, they lie on one edge;
-/// - in doubt otherwise. Rays decide it where it matters (run_decider.h).
-/// Not detected: a gap between two occluders whose tops are in one line to some millimetres, and a post
-/// narrower than a bin that stands free between two means. Immutable.
+/// - in doubt otherwise, and where a part hides it below which there is open air (open_below.h). Rays decide
+/// it where it matters (run_decider.h). Not detected: a gap between two occluders whose tops are in one line
+/// to some millimetres, and a post narrower than a bin that stands free between two means. Immutable.
 class RunDoubts {
 public:
     RunDoubts(const BinnedSun& binned, double stepMinutes);
@@ -33,6 +34,12 @@ public:
     /// else with the space below these filled.
     void widen(std::span<const RunLanes> horizons, std::span<const RunLanes> filled, Horizons& widened) const;
 
+    /// Puts in doubt what parts with open air below hide from any of these eyes, unless something hides it
+    /// that stands higher than the part. `widened`: from widen().
+    void doubt(std::span<const OpenBelow> open, const EyeBox& eyes, Horizons& widened) const;
+    /// Puts in doubt all that is lit as seen by one lane.
+    static void doubtLight(std::size_t lane, Horizons& widened);
+
     /// Number of steps by which a longest run may be off.
     static constexpr int allowed = 2;
 
@@ -44,6 +51,8 @@ private:
     static Neighbours neighboursOf(const BinnedSun& binned, std::size_t bin);
 
     std::vector<Neighbours> neighbours_;  // one per bin
+    std::vector<double> azimuthsRad_;     // of the means, ascending from north
+    double widestRad_;                    // of the bins
     bool doubtsLight_;
 };
 

@@ -13,7 +13,7 @@ Result<RunRays> RunRays::over(const City& city, std::span<const std::uint32_t> u
                               const std::stop_token& stop) {
     auto scene = RayScene::over(city, used, stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    return RunRays(*std::move(scene), receivers, sun, checksRuns);
+    return RunRays(*std::move(scene), findOpenBelow(city, used), receivers, sun, checksRuns);
 }
 
 RunRays::Receiver RunRays::of(std::uint32_t cell) const {

@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/engines/common/open_below.h"
 #include "core/engines/common/sun_packets.h"
 #include "core/engines/horizon/counting/run_search.h"
 #include "core/engines/ray/ray_scene.h"
@@ -52,6 +53,10 @@ public:
     };
     [[nodiscard]] Receiver of(std::uint32_t cell) const;
 
+    [[nodiscard]] glm::vec3 positionOf(std::uint32_t cell) const { return receivers_.position(cell); }
+    /// Where the rays may find light below parts that horizons count as solid.
+    [[nodiscard]] std::span<const OpenBelow> openBelow() const { return openBelow_; }
+
     void countReceiver() { ++decided_->receivers; }
     [[nodiscard]] std::uint64_t receivers() const { return decided_->receivers; }  ///< decided by rays
     [[nodiscard]] std::uint64_t rays() const { return decided_->rays; }
@@ -60,10 +65,16 @@ private:
     struct Decided {
         std::atomic<std::uint64_t> receivers{0}, rays{0};
     };
-    RunRays(RayScene scene, const Receivers& receivers, const SunSteps& sun, bool checksRuns)
-        : scene_(std::move(scene)), receivers_(receivers), sun_(sun), checksRuns_(checksRuns) {}
+    RunRays(RayScene scene, std::vector<OpenBelow> openBelow, const Receivers& receivers, const SunSteps& sun,
+            bool checksRuns)
+        : scene_(std::move(scene)),
+          openBelow_(std::move(openBelow)),
+          receivers_(receivers),
+          sun_(sun),
+          checksRuns_(checksRuns) {}
 
     RayScene scene_;
+    std::vector<OpenBelow> openBelow_;
     const Receivers& receivers_;
     const SunSteps& sun_;
     bool checksRuns_;

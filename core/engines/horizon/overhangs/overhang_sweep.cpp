@@ -23,10 +23,11 @@ void OverhangSweep::begin(const OverhangView& view, const std::stop_token& stop)
     view_.emplace(view);
     axes_ = ShadowAxes(view.away);
     alongPerMetre_ = axes_.alongPerDistance / view.cellM;
-    layers_.set(view.shapes, axes_, alongPerMetre_);
+    const double lowestTan = toTangent(view.lowest);
+    findInReach(lowestTan);
+    layers_.set(inReach_, axes_, alongPerMetre_);
     entries_.clear();
     firsts_.assign(view.tile.blockNumbers.size(), -1);
-    const double lowestTan = toTangent(view.lowest);
     for (std::uint32_t layer = 0; layer < layers_.all().size() && !stop.stop_requested(); ++layer)
         findBlocks(layer, layers_.all()[layer], lowestTan);
 }
@@ -47,6 +48,24 @@ std::span<const Gap> OverhangSweep::intervals(const OverhangView& view, std::spa
     }
     if (stop.stop_requested()) gaps_.clear();
     return gaps_;
+}
+
+// By the bounds of each building. Far fewer are cut into strips, which costs more.
+void OverhangSweep::findInReach(double lowestTan) {
+    constexpr double spare = 2;  // cells, wide of what findBlocks() and addBlocks() add
+    const TileBox& box = view_->tile.box;
+    ShadowExtent tile;
+    tile.addBox(axes_, glm::dvec2(box.firstColumn, box.firstRow) - spare,
+                glm::dvec2(box.firstColumn + box.columns, box.firstRow + box.rows) + double(side) + spare);
+    inReach_.clear();
+    for (const OverhangShapes* shapes : view_->shapes) {
+        ShadowExtent extent;
+        extent.addBox(axes_, shapes->low, shapes->high);
+        const double reach = std::max(0.0, shapes->topM * alongPerMetre_ / lowestTan);
+        if (extent.highQ >= tile.lowQ && extent.lowQ <= tile.highQ && extent.lowAlong <= tile.highAlong &&
+            extent.highAlong + reach >= tile.lowAlong)
+            inReach_.push_back(shapes);
+    }
 }
 
 // Visits blocks row by row, or column by column if swapped.

@@ -67,6 +67,7 @@ private:
     struct Range {
         double low, high;
     };
+    void findInReach(double lowestTan);
     void findBlocks(std::uint32_t layer, const OverhangLayer& of, double lowestTan);
     void addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode most);
     [[nodiscard]] HorizonCode lowestIn(std::size_t block, std::span<const HorizonCode> horizons) const;
@@ -78,6 +79,7 @@ private:
     std::optional<OverhangView> view_;
     ShadowAxes axes_{{0, 1}};
     double alongPerMetre_ = 0;
+    OverhangList inReach_;  // those of the view that may hide a sun from the tile
     OverhangLayers layers_;
     std::vector<Entry> entries_;
     std::vector<std::int32_t> firsts_;  // first entry of each block; -1: none

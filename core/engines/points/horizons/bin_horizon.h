@@ -25,11 +25,21 @@ struct BinHorizon {
             if (sun.tan >= float(gaps[i].lowTan) && sun.tan <= float(gaps[i].highTan)) return true;
         return false;
     }
+    void clearGaps() {
+        firstGap.fill(0);
+        gaps.clear();
+    }
     /// Above this tangent nothing is hidden in the bin.
     [[nodiscard]] float topTan(std::size_t bin) const {
         if (firstGap[bin] == firstGap[bin + 1]) return tan[bin];
         return std::max(tan[bin], float(gaps[firstGap[bin + 1] - 1].highTan));
     }
+};
+
+/// Bounds of what one point sees at any azimuth of a bin.
+struct HorizonBounds {
+    BinHorizon touch;  ///< above its tangent no azimuth of the bin hides a sun; without gaps
+    BinHorizon cover;  ///< what it hides every azimuth of the bin hides
 };
 
 }  // namespace noonmark

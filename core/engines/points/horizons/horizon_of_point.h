@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/engines/common/open_below.h"
 #include "core/engines/points/horizons/bin_directions.h"
 #include "core/engines/points/horizons/bin_horizon.h"
 #include "core/engines/points/horizons/count_suns.h"
@@ -37,6 +39,10 @@ public:
 
     /// Finds the horizon of a point on a surface.
     void sweep(glm::vec3 position, glm::vec3 normal);
+    /// The same with its bounds(), which costs about a half more. `open`: what parts with open air below
+    /// hide, no bound counts as covered, unless something hides it that stands higher. Below such a part
+    /// nothing is known to be lit.
+    void sweepWithBounds(glm::vec3 position, glm::vec3 normal, std::span<const OpenBelow> open);
 
     // Of the point that was swept last; the last two need the scene's track.
     [[nodiscard]] SunBins::Months countSunlit() const {  ///< sunlit steps by month
@@ -44,6 +50,7 @@ public:
     }
     [[nodiscard]] PointRuns countRuns() const { return scene_.track->countRuns(horizon_); }
     [[nodiscard]] const BinHorizon& horizon() const { return horizon_; }
+    [[nodiscard]] HorizonBounds& bounds() { return bounds_; }
     /// 1 in shadow, 0 lit; one entry a step.
     void findShadedSteps(std::vector<std::uint8_t>& shaded) const {
         scene_.track->findShadedSteps(horizon_, shaded);
@@ -51,17 +58,30 @@ public:
 
 private:
     void faceTowards(glm::vec3 normal);
+    void boundFacing(glm::vec3 normal);
+    void uncover(const OpenBelow& open, glm::vec3 eye);
+    void touchGaps();
+    void coverGaps();
+    void coverGapsOf(std::size_t bin);
+    void coverBy(std::size_t bin, const HiddenAltitudes& gap);
+    [[nodiscard]] std::span<const HiddenAltitudes> joinedOf(std::size_t bin) const {
+        return std::span(joined_).subspan(firstJoined_[bin], firstJoined_[bin + 1] - firstJoined_[bin]);
+    }
     void joinGaps();
     void sortGaps();
     void joinGapsOf(std::size_t bin);
 
     const HorizonScene& scene_;
     BinHorizon horizon_;
+    HorizonBounds bounds_;
     std::vector<BinGap> gaps_;
     // Sorted by bin: those of bin k are sorted_[firstOf_[k]] to sorted_[firstOf_[k + 1]].
     std::vector<HiddenAltitudes> sorted_;
     std::vector<std::uint32_t> firstOf_;
+    // The same, joined where they overlap.
     std::vector<HiddenAltitudes> joined_;
+    std::vector<std::uint32_t> firstJoined_;
+    std::vector<HiddenAltitudes> ofBin_;
 };
 
 }  // namespace noonmark

@@ -11,6 +11,7 @@ PointRunRays::PointRunRays(const RayScene& scene, const SunSteps& sun, glm::vec3
     : scene_(scene), sun_(sun), origin_(placeSurfaceRayOrigin(position, normal)), normal_(normal) {}
 
 std::uint32_t PointRunRays::findShaded(std::span<const std::uint32_t> steps) const {
+    if (steps.size() == 1) return isShaded(sun_.steps[steps[0]].direction) ? 1 : 0;
     DirectionPacket packet{.count = int(steps.size())};
     std::uint32_t away = 0;
     for (std::size_t lane = 0; lane < together; ++lane) {
@@ -24,6 +25,12 @@ std::uint32_t PointRunRays::findShaded(std::span<const std::uint32_t> steps) con
     scene_.blockedLanes({&origin_, 1}, packet, {&blocked, 1});
     rays_ += steps.size();
     return (blocked | away) & std::uint32_t((1ULL << steps.size()) - 1);
+}
+
+bool PointRunRays::isShaded(glm::vec3 sun) const {
+    if (normal_.x * sun.x + normal_.y * sun.y + normal_.z * sun.z <= 0) return true;
+    ++rays_;
+    return scene_.occluded(origin_, sun);
 }
 
 }  // namespace noonmark

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] std::uint64_t rays() const { return rays_; }
 
 private:
+    [[nodiscard]] bool isShaded(glm::vec3 sun) const;
+
     const RayScene& scene_;
     const SunSteps& sun_;
     glm::vec3 origin_, normal_;

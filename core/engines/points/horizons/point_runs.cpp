@@ -1,60 +1,72 @@
 #include "core/engines/points/horizons/point_runs.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace noonmark {
 
-void widenHorizon(const BinHorizon& horizon, const SunBins& suns, BinHorizon& highest, BinHorizon& lowest) {
-    constexpr int count = SunBins::count;
-    for (BinHorizon* widened : {&highest, &lowest}) {
-        widened->tan = horizon.tan;
-        widened->firstGap.fill(0);
-        widened->gaps.clear();
-    }
-    for (int bin = 0; bin < count; ++bin) {
-        const auto own = std::size_t(bin);
-        highest.tan[own] = horizon.topTan(own);
-        for (const int other : {(bin + count - 1) % count, (bin + 1) % count}) {
-            if (suns.empty(other)) continue;
-            highest.tan[own] = std::max(highest.tan[own], horizon.topTan(std::size_t(other)));
-            lowest.tan[own] = std::min(lowest.tan[own], horizon.tan[std::size_t(other)]);
-        }
-    }
-}
+namespace {
 
-PointRuns PointRunSearch::decide(const BinHorizon& horizon, const PointRunRays& rays) {
-    widenHorizon(horizon, suns_, highest_, lowest_);
+constexpr std::size_t together = PointRunRays::together;
+// The first asks mostly find an end, so they are about few steps.
+constexpr std::array<std::size_t, 3> askedFirst{1, 1, 4};
+
+}  // namespace
+
+PointRuns PointRunSearch::decide(const BinHorizon& horizon, const HorizonBounds& bounds,
+                                 const PointRunRays& rays) {
+    const Point point{horizon, bounds, rays};
     const SunTrack::Longest found = track_.findLongest(horizon);
     ofShadow_ = true;
-    const std::uint32_t shadow = longest(found.shadow, horizon, highest_, rays);
+    const std::uint32_t shadow = longest(found.shadow, point);
     ofShadow_ = false;
-    return {shadow, longest(found.sun, horizon, lowest_, rays)};
+    return {shadow, longest(found.sun, point)};
 }
 
-// `most`: the horizon that gives the longest runs.
-std::uint32_t PointRunSearch::longest(const TrackRun& found, const BinHorizon& horizon,
-                                      const BinHorizon& most, const PointRunRays& rays) {
-    const bool confirmed = holds(found, rays);
+std::uint32_t PointRunSearch::longest(const TrackRun& found, const Point& point) {
+    isEndBin_.fill(0);
+    findDoubts(found, point);
+    const bool confirmed = holds(found, point.rays);
     longest_ = confirmed ? found.length() : 0;
     const std::uint32_t spare = confirmed ? std::uint32_t(allowed) : 0;
-    for (const TrackRun& run : track_.findRuns(most, ofShadow_, longest_ + spare))
-        if (run.length() > longest_) search(run, horizon, rays);
+    const BinHorizon& most = ofShadow_ ? point.bounds.touch : point.bounds.cover;
+    for (const TrackRun& run : track_.findRuns(most, ofShadow_, longest_ + spare)) {
+        if (run.length() <= longest_ + spare) break;
+        findDoubts(run, point);
+        search(run, point.rays);
+    }
     return longest_;
+}
+
+void PointRunSearch::findDoubts(const TrackRun& run, const Point& point) {
+    doubts_.clear();
+    for (std::uint32_t step = run.first; step < run.end; ++step) {
+        const bool surely =
+            ofShadow_ ? track_.hides(point.bounds.cover, step) : !track_.hides(point.bounds.touch, step);
+        if (!surely)
+            doubts_.push_back({step, track_.binOf(step), track_.hides(point.horizon, step) != ofShadow_});
+    }
+}
+
+// Bit k: doubt k ends a run.
+std::uint32_t PointRunSearch::findEnds(std::span<Doubt* const> doubts, const PointRunRays& rays) const {
+    std::array<std::uint32_t, together> steps;
+    std::ranges::transform(doubts, steps.begin(), &Doubt::step);
+    const std::uint32_t shaded = rays.findShaded(std::span(steps).first(doubts.size()));
+    return (ofShadow_ ? ~shaded : shaded) & std::uint32_t((1ULL << doubts.size()) - 1);
 }
 
 // Whether the run is unbroken except for the number of steps that it may be off.
 bool PointRunSearch::holds(const TrackRun& run, const PointRunRays& rays) {
     TrackRun rest = run;
     std::uint32_t unbroken = 0;
-    for (std::uint32_t first = run.first; first < run.end; first += std::uint32_t(PointRunRays::together)) {
-        steps_.clear();
-        const auto end = std::min(run.end, first + std::uint32_t(PointRunRays::together));
-        for (std::uint32_t step = first; step < end; ++step) steps_.push_back(step);
-        const std::uint32_t shaded = rays.findShaded(steps_),
-                            all = std::uint32_t((1ULL << steps_.size()) - 1);
-        for (std::uint32_t left = (ofShadow_ ? ~shaded : shaded) & all; left != 0; left &= left - 1) {
-            const std::uint32_t step = first + std::uint32_t(std::countr_zero(left));
+    for (std::size_t first = 0; first < doubts_.size(); first += together) {
+        asked_.clear();
+        for (std::size_t i = first; i < std::min(doubts_.size(), first + together); ++i)
+            asked_.push_back(&doubts_[i]);
+        for (std::uint32_t ends = findEnds(asked_, rays); ends != 0; ends &= ends - 1) {
+            const std::uint32_t step = asked_[std::size_t(std::countr_zero(ends))]->step;
             unbroken = std::max(unbroken, step - rest.first);
             rest.first = step + 1;
         }
@@ -64,48 +76,59 @@ bool PointRunSearch::holds(const TrackRun& run, const PointRunRays& rays) {
 }
 
 // Raises longest_ to that of the steps of a run that may be unbroken.
-void PointRunSearch::search(TrackRun run, const BinHorizon& horizon, const PointRunRays& rays) {
+void PointRunSearch::search(TrackRun run, const PointRunRays& rays) {
     while (run.length() > longest_) {
-        const auto end = findEnd(run, horizon, rays);
+        const auto end = findEnd(run, rays);
         if (!end) {
             longest_ = run.length();
             return;
         }
-        search({run.first, *end}, horizon, rays);
+        search({run.first, *end}, rays);
         run.first = *end + 1;
     }
 }
 
-// Looks for a step that ends the run: first where the horizon says so, then everywhere.
-std::optional<std::uint32_t> PointRunSearch::findEnd(const TrackRun& run, const BinHorizon& horizon,
-                                                     const PointRunRays& rays) {
-    for (const bool likely : {true, false}) {
-        collect(run, horizon, likely);
-        if (const auto end = findEndAmongSteps(rays)) return end;
-    }
+// Looks for a step that ends the run: first where another day ended, then where the horizon says so, then
+// everywhere.
+std::optional<std::uint32_t> PointRunSearch::findEnd(const TrackRun& run, const PointRunRays& rays) {
+    const auto from = std::ranges::lower_bound(doubts_, run.first, {}, &Doubt::step),
+               to = std::ranges::lower_bound(from, doubts_.end(), run.end, {}, &Doubt::step);
+    const std::uint32_t middle = run.first + run.length() / 2;
+    for (const Which which : {Which::inEndBins, Which::likelyEnds, Which::all})
+        if (const auto end = findEndAmong({from, to}, middle, which, rays)) return end;
     return std::nullopt;
 }
 
-// From the middle of the run outwards, since an end there leaves two runs too short to matter.
-void PointRunSearch::collect(const TrackRun& run, const BinHorizon& horizon, bool likely) {
-    steps_.clear();
-    const auto add = [&](std::uint32_t step) {
-        if ((track_.hides(horizon, step) != ofShadow_) == likely) steps_.push_back(step);
-    };
-    const std::uint32_t middle = run.first + run.length() / 2;
-    for (std::uint32_t off = 0; off <= run.length() / 2; ++off) {
-        if (middle + off < run.end) add(middle + off);
-        if (off > 0) add(middle - off);
-    }
+bool PointRunSearch::isWanted(const Doubt& doubt, Which which) const {
+    if (doubt.isWithin) return false;
+    if (which == Which::inEndBins) return isEndBin_[doubt.bin] != 0;
+    return which == Which::all || doubt.isLikelyEnd;
 }
 
-std::optional<std::uint32_t> PointRunSearch::findEndAmongSteps(const PointRunRays& rays) const {
-    for (std::size_t first = 0; first < steps_.size(); first += PointRunRays::together) {
-        const std::span some =
-            std::span(steps_).subspan(first, std::min(PointRunRays::together, steps_.size() - first));
-        const std::uint32_t shaded = rays.findShaded(some), all = std::uint32_t((1ULL << some.size()) - 1);
-        const std::uint32_t ends = (ofShadow_ ? ~shaded : shaded) & all;
-        if (ends != 0) return some[std::size_t(std::countr_zero(ends))];
+// From the middle of the run outwards, since an end there leaves two runs too short to matter.
+std::optional<std::uint32_t> PointRunSearch::findEndAmong(std::span<Doubt> doubts, std::uint32_t middle,
+                                                          Which which, const PointRunRays& rays) {
+    auto after = std::ranges::upper_bound(doubts, middle, {}, &Doubt::step), before = after;
+    std::size_t asks = 0;
+    asked_.clear();
+    while (before != doubts.begin() || after != doubts.end()) {
+        const bool isBefore =
+            after == doubts.end() ||
+            (before != doubts.begin() && middle - std::prev(before)->step <= after->step - middle);
+        Doubt& doubt = isBefore ? *--before : *after++;
+        if (isWanted(doubt, which)) asked_.push_back(&doubt);
+        const std::size_t most = asks < askedFirst.size() ? askedFirst[asks] : together;
+        const bool isLast = before == doubts.begin() && after == doubts.end();
+        if (asked_.empty() || (asked_.size() < most && !isLast)) continue;
+        const std::uint32_t ends = findEnds(asked_, rays);
+        for (std::size_t i = 0; i < asked_.size(); ++i) asked_[i]->isWithin = (ends >> i & 1U) == 0;
+        if (ends != 0) {
+            const Doubt& end = *asked_[std::size_t(std::countr_zero(ends))];
+            isEndBin_[end.bin] = 1;
+            return end.step;
+        }
+        asked_.clear();
+        ++asks;
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,39 +11,51 @@
 
 namespace noonmark {
 
-/// Decides the longest unbroken times of points by rays: those that horizons find are confirmed step by step,
-/// and where they are not, or where the horizons beside could make them longer, the days that may hold a
-/// longer one are searched. Afterwards they are off by at most `allowed` steps, except for an occluder or
-/// gap that no bin sees within a run that is not the longest. Reuses its memory; one per thread.
+/// Decides the longest unbroken times of points by rays, at the steps that the bounds of the horizon leave in
+/// doubt: those of the runs that horizons find, and of all runs that could be longer. Afterwards they are off
+/// by at most `allowed` steps. Reuses its memory; one per thread.
 class PointRunSearch {
 public:
     static constexpr int allowed = 2;
 
-    /// `track` and `suns` must outlive it.
-    PointRunSearch(const SunTrack& track, const SunBins& suns) : track_(track), suns_(suns) {}
+    /// `track` must outlive it.
+    explicit PointRunSearch(const SunTrack& track) : track_(track) {}
 
-    [[nodiscard]] PointRuns decide(const BinHorizon& horizon, const PointRunRays& rays);
+    [[nodiscard]] PointRuns decide(const BinHorizon& horizon, const HorizonBounds& bounds,
+                                   const PointRunRays& rays);
 
 private:
-    [[nodiscard]] std::uint32_t longest(const TrackRun& found, const BinHorizon& horizon,
-                                        const BinHorizon& most, const PointRunRays& rays);
+    /// What is known of one point.
+    struct Point {
+        const BinHorizon& horizon;
+        const HorizonBounds& bounds;
+        const PointRunRays& rays;
+    };
+    /// A step that the bounds leave in doubt.
+    struct Doubt {
+        std::uint32_t step;
+        std::uint16_t bin;
+        bool isLikelyEnd;       ///< according to the horizon
+        bool isWithin = false;  ///< a ray found that it does not end the run
+    };
+    /// Which doubts to look at.
+    enum class Which { inEndBins, likelyEnds, all };
+    [[nodiscard]] bool isWanted(const Doubt& doubt, Which which) const;
+    [[nodiscard]] std::uint32_t longest(const TrackRun& found, const Point& point);
+    void findDoubts(const TrackRun& run, const Point& point);
     [[nodiscard]] bool holds(const TrackRun& run, const PointRunRays& rays);
-    void search(TrackRun run, const BinHorizon& horizon, const PointRunRays& rays);
-    [[nodiscard]] std::optional<std::uint32_t> findEnd(const TrackRun& run, const BinHorizon& horizon,
-                                                       const PointRunRays& rays);
-    void collect(const TrackRun& run, const BinHorizon& horizon, bool likely);
-    [[nodiscard]] std::optional<std::uint32_t> findEndAmongSteps(const PointRunRays& rays) const;
+    void search(TrackRun run, const PointRunRays& rays);
+    [[nodiscard]] std::optional<std::uint32_t> findEnd(const TrackRun& run, const PointRunRays& rays);
+    [[nodiscard]] std::optional<std::uint32_t> findEndAmong(std::span<Doubt> doubts, std::uint32_t middle,
+                                                            Which which, const PointRunRays& rays);
+    [[nodiscard]] std::uint32_t findEnds(std::span<Doubt* const> doubts, const PointRunRays& rays) const;
 
     const SunTrack& track_;
-    const SunBins& suns_;
-    BinHorizon highest_, lowest_;
-    std::vector<std::uint32_t> steps_;
+    std::vector<Doubt> doubts_;  // of the current run, ascending
+    std::vector<Doubt*> asked_;
+    std::array<std::uint8_t, SunBins::count> isEndBin_{};  // whether a step of the bin ended a run
     bool ofShadow_ = true;
     std::uint32_t longest_ = 0;
 };
-
-/// The highest horizon of each bin and its neighbours, with the space below overhangs filled; the lowest,
-/// without overhangs. Bins without suns are left out.
-void widenHorizon(const BinHorizon& horizon, const SunBins& suns, BinHorizon& highest, BinHorizon& lowest);
 
 }  // namespace noonmark

@@ -13,4 +13,9 @@ namespace noonmark {
 /// precision, so that edges which share a corner leave no bin between them.
 void raiseHorizon(const EdgeTree& edges, const BinDirections& bins, glm::vec3 eye, BinTangents& horizon);
 
+/// The same, and raises bounds: `touch` by what an edge reaches anywhere in a bin, `cover` by what one edge
+/// hides at every azimuth of a bin. Of farther edges, `cover` misses those that lie behind the horizon.
+void raiseHorizonAndBounds(const EdgeTree& edges, const BinDirections& bins, glm::vec3 eye,
+                           BinTangents& horizon, BinTangents& touch, BinTangents& cover);
+
 }  // namespace noonmark

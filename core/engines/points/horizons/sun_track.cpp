@@ -1,9 +1,9 @@
 #include "core/engines/points/horizons/sun_track.h"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
 
-#include "core/engines/common/run_counter.h"
+#include "core/engines/points/horizons/bit_rows.h"
 
 namespace noonmark {
 
@@ -39,6 +39,9 @@ SunTrack::SunTrack(const SunSteps& sun) {
         suns_.tan.push_back(binned.tan);
     }
     for (const SunDay& day : sun.days) addDay(sun, day);
+    inDay_.resize((packets_.size() + 63) / 64);
+    for (std::size_t i = 0; i < packets_.size(); ++i)
+        if (packets_[i].count > 0) inDay_[i / 64] |= 1ULL << (i % 64);
     suns_.bin.resize(suns_.bin.size() + packetSteps);
     suns_.tan.resize(suns_.tan.size() + packetSteps);
     const std::size_t whole = (packets_.size() + 15) / 16 * 16;
@@ -58,6 +61,15 @@ void SunTrack::addDay(const SunSteps& sun, const SunDay& day) {
         addPacket(packet);
     }
     days_.push_back({firstPacket, std::uint32_t(packets_.size()), day.count});
+    addNight();
+}
+
+// A packet without steps, so that packets in a row are of one day.
+void SunTrack::addNight() {
+    suns_.lowestTan.push_back(0);
+    suns_.highestTan.push_back(0);
+    suns_.window.push_back(0);
+    packets_.push_back({});
 }
 
 void SunTrack::addPacket(Packet packet) {
@@ -73,6 +85,7 @@ struct SunTrack::Point {
     const SunTrack& track;
     const BinHorizon& horizon;
     PacketBits bits;
+    std::vector<std::uint64_t> mayBeHidden, mayBeLit;
     BinTangents tops{};  // BinHorizon::topTan; only if there are gaps
     // Of packets that were looked at step by step, and which those are.
     std::vector<std::uint32_t> steps;
@@ -83,8 +96,15 @@ struct SunTrack::Point {
         bits.hidden.resize(words), bits.lit.resize(words);
         steps.resize(of.packets_.size()), known.resize(of.packets_.size());
         classifyPackets(of.suns_, WindowBounds(its), bits);
+        mayBeHidden = without(of.inDay_, bits.lit);
+        mayBeLit = without(of.inDay_, bits.hidden);
         for (std::size_t bin = 0; bin < SunBins::count && !its.gaps.empty(); ++bin)
             tops[bin] = its.topTan(bin);
+    }
+
+    /// Bit k: packet k may have steps in shadow, or lit ones.
+    [[nodiscard]] const std::vector<std::uint64_t>& packetsOf(bool shadow) const {
+        return shadow ? mayBeHidden : mayBeLit;
     }
 
     std::uint32_t shadedSteps(std::size_t index) {
@@ -111,74 +131,124 @@ struct SunTrack::Point {
     }
 };
 
-// No run is longer than the packets in a row that may have one.
-void SunTrack::findStretches(const Day& day, const std::vector<std::uint64_t>& none,
-                             std::vector<Stretch>& stretches) const {
-    for (std::uint32_t i = day.first; i < day.end; ++i) {
-        if (bitOf(none, i)) continue;
-        const std::uint32_t first = i;
-        while (i < day.end && !bitOf(none, i)) ++i;
-        stretches.push_back({first, i, std::min((i - first) * packetSteps, day.steps)});
-    }
-}
-
-std::vector<SunTrack::Stretch> SunTrack::findStretches(const Point& point, bool ofShadow) const {
+// Only those that may have a run of more than `least` steps: none is longer than the packets in a row that
+// may have steps of one.
+std::vector<SunTrack::Stretch> SunTrack::findStretches(const Point& point, bool ofShadow,
+                                                       std::uint32_t least) const {
+    std::vector<std::uint64_t> begins = point.packetsOf(ofShadow);
+    keepBeginsOfRows(begins, least / packetSteps + 1);
     std::vector<Stretch> stretches;
-    for (const Day& day : days_) findStretches(day, ofShadow ? point.bits.lit : point.bits.hidden, stretches);
+    auto day = days_.begin();
+    for (std::uint32_t first = firstBit(begins, 0, true); first < packets_.size();) {
+        while (day->end <= first) ++day;
+        const std::uint32_t end = firstBit(point.packetsOf(ofShadow), first, false),
+                            most = std::min((end - first) * packetSteps, day->steps);
+        if (most > least) stretches.push_back({first, end, most});
+        first = firstBit(begins, end, true);
+    }
     return stretches;
 }
 
-// A run does not go on from one stretch to another.
-std::uint32_t SunTrack::longestIn(Point& point, bool ofShadow, const Stretch& stretch) const {
-    LongestRun runs;
-    for (std::uint32_t i = stretch.first; i < stretch.end; ++i) {
-        const Packet& packet = packets_[i];
-        const std::uint32_t shaded = point.shadedSteps(i), all = firstBits(packet.count);
-        const std::uint32_t starts = i == stretch.first ? packet.starts | 1U : packet.starts;
-        runs.add(ofShadow ? shaded : ~shaded & all, starts, packet.count);
-    }
-    return runs.longest();
+// Those with the most packets.
+std::vector<SunTrack::Stretch> SunTrack::findLongestStretches(const Point& point, bool ofShadow) const {
+    const std::uint32_t packets = findLongestRow(point.packetsOf(ofShadow));
+    return packets == 0 ? std::vector<Stretch>() : findStretches(point, ofShadow, packets * packetSteps - 1);
 }
 
-// Calls visit(run) for each run of a stretch, in time order.
-template <class Visit>
-void SunTrack::forEachRun(Point& point, bool ofShadow, const Stretch& stretch, const Visit& visit) const {
-    TrackRun run;
-    const auto end = [&] {
-        if (run.length() > 0) visit(run);
-        run = {};
-    };
-    for (std::uint32_t i = stretch.first; i < stretch.end; ++i) {
-        const Packet& packet = packets_[i];
-        const std::uint32_t shaded = point.shadedSteps(i), wanted = ofShadow ? shaded : ~shaded;
-        for (int k = 0; k < packet.count; ++k) {
-            const std::uint32_t step = packet.first + std::uint32_t(k);
-            if ((packet.starts >> unsigned(k) & 1U) != 0 || (wanted >> unsigned(k) & 1U) == 0) end();
-            if ((wanted >> unsigned(k) & 1U) == 0) continue;
-            if (run.length() == 0) run.first = step;
-            run.end = step + 1;
+/// Visits the runs of a stretch that have more than some number of steps, in time order. Such a run fills all
+/// packets but its first and last, so most packets need not be looked at: the ones that it would fill are
+/// tried from the last on, and where one has a step outside, the run begins there or later.
+class SunTrack::LongRuns {
+public:
+    LongRuns(Point& point, bool ofShadow, const Stretch& stretch)
+        : point_(point),
+          packets_(point.track.packets_),
+          ofShadow_(ofShadow),
+          at_(stretch.first),
+          end_(stretch.end) {}
+
+    /// `visit(run)` returns the number of steps that runs must exceed from then on.
+    template <class Visit>
+    void visitLongerThan(std::uint32_t least, const Visit& visit) {
+        while (at_ < end_) {
+            const std::uint32_t filled = least < packetSteps ? 0 : (least + 1) / packetSteps - 1;
+            if (at_ + filled >= end_) return;
+            if (skipTo(at_ + filled)) continue;
+            const TrackRun run = next();
+            if (run.length() > least) least = visit(run);
         }
     }
-    end();
-}
 
-// The stretch that may hold the longest run is walked first.
-TrackRun SunTrack::longestRun(Point& point, bool ofShadow) const {
-    std::vector<Stretch> stretches = findStretches(point, ofShadow);
-    if (stretches.empty()) return {};
-    std::iter_swap(stretches.begin(), std::ranges::max_element(stretches, {}, &Stretch::mostSteps));
-    const Stretch* holder = nullptr;
-    std::uint32_t longest = 0;
-    for (const Stretch& stretch : stretches) {
-        if (stretch.mostSteps <= longest) continue;
-        const std::uint32_t steps = longestIn(point, ofShadow, stretch);
-        if (steps > longest) longest = steps, holder = &stretch;
+private:
+    [[nodiscard]] std::uint32_t wantedSteps(std::uint32_t packet) const {
+        const std::uint32_t shaded = point_.shadedSteps(packet);
+        return ofShadow_ ? shaded : ~shaded & firstBits(packets_[packet].count);
     }
+    [[nodiscard]] bool isFilled(std::uint32_t packet) const {
+        return packets_[packet].starts == 0 && wantedSteps(packet) == firstBits(packets_[packet].count);
+    }
+    // Number of steps from bit `from` on that are wanted and belong to one run.
+    [[nodiscard]] std::uint32_t countOn(std::uint32_t packet, std::uint32_t from) const {
+        const std::uint32_t ends =
+            ~wantedSteps(packet) | (packets_[packet].starts & ~firstBits(int(from) + 1));
+        return std::uint32_t(std::countr_zero(std::uint64_t(ends) >> from | 1ULL << (packetSteps - from)));
+    }
+    void moveTo(std::uint32_t packet, std::uint32_t bit) { at_ = packet, bit_ = bit; }
+
+    // Goes to the last packet up to this one that no run fills; false if there is none.
+    bool skipTo(std::uint32_t packet) {
+        for (; packet > at_; --packet)
+            if (!isFilled(packet)) {
+                moveTo(packet, 0);
+                return true;
+            }
+        return false;
+    }
+
+    // The next run; empty if the rest of the packet has none.
+    [[nodiscard]] TrackRun next() {
+        const std::uint32_t wanted = wantedSteps(at_) & ~firstBits(int(bit_));
+        if (wanted == 0) return moveTo(at_ + 1, 0), TrackRun{};
+        const auto from = std::uint32_t(std::countr_zero(wanted)), to = from + countOn(at_, from);
+        const std::uint32_t first = packets_[at_].first + from;
+        if (to < std::uint32_t(packets_[at_].count)) {
+            bit_ = to;
+            return {first, packets_[at_].first + to};
+        }
+        return {first, endOfRunAfter(at_)};
+    }
+
+    // The end of a run that reaches the end of a packet.
+    [[nodiscard]] std::uint32_t endOfRunAfter(std::uint32_t packet) {
+        std::uint32_t last = packet + 1;
+        while (last < end_ && isFilled(last)) ++last;
+        const bool goesOn = last < end_ && (packets_[last].starts & 1U) == 0;
+        const std::uint32_t more = goesOn ? countOn(last, 0) : 0;
+        moveTo(last, more);
+        const Packet& before = packets_[last - 1];
+        return before.first + std::uint32_t(before.count) + more;
+    }
+
+    Point& point_;
+    const std::vector<Packet>& packets_;
+    bool ofShadow_;
+    std::uint32_t at_, end_, bit_ = 0;
+};
+
+// First where it probably is, so that little else need be looked at.
+TrackRun SunTrack::longestRun(Point& point, bool ofShadow) const {
     TrackRun found;
-    if (holder != nullptr)
-        forEachRun(point, ofShadow, *holder, [&](const TrackRun& run) {
-            if (run.length() > found.length()) found = run;
-        });
+    const auto walk = [&](const std::vector<Stretch>& stretches) {
+        for (const Stretch& stretch : stretches) {
+            if (stretch.mostSteps <= found.length()) continue;
+            LongRuns(point, ofShadow, stretch).visitLongerThan(found.length(), [&](const TrackRun& run) {
+                found = run;
+                return run.length();
+            });
+        }
+    };
+    walk(findLongestStretches(point, ofShadow));
+    walk(findStretches(point, ofShadow, found.length()));
     return found;
 }
 
@@ -192,12 +262,11 @@ std::vector<TrackRun> SunTrack::findRuns(const BinHorizon& horizon, bool ofShado
                                          std::uint32_t steps) const {
     Point point(*this, horizon);
     std::vector<TrackRun> runs;
-    for (const Stretch& stretch : findStretches(point, ofShadow)) {
-        if (stretch.mostSteps <= steps || longestIn(point, ofShadow, stretch) <= steps) continue;
-        forEachRun(point, ofShadow, stretch, [&](const TrackRun& run) {
-            if (run.length() > steps) runs.push_back(run);
+    for (const Stretch& stretch : findStretches(point, ofShadow, steps))
+        LongRuns(point, ofShadow, stretch).visitLongerThan(steps, [&](const TrackRun& run) {
+            runs.push_back(run);
+            return steps;
         });
-    }
     std::ranges::stable_sort(runs, std::ranges::greater{}, &TrackRun::length);
     return runs;
 }

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] bool hides(const BinHorizon& horizon, std::uint32_t step) const {
         return horizon.hides({suns_.bin[step], suns_.tan[step]});
     }
+    [[nodiscard]] std::uint16_t binOf(std::uint32_t step) const { return suns_.bin[step]; }
     /// 1 in shadow, 0 lit; one entry a step.
     void findShadedSteps(const BinHorizon& horizon, std::vector<std::uint8_t>& shaded) const;
 
@@ -50,7 +51,7 @@ private:
         std::uint32_t starts = 0;  // bit k: step k begins a new run
         int count = 0;
     };
-    /// Packets of one day.
+    /// Packets of one day; one more follows (addNight()).
     struct Day {
         std::uint32_t first = 0, end = 0, steps = 0;
     };
@@ -58,21 +59,21 @@ private:
     struct Stretch {
         std::uint32_t first = 0, end = 0, mostSteps = 0;
     };
-    struct Point;  // what the horizon of a point hides
+    struct Point;    // what the horizon of a point hides
+    class LongRuns;  // visits the runs of a stretch
 
     void addDay(const SunSteps& sun, const SunDay& day);
     void addPacket(Packet packet);
-    void findStretches(const Day& day, const std::vector<std::uint64_t>& none,
-                       std::vector<Stretch>& stretches) const;
-    [[nodiscard]] std::vector<Stretch> findStretches(const Point& point, bool ofShadow) const;
+    void addNight();
+    [[nodiscard]] std::vector<Stretch> findStretches(const Point& point, bool ofShadow,
+                                                     std::uint32_t least) const;
+    [[nodiscard]] std::vector<Stretch> findLongestStretches(const Point& point, bool ofShadow) const;
     [[nodiscard]] TrackRun longestRun(Point& point, bool ofShadow) const;
-    [[nodiscard]] std::uint32_t longestIn(Point& point, bool ofShadow, const Stretch& stretch) const;
-    template <class Visit>
-    void forEachRun(Point& point, bool ofShadow, const Stretch& stretch, const Visit& visit) const;
 
     SunPackets suns_;
     std::vector<Packet> packets_;
     std::vector<Day> days_;
+    std::vector<std::uint64_t> inDay_;  // bit k: packet k has steps
 };
 
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/engines/points/horizons/horizon_of_point.h"
 #include "core/engines/points/point_sunlight.h"
 #include "tests/core/engines/blocks_in_rows.h"
 #include "tests/core/engines/scenes.h"
@@ -101,6 +102,34 @@ TEST(SurfaceHorizons, LongestTimesAreRightWithinTwoSteps) {
         EXPECT_LE(shadow, 2.01) << seed;
         EXPECT_LE(lit, 2.01) << seed;
     }
+}
+
+// What no azimuth of a bin hides is lit, and what every azimuth hides is dark, whatever lies between the
+// middles of bins.
+TEST(SurfaceHorizons, BoundsHoldAtEveryStep) {
+    const std::vector<Box3> boxes = rowsOfBlocks(2);
+    const City city = cityOf(boxes);
+    SunSteps sun = days(40.7, 12, 1);
+    setMonths(sun);
+    const SurfacePoints points = onWallsOf(boxes);
+    const RayScene rays = RayScene::over(city).value();
+    const HorizonScene scene(city, sun, false);
+    HorizonOfPoint horizon(scene);
+    std::size_t wrong = 0, inDoubt = 0, steps = 0;
+    for (std::size_t i = 0; i < points.size(); i += 8) {
+        horizon.sweepWithBounds(points.positions[i], points.normals[i], {});
+        const ShadedSteps shaded = traceShadedSteps(rays, {points.positions[i], points.normals[i]}, sun);
+        for (std::size_t step = 0; step < shaded.size(); ++step) {
+            const SunInBin at = binSun(sun.steps[step]);
+            const bool covered = horizon.bounds().cover.hides(at), touched = horizon.bounds().touch.hides(at);
+            wrong += shaded[step] != 0 ? !touched : covered;
+            inDoubt += touched && !covered;
+        }
+        steps += shaded.size();
+    }
+    EXPECT_EQ(wrong, 0U);
+    EXPECT_GT(inDoubt, 0U);
+    EXPECT_LT(inDoubt, steps / 20);
 }
 
 TEST(SurfaceHorizons, MonthsAddUpToTheOpenSky) {

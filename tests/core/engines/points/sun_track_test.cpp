@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/vector_relational.hpp>
+#include <vector>
 
 #include "core/engines/points/point_horizons.h"
 #include "core/engines/points/point_sunlight.h"
@@ -28,6 +30,43 @@ TEST(SunTrack, CountsAsStepByStep) {
         const PointRuns runs = track.countRuns(horizon);
         EXPECT_EQ(runs.shadow * sun.stepMinutes, countShadow(shaded, sun).continuousMin) << seed;
         EXPECT_EQ(runs.sun * sun.stepMinutes, countShadow(lit, sun).continuousMin) << seed;
+    }
+}
+
+// Runs of a day, by steps.
+std::vector<TrackRun> runsByStep(const BinHorizon& horizon, const SunSteps& sun, bool ofShadow) {
+    std::vector<TrackRun> runs;
+    for (const SunDay& day : sun.days)
+        for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
+            if (horizon.hides(binSun(sun.steps[i])) != ofShadow) continue;
+            const bool goesOn = i > day.first && !runs.empty() && runs.back().end == i &&
+                                sun.steps[i].slot == sun.steps[i - 1].slot + 1;
+            if (!goesOn) runs.push_back({i, i});
+            runs.back().end = i + 1;
+        }
+    return runs;
+}
+
+TEST(SunTrack, FindsAllRunsThatAreLongerThanSomeSteps) {
+    SunSteps sun = days(47, 40, 3);
+    for (std::size_t i = 700; i < sun.steps.size(); ++i) sun.steps[i].slot += 5;  // a gap within a day
+    const SunTrack track(sun);
+    for (std::uint32_t seed = 1; seed < 20; ++seed) {
+        const BinHorizon horizon = randomHorizon(seed);
+        for (const bool ofShadow : {true, false}) {
+            std::vector<TrackRun> all = runsByStep(horizon, sun, ofShadow);
+            std::ranges::stable_sort(all, std::ranges::greater{}, &TrackRun::length);
+            for (const std::uint32_t least : {0U, 5U, 31U, 32U, 63U, 64U, 100U}) {
+                const std::vector<TrackRun> found = track.findRuns(horizon, ofShadow, least);
+                const auto end =
+                    std::ranges::find_if(all, [&](const TrackRun& run) { return run.length() <= least; });
+                ASSERT_EQ(found.size(), std::size_t(end - all.begin())) << seed << " " << least;
+                for (std::size_t i = 0; i < found.size(); ++i) {
+                    EXPECT_EQ(found[i].first, all[i].first) << seed << " " << least;
+                    EXPECT_EQ(found[i].end, all[i].end) << seed << " " << least;
+                }
+            }
+        }
     }
 }
 
