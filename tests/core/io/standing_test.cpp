@@ -187,6 +187,26 @@ TEST_F(StandingTest, AMeshWithElevationsOfAnotherDatumIsShifted) {
     expectOnGround(read);
 }
 
+// A mesh that counts from its highest base: by their height alone, the bases could be basements below a zero.
+TEST_F(StandingTest, AMeshWhoseBasesFollowTheTerrainBelowItsZeroIsShifted) {
+    const auto belowHighest = [](glm::dvec2 low) { return slope(low.x, low.y) - slope(50, 0); };
+    const CityRead read = readObj(boxesObj(belowHighest), true);
+    EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::shifted);
+    EXPECT_EQ(read.heights.bases[0].aloft, 0U);
+    expectOnGround(read);
+    settings.stand = Stand::terrain;
+    const CityRead setDown = readObj(boxesObj(belowHighest), true);
+    EXPECT_EQ(setDown.heights.bases.at(0).aloft, 0U);
+    expectOnGround(setDown);
+}
+
+TEST_F(StandingTest, BasesThatRangeOverMoreThanBasementsAreElevations) {
+    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return (low.x - 50) / 3; }), false);
+    ASSERT_NE(read.city.terrain, nullptr);
+    EXPECT_EQ(read.city.terrain->source.method, TerrainMethod::fromBases);
+    expectOnGround(read, 0, 1);
+}
+
 TEST_F(StandingTest, AMeshWithElevationsAndNoTerrainGetsOneFromItsBases) {
     const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return slope(low.x, low.y); }), false);
     ASSERT_NE(read.city.terrain, nullptr);
