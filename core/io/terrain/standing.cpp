@@ -140,6 +140,8 @@ bool followTheGround(const Quartiles& gap, const Quartiles& base, const Quartile
 }
 
 StandRule chooseRule(const Quartiles& gap, const Quartiles& base, const Quartiles& ground, bool fromZero) {
+    const bool fits = BaseFit{.gapM = gap.middle}.fits() && BaseFit{.gapM = gap.spread()}.fits();
+    if (fits) return StandRule::asStated;
     const bool oneHeight = base.spread() <= oneHeightM;
     if (oneHeight && (ground.spread() > 2 * oneHeightM || fromZero)) return StandRule::setDown;
     if (gap.spread() > std::max(alikeM, ground.spread() / 4)) return StandRule::setDown;

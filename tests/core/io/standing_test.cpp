@@ -245,6 +245,19 @@ TEST_F(StandingTest, ABridgeBetweenHousesStaysAboveTheGround) {
         }
 }
 
+// A gap of a sill is no gap, also of one building that counts from its own zero.
+TEST_F(StandingTest, OneMeshWithASmallGapStandsAsStated) {
+    std::string text;
+    int vertices = 0;
+    addBox(text, vertices, "house", {0, 0, 0.2}, {10, 10, 7});
+    settings.upAxis = UpAxis::z;
+    settings.meshAnchor = manhattan;
+    const CityRead read =
+        this->read({folder.file("house.obj", text), hill([](double, double) { return 0.0; })});
+    EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::asStated);
+    EXPECT_FALSE(warns(read, "do not follow"));
+}
+
 TEST_F(StandingTest, ABasementStaysBelowTheZeroOfItsMesh) {
     std::string text;
     int vertices = 0;
