@@ -74,6 +74,7 @@ constexpr std::array unitNames{
     UnitName{"centimeters", 0.01},
     UnitName{"centimetre", 0.01},
     UnitName{"centimetres", 0.01},
+    UnitName{"dm", 0.1},
     UnitName{"mm", 0.001},
     UnitName{"km", 1000},
     UnitName{"ft", metresPerFoot},
@@ -133,12 +134,13 @@ bool repeats(Reader& reader, double metres, double bareUnitM) {
 
 std::span<const LengthUnitEntry> listLengthUnits() {
     static constexpr std::array units{
-        LengthUnitEntry{LengthUnit::metres, "m", "m", 1},
-        LengthUnitEntry{LengthUnit::feet, "ft", "ft", metresPerFoot},
-        LengthUnitEntry{LengthUnit::usSurveyFeet, "us-ft", "US survey ft", 1200.0 / 3937.0},
-        LengthUnitEntry{LengthUnit::centimetres, "cm", "cm", 0.01},
-        LengthUnitEntry{LengthUnit::millimetres, "mm", "mm", 0.001},
-        LengthUnitEntry{LengthUnit::inches, "in", "in", inchM},
+        LengthUnitEntry{LengthUnit::metres, "m", "m", "metres", 1},
+        LengthUnitEntry{LengthUnit::feet, "ft", "ft", "feet", metresPerFoot},
+        LengthUnitEntry{LengthUnit::usSurveyFeet, "us-ft", "US survey ft", "US survey feet", 1200.0 / 3937.0},
+        LengthUnitEntry{LengthUnit::centimetres, "cm", "cm", "centimetres", 0.01},
+        LengthUnitEntry{LengthUnit::millimetres, "mm", "mm", "millimetres", 0.001},
+        LengthUnitEntry{LengthUnit::inches, "in", "in", "inches", inchM},
+        LengthUnitEntry{LengthUnit::decimetres, "dm", "dm", "decimetres", 0.1},
     };
     return units;
 }
