@@ -62,6 +62,7 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
                    std::ostream& out) {
     const ElementFigures figures = computeFigures(study);
     Table table;
+    if (const auto headline = makeDoubtHeadline(study.heights)) table.add("unit of heights", *headline);
     if (const auto headline = makeStandHeadline(study.heights)) table.add("bases", *headline);
     table.add("period", formatText(study.settings.period));
     table.add("engine", describeEngine(study));

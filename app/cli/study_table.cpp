@@ -42,6 +42,7 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     const ShadowStatistics& figures = study.statistics;
     Table table;
     if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
+    if (const auto headline = makeDoubtHeadline(study.heights)) table.add("unit of heights", *headline);
     if (const auto headline = makeStandHeadline(study.heights)) table.add("bases", *headline);
     table.add("period", formatText(study.settings.period));
     table.add("engine", study.field.engine);

@@ -22,6 +22,7 @@
 #include "core/io/osm/read_osm_buildings.h"
 #include "core/io/read_part.h"
 #include "core/io/terrain/ground_choice.h"
+#include "core/io/terrain/late_heights.h"
 #include "core/io/terrain/standing.h"
 #include "core/io/terrain/terrain_from_bases.h"
 
@@ -215,17 +216,30 @@ void joinBuildings(CityRead& all, const InputFile& file, Stand wanted) {
                       [&](std::size_t i) { buildings[first + i] = withCleanWords(standing.place(i)); });
 }
 
+// The ids of the city's buildings, after their file if there are several.
+std::vector<std::string> nameBuildings(const CityRead& all, const std::vector<InputFile>& files) {
+    std::vector<std::string> names;
+    for (const InputFile& file : files)
+        for (std::size_t i = 0; i < file.piece.buildings.size(); ++i) {
+            const std::string& id = all.city.buildings[names.size()]->sourceId;
+            names.push_back(files.size() > 1 ? nameOf(file) + ": " + id : id);
+        }
+    return names;
+}
+
 // Keeps one of buildings that are there twice.
-void dropSame(CityRead& all) {
+void dropSame(CityRead& all, const std::vector<InputFile>& files) {
     auto& buildings = all.city.buildings;
+    const std::vector<SameBuilding> same = findSameBuildings(buildings);
+    if (same.empty()) return;
+    const std::vector<std::string> names = nameBuildings(all, files);
     std::vector<char> isDropped(buildings.size());
-    for (const SameBuilding& same : findSameBuildings(buildings)) {
-        const char* what = same.byId ? "a second building of the same id at the same place"
-                                     : "a second building of the same outline at the same place";
-        all.warnings.push_back({WarningKind::leftOut, what,
-                                fmt::format("{}, beside {}", buildings[same.dropped]->sourceId,
-                                            buildings[same.kept]->sourceId)});
-        isDropped[same.dropped] = 1;
+    for (const SameBuilding& one : same) {
+        const char* what = one.byId ? "a second building of the same id at the same place"
+                                    : "a second building of the same outline at the same place";
+        all.warnings.push_back(
+            {WarningKind::leftOut, what, fmt::format("{}, beside {}", names[one.dropped], names[one.kept])});
+        isDropped[one.dropped] = 1;
     }
     std::size_t next = 0;
     std::erase_if(buildings, [&](const auto&) { return isDropped[next++] != 0; });
@@ -243,6 +257,7 @@ void joinWarnings(CityRead& all, const InputFile& file, bool several) {
 void joinHeights(HeightFacts& all, const HeightFacts& piece) {
     all.fields.insert(all.fields.end(), piece.fields.begin(), piece.fields.end());
     all.unknown.insert(all.unknown.end(), piece.unknown.begin(), piece.unknown.end());
+    all.doubts.insert(all.doubts.end(), piece.doubts.begin(), piece.doubts.end());
     std::ranges::stable_sort(all.fields, std::greater<>{}, &HeightField::features);
 }
 
@@ -289,6 +304,9 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
     if (stop.stop_requested()) return cancelled();
     if (ground.terrain) all.city.terrain = ground.terrain;
     std::ranges::move(ground.warnings, std::back_inserter(all.warnings));
+    for (const GroundFile& file : groundFiles(*files))
+        measureRoofs(file, all.city.terrain.get(), all.city.frame, !settings.heightField.empty(),
+                     all.heights);
     for (InputFile& file : *files) {
         file.carriers = findCarriers(file.piece);
         markOverhangsOnBases(file.piece, file.carriers);
@@ -301,7 +319,7 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
         joinHeights(all.heights, file.piece.heights);
         all.features += file.piece.features;
     }
-    dropSame(all);
+    dropSame(all, *files);
     readWater(all, paths, stop);
     countBeyondTerrain(all);
     all.format = joinedTexts(*files, &FilePiece::format);

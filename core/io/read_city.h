@@ -21,7 +21,7 @@
 
 namespace noonmark {
 
-enum class LengthUnit { metres, feet, usSurveyFeet, centimetres, millimetres, inches };
+enum class LengthUnit { metres, feet, usSurveyFeet, centimetres, millimetres, inches, decimetres };
 enum class UpAxis { z, y, automatic };
 
 /// Whether to make a terrain from the ground elevations that buildings state, if no terrain is read: if the

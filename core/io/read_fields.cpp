@@ -1,6 +1,7 @@
 #include "core/io/read_fields.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/describe/text.h"
 #include "core/io/heights/height_text.h"
@@ -9,12 +10,17 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::array unitChoices{Choice{LengthUnit::metres, "m", NM_TEXT("metres")},
-                                 Choice{LengthUnit::feet, "ft", NM_TEXT("feet")},
-                                 Choice{LengthUnit::usSurveyFeet, "us-ft", NM_TEXT("US survey feet")},
-                                 Choice{LengthUnit::centimetres, "cm", NM_TEXT("centimetres")},
-                                 Choice{LengthUnit::millimetres, "mm", NM_TEXT("millimetres")},
-                                 Choice{LengthUnit::inches, "in", NM_TEXT("inches")}};
+std::vector<Choice<LengthUnit>> makeUnitChoices() {
+    std::vector<Choice<LengthUnit>> choices;
+    for (const LengthUnitEntry& entry : listLengthUnits())
+        choices.push_back({entry.unit, entry.key, entry.plural});
+    return choices;
+}
+
+std::span<const Choice<LengthUnit>> unitChoices() {
+    static const std::vector<Choice<LengthUnit>> choices = makeUnitChoices();
+    return choices;
+}
 
 constexpr std::array basesChoices{
     Choice{TerrainFromBases::automatic, "auto", NM_TEXT("if neighbours' ground heights differ")},
@@ -70,11 +76,11 @@ Fields<ReadSettings> heightFields() {
                .help = NM_TEXT("Field with the storeys above the ground (default: found by its name)"),
                .hint = "NAME",
                .whenEmpty = NM_TEXT("found by name")}),
-        choiceField(&ReadSettings::heightUnit, unitChoices,
+        choiceField(&ReadSettings::heightUnit, unitChoices(),
                     {.key = "height_unit",
                      .flag = "--height-unit",
                      .label = NM_TEXT("Unit of heights"),
-                     .help = NM_TEXT("Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in "
+                     .help = NM_TEXT("Unit of numbers without a unit in it: m, ft, us-ft, dm, cm, mm or in "
                                      "(default m)"),
                      .hint = "UNIT",
                      .whenEmpty = NM_TEXT("as in the file")}),
@@ -196,11 +202,11 @@ const Fields<ReadSettings>& meshAxesFields() {
                                      "says or the shape suggests"),
                      .hint = "AXIS"}),
         choiceField(
-            &ReadSettings::meshUnit, unitChoices,
+            &ReadSettings::meshUnit, unitChoices(),
             {.key = "mesh_unit",
              .flag = "--mesh-unit",
              .label = NM_TEXT("Unit of coordinates"),
-             .help = NM_TEXT("Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)"),
+             .help = NM_TEXT("Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)"),
              .hint = "UNIT"}),
     };
     return fields;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/heights/height_reading.h"
 #include "core/io/read_window.h"
 
 namespace noonmark {
@@ -12,6 +13,9 @@ struct FilePiece {
     /// Local z of the ground that each building stands on, as the file states it; nothing if it does not, so
     /// that readCity() places the building on the terrain. One for each building.
     std::vector<std::optional<float>> groundM;
+    /// Elevations of roofs that are all that the data have of a height: readCity() takes the height above the
+    /// terrain. One for each building; empty if there is none.
+    std::vector<std::optional<RoofElevation>> roofs;
     /// z counts from a zero of the file's own, of unknown elevation, and not from that of the frame (meshes).
     bool ownZero = false;
     std::shared_ptr<const Terrain> terrain;
@@ -21,6 +25,9 @@ struct FilePiece {
     std::string attribution;
     HeightFacts heights;
 };
+
+/// What a mesh says that was read without the position of its origin.
+inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";
 
 /// One reader per family of formats. `settings.frame` is set if an earlier file fixed it; otherwise the
 /// reader chooses the middle of its data. `window`: null for the whole file.

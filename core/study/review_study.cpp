@@ -11,6 +11,7 @@
 #include "core/measures/place_run.h"
 #include "core/measures/place_sums.h"
 #include "core/review/criteria/worst_spots.h"
+#include "core/study/not_checked.h"
 #include "core/study/prepare_review.h"
 
 namespace noonmark {
@@ -29,11 +30,11 @@ DayTimeline thinned(DayTimeline day, double stepMinutes, std::size_t days) {
     return day;
 }
 
+// A scenario that changes nothing passes, which says nothing about a proposal.
+bool areSame(const City& baseline, const City& scenario) { return baseline.buildings == scenario.buildings; }
+
 std::vector<std::string> notCheckedIn(const Rule& rule, const City& city) {
-    std::vector<std::string> all = rule.notChecked;
-    if (!rule.occluders.terrain && city.terrain)
-        all.emplace_back("The rule leaves terrain out; here terrain casts shadow");
-    if (rule.occluders.trees) all.emplace_back("The rule counts trees; the city has none");
+    std::vector<std::string> all = listUnchecked(rule, city);
     if (rule.receivers.surface == RuleSurface::plane && city.terrain)
         all.emplace_back("The mean ground is the mean of the ground that is measured");
     return all;
@@ -186,6 +187,10 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         notCheckedIn(rule, baseline),
         {}};
     study.warnings = days.warnings;
+    if (areSame(baseline, scenario))
+        study.warnings.push_back({WarningKind::assumed,
+                                  "the scenario changes nothing: it has the buildings of the baseline",
+                                  rule.key});
     for (const PlaceEvaluation& evaluation : evaluations) study.places.push_back(evaluation.finish());
     if (!settings.contributions) return study;
     ProgressShare second(progress, 1, 2);

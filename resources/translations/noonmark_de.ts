@@ -2465,10 +2465,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Einheit der Höhen</translation>
     </message>
     <message>
-        <source>Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)</source>
-        <translation>Einheit der Zahlen ohne Einheit: m, ft, us-ft, cm, mm oder in (Standard m)</translation>
-    </message>
-    <message>
         <source>as in the file</source>
         <translation>wie in der Datei</translation>
     </message>
@@ -2591,10 +2587,6 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>Unit of coordinates</source>
         <translation>Einheit der Koordinaten</translation>
-    </message>
-    <message>
-        <source>Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)</source>
-        <translation>Netze: Einheit der Koordinaten: m, ft, us-ft, cm, mm oder in (Standard m)</translation>
     </message>
     <message>
         <source>Receivers</source>
@@ -2763,6 +2755,42 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>area of rivers and lakes in the region, which is no ground</source>
         <translation>Fläche der Flüsse und Seen im Gebiet, die kein Boden ist</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without a unit in it: m, ft, us-ft, dm, cm, mm or in (default m)</source>
+        <translation>Einheit der Zahlen ohne Einheit: m, ft, us-ft, dm, cm, mm oder in (Standard m)</translation>
+    </message>
+    <message>
+        <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
+        <translation>Netze: Einheit der Koordinaten: m, ft, us-ft, dm, cm, mm oder in (Standard m)</translation>
     </message>
 </context>
 <context>
@@ -7479,30 +7507,6 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
 </context>
 <context>
     <name>std</name>
-    <message>
-        <source>metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>US survey feet</source>
-        <translation>US-Vermessungsfuß</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>Zentimeter</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>Zoll</translation>
-    </message>
     <message>
         <source>if neighbours&apos; ground heights differ</source>
         <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>

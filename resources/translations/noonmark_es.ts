@@ -2465,10 +2465,6 @@ Todos los lados %2, área %3</translation>
         <translation>Unidad de las alturas</translation>
     </message>
     <message>
-        <source>Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)</source>
-        <translation>Unidad de los números sin unidad: m, ft, us-ft, cm, mm o in (por defecto m)</translation>
-    </message>
-    <message>
         <source>as in the file</source>
         <translation>como en el archivo</translation>
     </message>
@@ -2591,10 +2587,6 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Unit of coordinates</source>
         <translation>Unidad de las coordenadas</translation>
-    </message>
-    <message>
-        <source>Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)</source>
-        <translation>Mallas: unidad de las coordenadas: m, ft, us-ft, cm, mm o in (por defecto m)</translation>
     </message>
     <message>
         <source>Receivers</source>
@@ -2763,6 +2755,42 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>area of rivers and lakes in the region, which is no ground</source>
         <translation>área de ríos y lagos de la región, que no es suelo</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>pies topográficos de EE. UU.</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>decímetros</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without a unit in it: m, ft, us-ft, dm, cm, mm or in (default m)</source>
+        <translation>Unidad de los números sin unidad: m, ft, us-ft, dm, cm, mm o in (por defecto m)</translation>
+    </message>
+    <message>
+        <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
+        <translation>Mallas: unidad de las coordenadas: m, ft, us-ft, dm, cm, mm o in (por defecto m)</translation>
     </message>
 </context>
 <context>
@@ -7479,30 +7507,6 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
 </context>
 <context>
     <name>std</name>
-    <message>
-        <source>metres</source>
-        <translation>metros</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>pies</translation>
-    </message>
-    <message>
-        <source>US survey feet</source>
-        <translation>pies topográficos de EE. UU.</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centímetros</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>milímetros</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pulgadas</translation>
-    </message>
     <message>
         <source>if neighbours&apos; ground heights differ</source>
         <translation>si difiere la cota de los vecinos</translation>

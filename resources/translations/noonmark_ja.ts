@@ -2442,10 +2442,6 @@ All sides %2, area %3</source>
         <translation>高さの単位</translation>
     </message>
     <message>
-        <source>Unit of numbers without a unit in it: m, ft, us-ft, cm, mm or in (default m)</source>
-        <translation>単位のない数値の単位：m、ft、us-ft、cm、mm、in（既定 m）</translation>
-    </message>
-    <message>
         <source>as in the file</source>
         <translation>ファイルの通り</translation>
     </message>
@@ -2568,10 +2564,6 @@ All sides %2, area %3</source>
     <message>
         <source>Unit of coordinates</source>
         <translation>座標の単位</translation>
-    </message>
-    <message>
-        <source>Meshes: unit of the coordinates: m, ft, us-ft, cm, mm or in (default m)</source>
-        <translation>メッシュ：座標の単位：m、ft、us-ft、cm、mm、in（既定 m）</translation>
     </message>
     <message>
         <source>Receivers</source>
@@ -2740,6 +2732,42 @@ All sides %2, area %3</source>
     <message>
         <source>area of rivers and lakes in the region, which is no ground</source>
         <translation>範囲内の川や湖の面積（地面に含まれない）</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>フィート</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>米国測量フィート</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>インチ</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>デシメートル</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without a unit in it: m, ft, us-ft, dm, cm, mm or in (default m)</source>
+        <translation>単位のない数値の単位：m、ft、us-ft、dm、cm、mm、in（既定 m）</translation>
+    </message>
+    <message>
+        <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
+        <translation>メッシュ：座標の単位：m、ft、us-ft、dm、cm、mm、in（既定 m）</translation>
     </message>
 </context>
 <context>
@@ -7445,30 +7473,6 @@ A click on a tile selects its row, a click on a row frames its window.</source>
 </context>
 <context>
     <name>std</name>
-    <message>
-        <source>metres</source>
-        <translation>メートル</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>フィート</translation>
-    </message>
-    <message>
-        <source>US survey feet</source>
-        <translation>米国測量フィート</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>センチメートル</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>ミリメートル</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>インチ</translation>
-    </message>
     <message>
         <source>if neighbours&apos; ground heights differ</source>
         <translation>隣接する地盤高が異なる場合</translation>

@@ -27,6 +27,19 @@ std::string nearOne(const City& city, const std::string& text) {
     return {};
 }
 
+// Warnings about several files name a building after its file, "town.gpkg: feature 15"; in the project the
+// second of an id is "feature 15 (2)". Empty for other texts.
+std::vector<std::string> idsWithoutFile(const City& city, const std::string& text) {
+    const std::size_t colon = text.find(": ");
+    if (colon == text.npos) return {};
+    const std::string id = text.substr(colon + 2);
+    std::vector<std::string> ids;
+    for (const auto& building : city.buildings)
+        if (building->sourceId == id || building->sourceId.starts_with(id + " ("))
+            ids.push_back(building->sourceId);
+    return ids;
+}
+
 }  // namespace
 
 City makeIdsUnique(City city) {
@@ -48,6 +61,11 @@ Result<std::size_t> findBuilding(const City& city, const std::string& idOrName) 
         return byId.front();
     const auto byName = matching(city, idOrName, &Building::name);
     if (byName.size() == 1) return byName.front();
+    const auto ofFile = byName.empty() ? idsWithoutFile(city, idOrName) : std::vector<std::string>();
+    if (ofFile.size() == 1) return matching(city, ofFile.front(), &Building::sourceId).front();
+    if (ofFile.size() > 1)
+        return failure(fmt::format("{} buildings of several files have this id", ofFile.size()), idOrName,
+                       fmt::format("Give one of: {}", fmt::join(ofFile, ", ")));
     if (byName.empty()) {
         const std::string near = nearOne(city, idOrName);
         return failure("There is no such building", idOrName,

@@ -54,7 +54,8 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     if (*kind == FileKind::mesh) here.meshAnchor.reset();  // the user places it
     auto read = readCity({file}, here, progress, std::move(stop));
     if (!read) return tl::make_unexpected(read.error());
-    std::ranges::move(read->warnings, std::back_inserter(warnings));
+    std::ranges::copy_if(read->warnings, std::back_inserter(warnings),
+                         [](const Warning& warning) { return warning.what != originAsAnchor; });
     Building whole = joinBuildings(read->city, id);
     if (whole.parts.empty())
         return failure("The file contains no building", file.string(),

@@ -173,5 +173,13 @@ TEST(BuildingIds, AreFoundByNameToo) {
     EXPECT_THAT(findBuilding(city, "One58").error().advice, HasSubstr("One57"));
 }
 
+// Warnings about several files name them so.
+TEST(BuildingIds, AreFoundAfterTheirFile) {
+    City city = threeHouses();
+    EXPECT_EQ(findBuilding(city, "town.gpkg: a").value(), findBuilding(city, "a").value());
+    city.buildings.push_back(shared(house("a", box(0, 50, 10, 60), 10)));
+    EXPECT_THAT(findBuilding(makeIdsUnique(city), "town.gpkg: a").error().advice, HasSubstr("a, a (2)"));
+}
+
 }  // namespace
 }  // namespace noonmark::tests

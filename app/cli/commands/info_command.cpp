@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -32,6 +33,7 @@ std::string describeSource(const nlohmann::ordered_json& sources) {
 // Warns of assumed heights and names the fields that may hold heights.
 void printHeights(std::ostream& out, const CityRead& read) {
     if (const auto headline = makeAssumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
+    if (const auto headline = makeDoubtHeadline(read.heights)) out << "\n" << *headline << '\n';
     if (const auto headline = makeStandHeadline(read.heights)) out << "\n" << *headline << '\n';
     if (read.heights.unknown.empty()) return;
     out << "fields that may hold heights or storeys; select one with:\n";
@@ -50,7 +52,11 @@ void print(const CityRead& read, std::ostream& out) {
     table.add("parts", fmt::format("{} ({} overhanging)", number("parts"), number("parts_hanging")));
     table.add("triangles", number("triangles"));
     table.add("heights of parts", describeSource(info["height_sources"]));
-    for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
+    const bool several = std::ranges::any_of(read.heights.fields, [&](const HeightField& field) {
+        return field.file != read.heights.fields.front().file;
+    });
+    for (const HeightField& field : read.heights.fields)
+        table.add("heights from", (several ? field.file + ": " : "") + describe(field));
     for (const BaseFit& fit : read.heights.bases) table.add("bases", describe(fit));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));

@@ -156,6 +156,8 @@ TextBlocks definitionBlocks(const Study& study) {
     TextBlocks blocks;
     if (const auto headline = makeAssumedHeadline(countHeights(study.city)))
         blocks.push_back(heading(QString::fromStdString(*headline)));
+    if (const auto headline = makeDoubtHeadline(study.heights))
+        blocks.push_back(heading(QString::fromStdString(*headline)));
     if (const auto headline = makeStandHeadline(study.heights))
         blocks.push_back(heading(QString::fromStdString(*headline)));
     blocks.push_back(

@@ -130,6 +130,8 @@ void OpeningActions::showGuesses() {
     const ZoneGuess& zone = workbench_.zone();
     QStringList lines;
     if (heights) lines << QString::fromStdString(*heights) + u'.';
+    const auto doubt = makeDoubtHeadline(city.heights);
+    if (doubt) lines << QString::fromStdString(*doubt) + u'.';
     const auto stand = makeStandHeadline(city.heights);
     if (stand) lines << QString::fromStdString(*stand) + u'.';
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
@@ -142,7 +144,7 @@ void OpeningActions::showGuesses() {
     if (lines.isEmpty()) return;
     if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
     messages_.showHelp(lines.join(u'\n'));
-    if ((heights || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
+    if ((heights || doubt || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
         offerOptions();
 }
 

@@ -77,7 +77,8 @@ public:
     }
 
 private:
-    void warn(WarningKind kind, const char* what, const CityJsonObject& object, std::size_t count = 0) {
+    void warn(WarningKind kind, const std::string& what, const CityJsonObject& object,
+              std::size_t count = 0) {
         const std::string where = file_ + ": " + object.id;
         warnings.push_back({kind, what, count > 0 ? fmt::format("{} ({})", where, count) : where});
     }
@@ -125,7 +126,7 @@ private:
         const HeightRules rules{settings_.metresPerLevel, settings_.defaultHeightM, true};
         HeightReading reading = readHeights(values, rules, false, file_ + ": " + object.id, warnings);
         if (reading.byDefault)
-            warn(WarningKind::assumed, "no height in the data; the default is used", object);
+            warn(WarningKind::assumed, std::string(noHeightInData) + "; the default is used", object);
         ++origins[reading.origin];
         return reading;
     }

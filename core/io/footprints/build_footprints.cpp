@@ -14,10 +14,13 @@ void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, co
     const std::size_t first = piece.buildings.size();
     piece.groundM.resize(first + buildings.size());
     piece.buildings.resize(first + buildings.size());
+    if (std::ranges::any_of(buildings, [](const auto& made) { return made.roof.has_value(); }))
+        piece.roofs.resize(first + buildings.size());
     tbb::parallel_for(std::size_t{0}, buildings.size(), [&](std::size_t i) {
         AssembledBuilding& made = buildings[i];
         std::optional<float>& ground = piece.groundM[first + i];
         if (made.elevationM) ground = float(*made.elevationM - frame.originElevationM());
+        if (!piece.roofs.empty()) piece.roofs[first + i] = std::move(made.roof);
         for (Part& part : made.building.parts) {
             part.bottomM += ground.value_or(0);
             part.topM += ground.value_or(0);

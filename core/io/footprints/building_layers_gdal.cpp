@@ -63,9 +63,10 @@ JudgedLayer judge(OGRLayer& layer) {
     const NameWords words(readableText(layer.GetName()));
     if (words.has(NameWord::otherLayer)) return {&layer, Likeness::other, "its name says something else"};
     if (words.has(NameWord::building)) return {&layer, Likeness::byName, ""};
-    if (hasBuildingFields(layer)) return {&layer, Likeness::byFields, ""};
     if (layer.GetFeatureCount() == 0) return {&layer, Likeness::other, ""};
+    // Zones have heights too: the highest that is allowed there.
     if (fillsTheGround(layer)) return {&layer, Likeness::other, "its polygons cover the ground without gaps"};
+    if (hasBuildingFields(layer)) return {&layer, Likeness::byFields, ""};
     return {&layer, Likeness::unclear, ""};
 }
 

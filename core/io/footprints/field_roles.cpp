@@ -27,7 +27,9 @@ constexpr std::array unitEndings{
     UnitEnding{"foot", LengthUnit::feet},         UnitEnding{"ft", LengthUnit::feet},
     UnitEnding{"metres", LengthUnit::metres},     UnitEnding{"meters", LengthUnit::metres},
     UnitEnding{"metre", LengthUnit::metres},      UnitEnding{"meter", LengthUnit::metres},
-    UnitEnding{"cm", LengthUnit::centimetres},    UnitEnding{"m", LengthUnit::metres},
+    UnitEnding{"inches", LengthUnit::inches},     UnitEnding{"inch", LengthUnit::inches},
+    UnitEnding{"cm", LengthUnit::centimetres},    UnitEnding{"dm", LengthUnit::decimetres},
+    UnitEnding{"mm", LengthUnit::millimetres},    UnitEnding{"m", LengthUnit::metres},
 };
 
 std::optional<FieldMeaning> meaningAt(std::size_t rank) {
@@ -82,16 +84,10 @@ bool before(const KnownField& a, const KnownField& b) {
     return std::pair(a.meaning.role, a.meaning.rank) < std::pair(b.meaning.role, b.meaning.rank);
 }
 
-std::optional<LengthUnit> unitOfWords(const NameWords& words) {
-    if (words.has(NameWord::usSurveyFeet)) return LengthUnit::usSurveyFeet;
-    if (words.has(NameWord::feet)) return LengthUnit::feet;
-    if (words.has(NameWord::centimetres)) return LengthUnit::centimetres;
-    return words.has(NameWord::metres) ? std::optional(LengthUnit::metres) : std::nullopt;
-}
-
 // Behind every listed name: a typical height, one at the eaves, the highest point.
 FieldMeaning lengthOfWords(const NameWords& words, FieldRole role) {
     FieldMeaning meaning{role, int(listFieldNames().size()), unitOfWords(words), "", ""};
+    meaning.maybeInches = !meaning.unit && words.endsInIn();
     const auto say = [&](int later, std::string_view what) { meaning.rank += later, meaning.meaning = what; };
     if (words.has(NameWord::typical)) say(1, "mean or median of the roof");
     if (words.has(NameWord::eaves)) say(2, "base of the roof");
@@ -106,6 +102,17 @@ std::optional<FieldMeaning> heightOfWords(const NameWords& words) {
         return lengthOfWords(words, words.has(NameWord::ground) ? groundElevation : topElevation);
     if (words.has(NameWord::ground) && !overGround) return std::nullopt;  // an elevation, or above the ground
     return lengthOfWords(words, height);
+}
+
+// Nothing for a name that is known by itself.
+std::optional<FieldMeaning> groundHeightOfWords(std::string_view name) {
+    const NameWords words(name);
+    const bool says = words.areAllKnown() && words.has(NameWord::ground) && words.has(NameWord::height);
+    const bool other = words.has(NameWord::above) || words.has(NameWord::below) ||
+                       words.has(NameWord::storey) || words.has(NameWord::roof) ||
+                       words.has(NameWord::elevation) || words.has(NameWord::otherThing);
+    if (!says || other) return std::nullopt;
+    return lengthOfWords(words, groundElevation);
 }
 
 std::optional<FieldMeaning> storeysOfWords(const NameWords& words) {
@@ -135,6 +142,16 @@ std::optional<FieldMeaning> meaningOfWords(std::string_view name) {
 constexpr std::string_view clearance = "maxheight";
 
 }  // namespace
+
+std::optional<LengthUnit> unitOfWords(const NameWords& words) {
+    if (words.has(NameWord::usSurveyFeet)) return LengthUnit::usSurveyFeet;
+    if (words.has(NameWord::feet)) return LengthUnit::feet;
+    if (words.has(NameWord::inches)) return LengthUnit::inches;
+    if (words.has(NameWord::centimetres)) return LengthUnit::centimetres;
+    if (words.has(NameWord::decimetres)) return LengthUnit::decimetres;
+    if (words.has(NameWord::millimetres)) return LengthUnit::millimetres;
+    return words.has(NameWord::metres) ? std::optional(LengthUnit::metres) : std::nullopt;
+}
 
 std::optional<FieldMeaning> findMeaning(std::string_view fieldName, bool cutShort) {
     const std::string letters = foldName(fieldName);
@@ -188,7 +205,15 @@ public:
         if (tags || hasRole(fields_, height)) return;
         for (KnownField& field : fields_)
             if (field.meaning.role == roofHeight && field.name.find(':') == std::string::npos)
-                field.meaning.role = height, field.meaning.meaning = "roof";
+                field.meaning.role = height, field.meaning.meaning = heightOfRoof;
+    }
+
+    // "Ground height" is an elevation beside that of the roof.
+    void takeGroundHeightsAsElevations(const std::vector<std::string>& names) {
+        if (!hasRole(fields_, topElevation) || hasRole(fields_, groundElevation)) return;
+        for (int i = 0; i < int(names.size()); ++i)
+            if (const auto meaning = groundHeightOfWords(names[std::size_t(i)]))
+                fields_.push_back({i, names[std::size_t(i)], *meaning});
     }
 
     void takeBasesAsElevations() {
@@ -212,16 +237,10 @@ public:
         });
         if (here == names.end()) return;
         KnownField field{int(here - names.begin()), *here, known.value_or(FieldMeaning{})};
-        const bool elevation = known && known->role == topElevation && hasRole(fields_, groundElevation);
+        const bool elevation = known && known->role == topElevation;
         field.meaning.role = role == height && elevation ? topElevation : role;
         field.meaning.inFeetIn = {};
         fields_.push_back(std::move(field));
-    }
-
-    void dropElevationsOfRoofsAlone() {
-        if (!hasRole(fields_, groundElevation))
-            std::erase_if(fields_,
-                          [](const KnownField& field) { return field.meaning.role == topElevation; });
     }
 
     std::vector<KnownField> ordered() {
@@ -244,10 +263,10 @@ std::vector<KnownField> knownFields(const std::vector<std::string>& names, const
     FieldChooser chooser(names, cutShort);
     chooser.dropStatisticsAsUndersides();
     chooser.takeBasesAsElevations();
+    chooser.takeGroundHeightsAsElevations(names);
     chooser.takeRoofHeightsAsHeights();
     chooser.take(choice.height, height, names);
     chooser.take(choice.levels, levels, names);
-    chooser.dropElevationsOfRoofsAlone();
     return chooser.ordered();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/warnings.h"
 #include "core/io/footprints/feature_value.h"
+#include "core/io/footprints/name_words.h"
 
 namespace noonmark {
 
@@ -18,7 +19,11 @@ struct FieldMeaning {
     std::optional<LengthUnit> unit;
     std::string_view meaning;   ///< "base of the roof"; empty: not stated
     std::string_view inFeetIn;  ///< the city whose field of this name is in feet; empty: none
+    bool maybeInches = false;   ///< it ends in "in": inches, or a name cut off before its unit
 };
+
+/// The unit that the words of a name state.
+std::optional<LengthUnit> unitOfWords(const NameWords& words);
 
 /// Names are compared without case, blanks and punctuation, so "building:levels" equals "BUILDING_LEVELS".
 /// `cutShort`: the format truncates names to ten letters (Shapefile), so that "ground_ele" is recognised too,
@@ -41,6 +46,9 @@ struct KnownField {
     LengthUnit unit = LengthUnit::metres;  ///< unit of numbers without a unit; see settleUnits
 };
 
+/// FieldMeaning::meaning of a height of the roof that stands for that of the building.
+inline constexpr std::string_view heightOfRoof = "roof";
+
 /// Field names chosen by the user, in any case; empty: found by name.
 struct FieldChoice {
     std::string height;
@@ -48,10 +56,10 @@ struct FieldChoice {
 };
 
 /// The known fields of a layer, best first within a role. A field that the user chose is the only one of its
-/// role; as a height it may be the elevation of the roof if its name says so and the ground's elevation is
-/// there too. A name's meaning may depend on other fields: next to other statistics of the roof, min_height
-/// is the lowest point of the roof and not an underside; next to topheight, baseheight is the ground's
-/// elevation; and the elevation of the roof is ignored without the ground's.
+/// role; as a height it is the elevation of the roof if its name says so. A name's meaning may depend on
+/// other fields: next to other statistics of the roof, min_height is the lowest point of the roof and not an
+/// underside; next to topheight, baseheight is the ground's elevation, and so is ground_height next to the
+/// elevation of the roof.
 std::vector<KnownField> knownFields(const std::vector<std::string>& names, const FieldChoice& choice,
                                     bool cutShort);
 

@@ -59,7 +59,7 @@ private:
     [[nodiscard]] std::string idOf(const OGRFeature& feature, const FeatureValues& values) const;
     [[nodiscard]] FeatureValues getValues(const OGRFeature& feature) const;
     void watchUnknown(const OGRFeature& feature);
-    void learn(OGRLayer& layer, const ReadSettings& settings, Warnings& warnings);
+    void learn(OGRLayer& layer, const LayerSample& sample, const ReadSettings& settings, Warnings& warnings);
     void learnOutlineZ(const LayerSample& sample, const ReadSettings& settings, bool mapInFeet);
     [[nodiscard]] bool isOtherKind(const OGRFeature& feature, const std::string& id,
                                    Warnings& warnings) const;
@@ -79,6 +79,7 @@ private:
     std::vector<std::pair<int, std::string>> unknownFields_;  // their index and name
     UnknownFields unknown_;
     HeightOrigins origins_;
+    std::vector<HeightDoubt> doubts_;
     std::vector<std::string> names_;  // of all fields, as they are shown and chosen
     int kindField_ = -1;              // says what kind of object a feature is; -1 without one
     std::optional<FieldRole> zRole_;  // of the outlines' highest Z; nothing: it is not used

@@ -92,14 +92,18 @@ std::vector<std::pair<int, std::string>> unknownFields(const std::vector<std::st
     std::vector<std::pair<int, std::string>> unknown;
     for (int i = 0; i < int(names.size()); ++i) {
         const auto meaning = findMeaning(names[std::size_t(i)], cutShort);
-        const bool unused = !meaning || meaning->role == FieldRole::topElevation;
-        if (!isKnownField(known, i) && unused) unknown.emplace_back(i, names[std::size_t(i)]);
+        const bool isRoof = meaning && meaning->role == FieldRole::topElevation;
+        const bool isUsed = isKnownField(known, i) && (!isRoof || hasRole(known, FieldRole::groundElevation));
+        if (!isUsed && (!meaning || isRoof)) unknown.emplace_back(i, names[std::size_t(i)]);
     }
     return unknown;
 }
 
-bool isOutlineZ(const std::string& chosen, const OGRFeatureDefn& definition) {
-    return isSameField(chosen, outlineZ) && wkbHasZ(definition.GetGeomType()) != FALSE;
+// Layers of any type of geometry do not state whether they have Z.
+bool isOutlineZ(const std::string& chosen, const OGRFeatureDefn& definition, const LayerSample& sample) {
+    return isSameField(chosen, outlineZ) &&
+           (wkbHasZ(definition.GetGeomType()) != FALSE ||
+            std::ranges::any_of(sample.features, [](const auto& one) { return std::isfinite(one.topZ); }));
 }
 
 // A face of a solid that stands upright has no area in plan.
@@ -141,18 +145,6 @@ std::optional<KmlAltitudes::Corner> firstCornerOf(const OGRGeometry& geometry) {
     return KmlAltitudes::Corner{ring->getX(0), ring->getY(0), ring->getZ(0)};
 }
 
-void warnOfElevationsAlone(const std::vector<std::string>& names, const std::vector<KnownField>& known,
-                           const LayerSource& source, Warnings& warnings) {
-    if (hasRole(known, FieldRole::height)) return;
-    for (int i = 0; i < int(names.size()); ++i) {
-        const auto meaning = findMeaning(names[std::size_t(i)], source.shapefile);
-        if (meaning && meaning->role == FieldRole::topElevation && !isKnownField(known, i))
-            warnings.push_back({WarningKind::leftOut,
-                                "the roof's elevation, which gives no height without the ground's",
-                                source.file + ": " + names[std::size_t(i)]});
-    }
-}
-
 bool couldBeDegrees(const std::vector<CrsPolygon>& polygons) {
     return std::ranges::all_of(polygons, [](const CrsPolygon& polygon) {
         return std::ranges::all_of(polygon.front(), [](glm::dvec2 point) {
@@ -191,13 +183,13 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     made.names_ = tellingNames(definition, source);
     const FieldChoice choice{tellingName(definition, source, made.names_, settings.heightField),
                              tellingName(definition, source, made.names_, settings.levelsField)};
+    const LayerSample sample = sampleLayer(layer);
     for (const std::string& chosen : {choice.height, choice.levels})
-        if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition))
+        if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition, sample))
             return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
                            fmt::format("Its fields are: {}", fmt::join(made.names_, ", ")));
     made.fields_ = knownFields(made.names_, choice, source.shapefile);
-    warnOfElevationsAlone(made.names_, made.fields_, source, warnings);
-    made.learn(layer, settings, warnings);
+    made.learn(layer, sample, settings, warnings);
     const bool converted = made.otherTags_ >= 0 || made.osmWayId_ >= 0;
     made.rules_.tagged = isTagged(made.fields_, converted);
     made.rules_.sayNoBuilding = !converted;
@@ -206,12 +198,14 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
 }
 
 // What the values of the first features say about the fields.
-void FootprintLayer::learn(OGRLayer& layer, const ReadSettings& settings, Warnings& warnings) {
-    const LayerSample sample = sampleLayer(layer);
+void FootprintLayer::learn(OGRLayer& layer, const LayerSample& sample, const ReadSettings& settings,
+                           Warnings& warnings) {
     const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
     publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
     if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
     settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);
+    if (settings.heightField.empty()) dropRoofsAlone(fields_, sample, source_.file, warnings);
+    if (!settings.heightUnit) doubts_ = doubtHeights(fields_, sample, source_.file);
     unknownFields_ = unknownFields(names_, fields_, source_.shapefile);
     for (const auto& [index, name] : unknownFields_)
         unknown_.compare(name, weighField(index, fields_, sample));
@@ -353,7 +347,11 @@ void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) cons
             FieldRole::height, std::numeric_limits<int>::max(), {}, "of the outline", {}};
         fields.push_back({-1, outlineZ, meaning, LengthUnit::metres});
     }
-    noonmark::addHeightFacts(origins_, fields, unknown_, source_.file, facts, warnings);
+    const std::string where = source_.oneOfSeveral ? source_.file + ": " + name_ : source_.file;
+    noonmark::addHeightFacts(origins_, fields, unknown_, where, facts, warnings);
+    facts.doubts.insert(facts.doubts.end(), doubts_.begin(), doubts_.end());
+    for (const HeightDoubt& doubt : doubts_)
+        warnings.push_back({WarningKind::assumed, "the unit of the heights is doubtful", describe(doubt)});
 }
 
 void FootprintLayer::moveStored(std::vector<UnplacedFeature>& features, Warnings& warnings) {

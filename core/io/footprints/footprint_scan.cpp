@@ -45,7 +45,8 @@ void FootprintScan::add(const UnplacedFeature& feature) {
     LonLatBox own = emptyLonLatBox;
     for (const LonLatPolygon& polygon : feature.polygons)
         for (const LonLat place : polygon.front()) own.add(place);
-    add(own, feature.facts.heights.topM);
+    const HeightReading& heights = feature.facts.heights;
+    add(own, heights.roof ? std::max(heights.topM, heights.roof->elevationM) : heights.topM);
 }
 
 void FootprintScan::add(const Building& building, const Frame& frame) {

@@ -21,7 +21,8 @@ struct FootprintScan {
     std::size_t features = 0;           ///< usable as buildings
     bool indexed = true;                ///< ReadSettings::window reads only what it needs
     bool hasTerrain = false;            ///< the file has a terrain too, which is not divided
-    std::map<Cell, double> tallestM{};  ///< highest top above the ground among the features that touch a cell
+    std::map<Cell, double> tallestM{};  ///< highest top above the ground among the features that touch a
+                                        ///< cell; of a roof whose ground is unknown, at most its elevation
 
     void add(const UnplacedFeature& feature);
     void add(const Building& building, const Frame& frame);

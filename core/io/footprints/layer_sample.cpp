@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/display_units.h"
+#include "core/io/footprints/height_units.h"
 #include "core/io/footprints/name_words.h"
 #include "core/io/heights/height_text.h"
 
@@ -55,6 +56,15 @@ bool growsWithArea(const LayerSample& sample, int index) {
     return n >= fewestCorrelated && spread > 0 && (n * sxy - sx * sy) / std::sqrt(spread) > strong;
 }
 
+// The median of the values above 0; nothing if they are few.
+std::optional<double> medianAt(const LayerSample& sample, int index) {
+    std::vector<double> values;
+    for (const SampledFeature& feature : sample.features)
+        if (const double value = numberAt(feature, index); value > 0 && std::isfinite(value))
+            values.push_back(value);
+    return values.size() < fewestCompared ? std::nullopt : std::optional(sampledMedian(std::move(values)));
+}
+
 const KnownField* fieldOfRole(const std::vector<KnownField>& fields, FieldRole role) {
     const auto found =
         std::ranges::find_if(fields, [&](const KnownField& field) { return field.meaning.role == role; });
@@ -63,38 +73,36 @@ const KnownField* fieldOfRole(const std::vector<KnownField>& fields, FieldRole r
 
 bool isBetween(double value, double least, double most) { return value >= least && value <= most; }
 
-std::optional<LengthUnit> unitPerStorey(double perStorey) {
-    if (isBetween(perStorey, 7.2, 21.5)) return LengthUnit::feet;
-    if (isBetween(perStorey, 220, 650)) return LengthUnit::centimetres;
-    return std::nullopt;
-}
-
-// Of a field whose values are `ratio` times those of another, in metres.
-std::optional<LengthUnit> unitBeside(double ratio) {
-    if (isBetween(ratio, 0.96 / metresPerFoot, 1.04 / metresPerFoot)) return LengthUnit::feet;
-    if (isBetween(ratio, 96, 104)) return LengthUnit::centimetres;
-    return std::nullopt;
-}
-
 struct Finding {
     LengthUnit unit;
     std::string why;
 };
 
+// "height_in" where metres would make towers and inches make houses.
+std::optional<Finding> findInches(const KnownField& field, const LayerSample& sample) {
+    if (!field.meaning.maybeInches) return std::nullopt;
+    const std::optional<double> median = medianAt(sample, field.index);
+    const double inch = metresPer(LengthUnit::inches);
+    if (!median || isTypicalHeight(*median) || !isTypicalHeight(*median * inch)) return std::nullopt;
+    return Finding{LengthUnit::inches,
+                   fmt::format("its name ends in \"in\" and half of its values are over {:.4g}", *median)};
+}
+
 std::optional<Finding> findUnit(const KnownField& field, const std::vector<KnownField>& fields,
                                 const LayerSample& sample) {
     if (const KnownField* storeys = fieldOfRole(fields, FieldRole::levels))
         if (const auto ratio = findRatio(sample, field.index, storeys->index))
-            if (const auto unit = unitPerStorey(*ratio))
-                return Finding{*unit, fmt::format("{:.3g} for each storey of {}", *ratio, storeys->name)};
+            if (const auto unit = unitPerStorey(*ratio); unit && *unit != LengthUnit::metres)
+                return Finding{
+                    *unit, fmt::format("its values are {:.3g} for each storey of {}", *ratio, storeys->name)};
     for (const KnownField& other : fields) {
         if (other.meaning.role != FieldRole::height || other.index == field.index) continue;
         const double unitM = metresPer(other.meaning.unit.value_or(LengthUnit::metres));
         const auto ratio = findRatio(sample, field.index, other.index);
         if (const auto unit = ratio ? unitBeside(*ratio / unitM) : std::nullopt)
-            return Finding{*unit, fmt::format("{:.3g} times {}", *ratio, other.name)};
+            return Finding{*unit, fmt::format("its values are {:.3g} times {}", *ratio, other.name)};
     }
-    return std::nullopt;
+    return findInches(field, sample);
 }
 
 bool repeatsStoreys(const KnownField& field, const std::vector<KnownField>& fields,
@@ -117,8 +125,8 @@ void weighHeight(KnownField& field, const std::vector<KnownField>& all, const La
     if (!found) return;
     field.meaning.unit = found->unit;
     field.meaning.inFeetIn = {};
-    assume(fmt::format("no unit is stated; {} are assumed, since its values are {}",
-                       found->unit == LengthUnit::feet ? "feet" : "centimetres", found->why));
+    assume(
+        fmt::format("no unit is stated; {} are assumed, since {}", entryOf(found->unit).plural, found->why));
 }
 
 }  // namespace
@@ -132,6 +140,36 @@ void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample, co
     std::ranges::stable_sort(fields, {}, [](const KnownField& field) {
         return std::pair(field.meaning.role, field.meaning.rank);
     });
+}
+
+std::vector<HeightDoubt> doubtHeights(const std::vector<KnownField>& fields, const LayerSample& sample,
+                                      const std::string& file) {
+    const KnownField* const field = fieldOfRole(fields, FieldRole::height);
+    if (field == nullptr) return {};
+    const std::optional<double> median = medianAt(sample, field->index);
+    if (!median) return {};
+    if (auto doubt = doubtUnit(*median, field->unit)) return {{file, field->name, *std::move(doubt)}};
+    if (!field->meaning.maybeInches || field->unit != LengthUnit::metres) return {};
+    return {{file, field->name,
+             "its name breaks off before its unit, and metres are assumed; if its heights are feet: "
+             "--height-unit ft"}};
+}
+
+void dropRoofsAlone(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
+                    Warnings& warnings) {
+    constexpr double leastBuildingM = 3;
+    for (KnownField& field : fields) {
+        if (field.meaning.role != FieldRole::height || field.meaning.meaning != heightOfRoof) continue;
+        const auto median = medianAt(sample, field.index);
+        if (!median || *median * metresPer(field.unit) >= leastBuildingM) continue;
+        field.meaning.role = FieldRole::roofHeight;
+        warnings.push_back(
+            {WarningKind::leftOut,
+             fmt::format("the height of the roof alone, {:.3g} m at the median, which is not that "
+                         "of the building",
+                         *median * metresPer(field.unit)),
+             where + ": " + field.name});
+    }
 }
 
 FieldEvidence weighField(int index, const std::vector<KnownField>& fields, const LayerSample& sample) {

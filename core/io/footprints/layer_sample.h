@@ -33,11 +33,21 @@ struct LayerSample {
 /// map library are left to the actual reading. Backend: layer_sample_gdal.cpp.
 LayerSample sampleLayer(OGRLayer& layer);
 
-/// Sets the unit of height fields whose name states none where the values tell it: 7.2 to 21.5 for each
-/// storey are feet, 220 to 650 centimetres; so is what is 3.28 or 100 times another height. A field of
-/// heights that repeats the storeys becomes one of storeys. Each gives a warning. `where`: the layer.
+/// Sets the unit of height fields whose name states none where the values tell it: by storeys or by another
+/// height (height_units.h), or as inches if the name ends in "in". A field of heights that repeats the
+/// storeys becomes one of storeys. Each gives a warning. `where`: the layer.
 void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
                   Warnings& warnings);
+
+/// What makes the unit of the heights doubtful, with units settled: values that no town has, or a name that
+/// may have been cut off before its unit. `file`: for HeightDoubt.
+std::vector<HeightDoubt> doubtHeights(const std::vector<KnownField>& fields, const LayerSample& sample,
+                                      const std::string& file);
+
+/// A height of the roof that stands for that of the building (knownFields) does not where its values, with
+/// units settled, are lower than buildings: half of them below 3 m. It gives a warning. `where`: the layer.
+void dropRoofsAlone(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
+                    Warnings& warnings);
 
 /// What the sample says about an unknown field.
 FieldEvidence weighField(int index, const std::vector<KnownField>& fields, const LayerSample& sample);

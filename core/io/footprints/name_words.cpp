@@ -25,7 +25,7 @@ constexpr std::array vocabularies{
                "height heights hgt hgts hght ht heigth hoehe hoehen hohe hohen hauteur hauteurs haut altura "
                "alturas alcada altezza altezze hoogte hoogtes hojd hojder hojde hoejd hoejde hoyde hoyder "
                "korkeus korgus wysokosc wys vyska vysky visina viska magassag inaltime yukseklik υψοσ высота "
-               "висота 高さ 高度 高 height 높이 tinggi ketinggian chieucao"},
+               "висота 高さ 高度 高 height 높이 tinggi ketinggian chieucao cao"},
     Vocabulary{
         NameWord::storey,
         "storey storeys story stories floor floors flr flrs levels etage etages etager etasje etasjer "
@@ -33,22 +33,24 @@ constexpr std::array vocabularies{
         "plantes piani piano andares pavimentos bouwlagen bouwlaag verdieping verdiepingen vaning "
         "vaningar kerros kerrosta kerrosluku kondygnacja kondygnacje kondygnacji podlazi podlazia patra "
         "nadlazi poschodi korrus korruseid etaza etaze katovi emelet emeletek szintek szint kat katlar "
-        "οροφοι этаж этажа этажи этажей этажность поверх поверхи поверхів 階 階数 層 層数 層數 层 层数 "
+        "οροφοι οροφοσ οροφων этаж этажа этажи этажей этажность поверх поверхи поверхів 階 階数 層 層数 層數 "
+        "层 层数 "
         "楼层 樓層 층 층수 lantai tang sotang"},
     Vocabulary{
         NameWord::count,
         "n no nr nb nbr num number numbers numero nombre count cnt total tot anzahl anz zahl cantidad cant "
         "quantidade antal antall aantal liczba pocet broj stevilo numar sayisi sayi lukumaara arv "
-        "αριθμοσ количество число кількість 数 數 수"},
+        "αριθμοσ so количество число кількість 数 數 수"},
     Vocabulary{
         NameWord::building,
         "building buildings bldg bldgs bld blds bldng bldngs blg blgs build footprint footprints ftprints "
-        "house houses roofprint roofprints rooftops structures gebaeude gebaude geb gebs haus haeuser "
+        "house houses roofprint roofprints rooftops structures gebaeude gebaude geb gebs haus haeuser bauten "
         "hauser bauwerke batiment batiments bati bat constructions edificio edificios edificacao "
         "edificacoes edificacion edificaciones edifici edificis fabbricato fabbricati budova budovy "
         "budynek budynki byggnad byggnader bygning bygninger rakennus rakennukset hoone hooned ehitis "
         "epulet epuletek zgrada zgrade stavba stavby cladire cladiri bina binalar pand panden gebouw "
-        "gebouwen κτιριο κτιριου κτιρια здание здания строение строения будівля будівлі 建物 建築物 建筑 "
+        "gebouwen κτιριο κτιριου κτιρια κτηριο κτηριου κτηρια здание здания строение строения будівля "
+        "будівлі 建物 建築物 建筑 "
         "建筑物 건물 건축물 gedung bangunan toanha"},
     Vocabulary{NameWord::roof,
                "roof roofs rooftop dach dachs toit toiture techo tejado cubierta telhado tetto copertura dak "
@@ -82,9 +84,13 @@ constexpr std::array vocabularies{
     Vocabulary{NameWord::metres,
                "m mtr mtrs meter meters metre metres metros metri metrow metru metry 米 미터 метр метров"},
     Vocabulary{NameWord::centimetres, "cm centimetre centimetres centimeter centimeters 厘米"},
-    Vocabulary{NameWord::filler,
-               "of in the to de des du da do del dei degli della der die das le la les el los and e et y d l "
-               "value val est estimated calc calculated measured gemessen gemessene mesuree medida misurata"},
+    Vocabulary{NameWord::decimetres, "dm decimetre decimetres decimeter decimeters"},
+    Vocabulary{NameWord::millimetres, "mm millimetre millimetres millimeter millimeters"},
+    Vocabulary{NameWord::inches, "inch inches"},
+    Vocabulary{
+        NameWord::filler,
+        "of in the to de des du da do del dei degli della der die das le la les el los and e et y d l "
+        "chieu value val est estimated calc calculated measured gemessen gemessene mesuree medida misurata"},
     Vocabulary{
         NameWord::otherThing,
         "id fid oid gid objectid uid uuid code kod cod year date datum area areal surface shape length "
@@ -112,7 +118,8 @@ constexpr std::array vocabularies{
         "areas extent bbox cimetiere reservoir aerodrome terrain relief contour contours isochrones "
         "parcelas parcela manzanas manzana barrios barrio calles zonas gemeinden gemeinde strassen "
         "gewaesser wege parzellen parzelle kvartal percelen perceel straten wijken buurten wegdeel "
-        "vassen parcely parcela ulice dzialki dzialka teiler soil surface surfaces"},
+        "vassen bebauungsplan bebauungsplaene bebauungsplane bplan zonenplan parcely parcela ulice dzialki "
+        "dzialka teiler soil surface surfaces"},
 };
 
 using WordTable = std::unordered_map<std::string_view, NameWord>;
@@ -136,6 +143,17 @@ constexpr std::string_view latinExtendedA =
 // Of U+00C0 to U+00D6 and U+00E0 to U+00F6; withoutMark() has the others.
 constexpr std::string_view latin1 = "aaaaaaaceeeeiiiidnooooo";
 
+// Of Romanian (with a comma below) and Vietnamese.
+struct LatinLetters {
+    char32_t first, last;
+    std::string_view plain;
+};
+constexpr std::array otherLatin{LatinLetters{0x1A0, 0x1A1, "o"},   LatinLetters{0x1AF, 0x1B0, "u"},
+                                LatinLetters{0x218, 0x219, "s"},   LatinLetters{0x21A, 0x21B, "t"},
+                                LatinLetters{0x1EA0, 0x1EB7, "a"}, LatinLetters{0x1EB8, 0x1EC7, "e"},
+                                LatinLetters{0x1EC8, 0x1ECB, "i"}, LatinLetters{0x1ECC, 0x1EE3, "o"},
+                                LatinLetters{0x1EE4, 0x1EF1, "u"}, LatinLetters{0x1EF2, 0x1EF9, "y"}};
+
 std::string_view withoutMark(char32_t point) {
     if (point == 0xC6 || point == 0xE6) return "ae";
     if (point == 0xDF) return "ss";
@@ -147,6 +165,8 @@ std::string_view withoutMark(char32_t point) {
     if (point >= 0xC0 && point <= 0xF6) return latin1.substr((point - 0xC0) % 0x20, 1);
     if (point >= 0x100 && point < 0x100 + latinExtendedA.size())
         return latinExtendedA.substr(point - 0x100, 1);
+    for (const LatinLetters& some : otherLatin)
+        if (point >= some.first && point <= some.last) return some.plain;
     return {};
 }
 
@@ -177,7 +197,7 @@ char32_t narrow(char32_t point) { return point >= 0xFF01 && point <= 0xFF5E ? po
 
 bool isLetterPoint(char32_t point) {
     if (point < 0x80) return isCapitalAscii(point) || isSmallAscii(point);
-    const bool mark = point < 0xC0 || point == 0xD7 || point == 0xF7 || (point >= 0x300 && point < 0x370);
+    const bool mark = point < 0xC0 || point == 0xD7 || point == 0xF7;
     const bool punctuation = (point >= 0x2000 && point < 0x2E80) || (point >= 0x3000 && point < 0x3040);
     return !mark && !punctuation && point != 0xFFFD;
 }
@@ -191,9 +211,14 @@ void appendFolded(std::string& text, char32_t point) {
         appendUtf8(text, smallLetter(point));
 }
 
+// An accent of its own behind its letter, as some systems write names.
+bool isCombiningMark(char32_t point) { return point >= 0x300 && point < 0x370; }
+
 std::vector<char32_t> pointsOfName(std::string_view name) {
     std::vector<char32_t> points;
-    for (std::size_t at = 0; at < name.size();) points.push_back(narrow(nextCodePoint(name, at)));
+    for (std::size_t at = 0; at < name.size();)
+        if (const char32_t point = narrow(nextCodePoint(name, at)); !isCombiningMark(point))
+            points.push_back(point);
     return points;
 }
 
@@ -207,7 +232,8 @@ bool beginsWord(const std::vector<char32_t>& points, std::size_t i) {
 // Shorter words are found in a word written together only where they are units or fillers after another.
 bool mayBePiece(std::string_view word, std::size_t at) {
     if (word.size() >= 3) return true;
-    return at > 0 && (word == "in" || word == "ft" || word == "cm" || word == "ht");
+    return at > 0 &&
+           (word == "in" || word == "ft" || word == "cm" || word == "dm" || word == "mm" || word == "ht");
 }
 
 // The fewest known words that make up `word`; none if there are no such words.
@@ -267,7 +293,9 @@ std::vector<std::string> wordsOfName(std::string_view name) {
 }
 
 NameWords::NameWords(std::string_view name) {
-    for (const std::string& word : wordsOfName(name)) {
+    const std::vector<std::string> words = wordsOfName(name);
+    endsInIn_ = words.size() > 1 && words.back() == "in";
+    for (const std::string& word : words) {
         const auto meaning = findNameWord(word);
         if (meaning)
             known_.push_back(*meaning);

@@ -26,6 +26,9 @@ enum class NameWord {
     usSurveyFeet,
     metres,
     centimetres,
+    decimetres,
+    millimetres,
+    inches,
     filler,      ///< "of", "in"
     otherThing,  ///< a measure, code or note that is neither a height nor storeys
     otherLayer,  ///< what layers beside those of buildings hold: plots, streets, districts
@@ -47,11 +50,14 @@ class NameWords {
 public:
     explicit NameWords(std::string_view name);
     [[nodiscard]] bool has(NameWord word) const;
+    /// It ends in "in": inches, or a name that was cut off before its unit.
+    [[nodiscard]] bool endsInIn() const { return endsInIn_; }
     [[nodiscard]] bool areAllKnown() const { return unknown_ == 0; }
 
 private:
     std::vector<NameWord> known_;
     std::size_t unknown_ = 0;
+    bool endsInIn_ = false;
 };
 
 }  // namespace noonmark

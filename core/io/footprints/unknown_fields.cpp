@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/height_units.h"
 #include "core/io/footprints/name_words.h"
 #include "core/io/heights/height_text.h"
 
@@ -15,7 +16,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostFeet = 4000;
 constexpr std::size_t enoughDifferent = 1000;
 constexpr std::size_t fewDifferent = 20;
 constexpr std::size_t mostListed = 8;
@@ -36,21 +36,17 @@ bool saysHeights(const UnknownField& field) {
 }
 
 struct KindByStorey {
-    double least, most;  // of the field for each storey
     FieldKind kind;
-    std::string_view unit;
+    std::string_view unit;  // as --height-unit takes it; empty: metres
 };
-// A storey is 2.2 to 6.5 m high.
-constexpr std::array kindsByStorey{
-    KindByStorey{0.85, 1.2, FieldKind::storeys, ""}, KindByStorey{2.2, 6.5, FieldKind::heights, ""},
-    KindByStorey{7.2, 21.5, FieldKind::heights, "ft"}, KindByStorey{220, 650, FieldKind::heights, "cm"}};
 
-const KindByStorey* findKindByStorey(const FieldEvidence& evidence) {
-    if (!evidence.perStorey) return nullptr;
-    const auto found = std::ranges::find_if(kindsByStorey, [&](const KindByStorey& one) {
-        return *evidence.perStorey >= one.least && *evidence.perStorey <= one.most;
-    });
-    return found == kindsByStorey.end() ? nullptr : &*found;
+std::optional<KindByStorey> findKindByStorey(const FieldEvidence& evidence) {
+    if (!evidence.perStorey) return std::nullopt;
+    if (*evidence.perStorey >= 0.85 && *evidence.perStorey <= 1.2)
+        return KindByStorey{FieldKind::storeys, ""};
+    const auto unit = unitPerStorey(*evidence.perStorey);
+    if (!unit) return std::nullopt;
+    return KindByStorey{FieldKind::heights, *unit == LengthUnit::metres ? "" : entryOf(*unit).key};
 }
 
 bool isRoofElevation(const std::string& field) {
@@ -59,9 +55,14 @@ bool isRoofElevation(const std::string& field) {
 }
 
 std::string unitInName(const NameWords& words) {
-    if (words.has(NameWord::feet)) return "ft";
-    if (words.has(NameWord::usSurveyFeet)) return "us-ft";
-    return words.has(NameWord::centimetres) ? "cm" : "";
+    const auto unit = unitOfWords(words);
+    return unit && *unit != LengthUnit::metres ? std::string(entryOf(*unit).key) : "";
+}
+
+// Names that say height may be in any unit.
+double mostOf(const std::string& field) {
+    constexpr double mostFeet = 4000, mostMillimetres = 1e6;
+    return NameWords(field).has(NameWord::height) ? mostMillimetres : mostFeet;
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ FieldEvidence UnknownFields::evidenceOf(const std::string& field) const {
 }
 
 bool UnknownFields::couldBeHeights(const std::string& field, const Values& values) const {
-    if (values.odd || values.above0 == 0 || values.high > mostFeet || saysOtherwise(field)) return false;
+    if (values.odd || values.above0 == 0 || values.high > mostOf(field) || saysOtherwise(field)) return false;
     const bool years = values.whole && values.low >= 1500 && values.high <= 2200;
     const bool numbersThem = values.whole && values.above0 > 10 &&
                              values.different.size() == std::min<std::size_t>(values.above0, enoughDifferent);
@@ -107,20 +108,20 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
     const NameWords words(field);
     UnknownField described{file, field, values.low, values.high, values.whole, values.above0};
     const bool height = words.has(NameWord::height), storey = words.has(NameWord::storey);
-    const KindByStorey* const byStorey = findKindByStorey(evidenceOf(field));
+    const auto byStorey = findKindByStorey(evidenceOf(field));
     described.unit = unitInName(words);
     if (words.has(NameWord::elevation) || isRoofElevation(field))
         described.kind = FieldKind::elevations;
     else if (field == outlineZ || height != storey)
         described.kind = field == outlineZ || height ? FieldKind::heights : FieldKind::storeys;
-    else if (byStorey != nullptr)
+    else if (byStorey)
         described.kind = byStorey->kind;
     else if (storey && values.halves && values.high <= mostStoreys)
         described.kind = FieldKind::storeys;
     else if (!values.whole || values.high > mostStoreys)
         described.kind = FieldKind::heights;
     const bool bare = described.kind == FieldKind::heights && described.unit.empty();
-    if (bare && byStorey != nullptr && byStorey->kind == FieldKind::heights) described.unit = byStorey->unit;
+    if (bare && byStorey && byStorey->kind == FieldKind::heights) described.unit = byStorey->unit;
     return described;
 }
 
@@ -136,15 +137,15 @@ std::vector<UnknownField> UnknownFields::thatCouldBeHeights(const std::string& f
 }
 
 Warning noKnownField(const std::vector<UnknownField>& unknown, const std::string& file) {
-    constexpr const char* none = "no field of heights or storeys is known";
     if (unknown.empty())
-        return {WarningKind::assumed, fmt::format("{}, and none of its fields could be one", none), file};
+        return {WarningKind::assumed, fmt::format("{}, and none of its fields could be one", noFieldKnown),
+                file};
     std::vector<std::string> words;
     for (const UnknownField& field : unknown) words.push_back(describe(field));
     return {
         WarningKind::assumed,
         fmt::format("{}; one of these could be, if you name it as the height field or the storeys field: {}",
-                    none, fmt::join(words, ", ")),
+                    noFieldKnown, fmt::join(words, ", ")),
         file};
 }
 

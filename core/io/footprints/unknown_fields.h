@@ -54,6 +54,9 @@ private:
     std::map<std::string, FieldEvidence> evidence_;
 };
 
+/// How the advice for a file without heights begins.
+inline constexpr std::string_view noFieldKnown = "no field of heights or storeys is known";
+
 /// "no field of heights or storeys is known; ...": the advice for a file without heights.
 Warning noKnownField(const std::vector<UnknownField>& unknown, const std::string& file);
 

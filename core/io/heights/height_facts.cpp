@@ -93,6 +93,10 @@ std::string selectingOptions(const UnknownField& field) {
     return "--height-field " + name + unit;
 }
 
+std::string describe(const HeightDoubt& doubt) {
+    return fmt::format("{}: {}: {}", doubt.file, doubt.field, doubt.why);
+}
+
 std::string describe(const HeightField& field) {
     const std::string meaning = field.meaning.empty() ? "" : " (" + field.meaning + ")";
     return fmt::format("{}{}, {}: {} features", field.field, meaning, field.unit,

@@ -10,7 +10,7 @@ namespace noonmark {
 
 /// A field that heights were read from; stated by info, study.json and reports.
 struct HeightField {
-    std::string file;          ///< file name
+    std::string file;          ///< file name, with the layer if there are several: "town.gpkg: houses"
     std::string field;         ///< "RelH2"; a difference of elevations: "AbsH2 - AbsHMin"
     std::string meaning;       ///< "base of the roof"; empty if the name does not say
     std::string unit;          ///< unit of numbers without a unit: "m", "ft"; or "storeys"
@@ -65,10 +65,19 @@ struct BaseFit {
     bool operator==(const BaseFit&) const = default;
 };
 
+/// A field of heights whose unit is doubtful.
+struct HeightDoubt {
+    std::string file;
+    std::string field;
+    std::string why;  ///< with the options that settle it
+    bool operator==(const HeightDoubt&) const = default;
+};
+
 /// Where the heights and bases of a city's files come from.
 struct HeightFacts {
     std::vector<HeightField> fields;    ///< fields that gave heights, those with the most features first
     std::vector<UnknownField> unknown;  ///< candidates in files where features have no height
+    std::vector<HeightDoubt> doubts;    ///< units that were assumed but fit badly
     std::vector<BaseFit> bases;         ///< of each file that states bases, if there is a terrain
     bool operator==(const HeightFacts&) const = default;
 };
@@ -85,6 +94,9 @@ std::string describe(const HeightField& field);
 
 /// "town.city.json: bases 20.0 m above the terrain (median of 120, spread 0.1 m); all were shifted"
 std::string describe(const BaseFit& fit);
+
+/// "town.gpkg: height: half of its heights are over 1200 m as they are read, in metres; ..."
+std::string describe(const HeightDoubt& doubt);
 
 /// Formats 22133 as "22,133".
 std::string formatThousands(std::size_t count);

@@ -84,6 +84,7 @@ private:
             [](double m) { return m >= lowestLandM && m <= highestLandM + tallestBuildingM; },
             "a roof's elevation that cannot be read; the next best source is used",
             "a roof's elevation below -500 m or over 11,000 m; the next best source is used");
+        if (top && !groundM) roofAlone_ = {top->number, top->field};
         if (!top || !groundM) return std::nullopt;
         const double heightM = top->number - groundM->number;
         const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
@@ -121,6 +122,7 @@ private:
         if (!height) height = overGround(groundM);
         reading.byDefault = !height && !storeys;
         if (reading.byDefault) {
+            reading.roof = roofAlone_;
             reading.topM = canopy ? rules_.metresPerLevel : rules_.defaultHeightM;
             return;
         }
@@ -177,6 +179,7 @@ private:
     const HeightRules& rules_;
     const std::string& id_;
     Warnings& warnings_;
+    std::optional<RoofElevation> roofAlone_ = {};
 };
 
 }  // namespace

@@ -28,6 +28,15 @@ constexpr std::string_view elevationsMinus = " - ";
 /// Anything lower counts as no height: on a mountain, float32 could not represent it.
 constexpr double leastHeightM = 0.01;
 
+/// How warnings of heights by default begin (HeightReading::byDefault).
+inline constexpr std::string_view noHeightInData = "no height in the data";
+
+/// The elevation of a roof whose ground nothing states.
+struct RoofElevation {
+    double elevationM = 0;  ///< above the data's vertical datum
+    std::string field;
+};
+
 /// A feature's extent above its own ground, metres; 0 <= bottomM <= topM - leastHeightM.
 struct HeightReading {
     double bottomM = 0;
@@ -36,6 +45,7 @@ struct HeightReading {
     bool byDefault = false;  ///< no height in the data: topM is the default; the caller warns if it uses it
     bool slab = false;       ///< a canopy without a stated underside
     std::string origin;      ///< the field that topM came from, or "AbsH2 - AbsHMin"; empty if byDefault
+    std::optional<RoofElevation> roof;       ///< only byDefault: all that the data have of its height
     std::optional<double> groundElevationM;  ///< above the data's vertical datum
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/display_units.h"
+#include "core/describe/text.h"
 #include "core/io/files/fold_text.h"
 
 namespace noonmark {
@@ -74,6 +75,7 @@ constexpr std::array unitNames{
     UnitName{"centimeters", 0.01},
     UnitName{"centimetre", 0.01},
     UnitName{"centimetres", 0.01},
+    UnitName{"dm", 0.1},
     UnitName{"mm", 0.001},
     UnitName{"km", 1000},
     UnitName{"ft", metresPerFoot},
@@ -133,12 +135,14 @@ bool repeats(Reader& reader, double metres, double bareUnitM) {
 
 std::span<const LengthUnitEntry> listLengthUnits() {
     static constexpr std::array units{
-        LengthUnitEntry{LengthUnit::metres, "m", "m", 1},
-        LengthUnitEntry{LengthUnit::feet, "ft", "ft", metresPerFoot},
-        LengthUnitEntry{LengthUnit::usSurveyFeet, "us-ft", "US survey ft", 1200.0 / 3937.0},
-        LengthUnitEntry{LengthUnit::centimetres, "cm", "cm", 0.01},
-        LengthUnitEntry{LengthUnit::millimetres, "mm", "mm", 0.001},
-        LengthUnitEntry{LengthUnit::inches, "in", "in", inchM},
+        LengthUnitEntry{LengthUnit::metres, "m", "m", NM_TEXT("metres"), 1},
+        LengthUnitEntry{LengthUnit::feet, "ft", "ft", NM_TEXT("feet"), metresPerFoot},
+        LengthUnitEntry{LengthUnit::usSurveyFeet, "us-ft", "US survey ft", NM_TEXT("US survey feet"),
+                        1200.0 / 3937.0},
+        LengthUnitEntry{LengthUnit::centimetres, "cm", "cm", NM_TEXT("centimetres"), 0.01},
+        LengthUnitEntry{LengthUnit::millimetres, "mm", "mm", NM_TEXT("millimetres"), 0.001},
+        LengthUnitEntry{LengthUnit::inches, "in", "in", NM_TEXT("inches"), inchM},
+        LengthUnitEntry{LengthUnit::decimetres, "dm", "dm", NM_TEXT("decimetres"), 0.1},
     };
     return units;
 }

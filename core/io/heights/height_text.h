@@ -25,8 +25,9 @@ std::string withDecimalPoint(std::string_view text);
 /// A unit of lengths in data.
 struct LengthUnitEntry {
     LengthUnit unit;
-    std::string_view key;   ///< as options take it: "us-ft"
-    std::string_view name;  ///< for people: "US survey ft"
+    std::string_view key;     ///< as options take it: "us-ft"
+    std::string_view name;    ///< for people: "US survey ft"
+    std::string_view plural;  ///< "US survey feet"
     double metres;
 };
 

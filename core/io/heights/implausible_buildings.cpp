@@ -47,6 +47,7 @@ Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece) {
             continue;
         }
         if (grounds) piece.groundM[kept] = piece.groundM[i];
+        if (!piece.roofs.empty() && kept != i) piece.roofs[kept] = std::move(piece.roofs[i]);
         piece.buildings[kept++] = std::move(piece.buildings[i]);
     }
     if (kept == 0 && lastWhy != nullptr)
@@ -54,6 +55,7 @@ Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece) {
                        "Check the unit of its coordinates and which axis is up");
     piece.buildings.resize(kept);
     if (grounds) piece.groundM.resize(kept);
+    if (!piece.roofs.empty()) piece.roofs.resize(kept);
     return {};
 }
 

@@ -221,8 +221,7 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
         .warnings = std::move(reader.warnings), .format = formatOf(file), .features = reader.objects.size()};
     if (!settings.frame) result.frame = *frame;
     if (!settings.meshAnchor)
-        result.warnings.push_back(
-            {WarningKind::assumed, "the project's origin is used as the mesh's origin", reader.file});
+        result.warnings.push_back({WarningKind::assumed, std::string(originAsAnchor), reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
         return failure("The file holds no building: its meshes are flat ground or have no area",

@@ -84,6 +84,35 @@ std::optional<UpAxisGuess> guessByFeet(const MeshScene& scene, const MeshExtent&
     return UpAxisGuess{axis, fmt::format("most of its points are lowest in {}", letterOf(axis))};
 }
 
+// A flat bottom at 0.
+bool standsAtZero(const MeshScene& scene, const MeshExtent& extent, UpAxis axis) {
+    const auto along = [&](glm::vec3 point) { return axis == UpAxis::z ? point.z : point.y; };
+    const float tolerance = 1e-3F * along(extent.size());
+    if (std::abs(along(extent.low)) > tolerance) return false;
+    std::size_t feet = 0;
+    forEachPoint(scene, [&](glm::vec3 point) { feet += along(point) <= tolerance ? 1 : 0; });
+    return 5 * feet >= extent.points;
+}
+
+// Who exchanges the axes of a plan that begins at 0 gets a negative z, which leaves only y at 0.
+std::optional<UpAxisGuess> guessByZero(const MeshScene& scene, const MeshExtent& extent) {
+    const bool y = standsAtZero(scene, extent, UpAxis::y), z = standsAtZero(scene, extent, UpAxis::z);
+    if (z && !y) return UpAxisGuess{UpAxis::z, "its flat bottom is at 0 in z"};
+    if (y && !z) return UpAxisGuess{UpAxis::y, "its flat bottom is at 0 in y"};
+    if (y && z) return UpAxisGuess{UpAxis::z, "it begins at 0 in y and z, as a plan with heights does"};
+    return std::nullopt;
+}
+
+std::optional<UpAxisGuess> guessLower(const MeshScene&, const MeshExtent& extent) {
+    const glm::vec3 size = extent.size();
+    if (size.y == size.z) return std::nullopt;
+    const UpAxis axis = size.z < size.y ? UpAxis::z : UpAxis::y;
+    return UpAxisGuess{
+        axis,
+        fmt::format("nothing else in its shape tells, and it is lower in {}: {} instead of {}",
+                    letterOf(axis), sizeText(std::min(size.y, size.z)), sizeText(std::max(size.y, size.z)))};
+}
+
 }  // namespace
 
 UpAxisGuess guessUpAxis(const MeshScene& scene) {
@@ -93,7 +122,9 @@ UpAxisGuess guessUpAxis(const MeshScene& scene) {
     for (const auto guess : {guessCity, guessTower})
         for (const UpAxis axis : {UpAxis::y, UpAxis::z})
             if (auto found = guess(sizesFor(axis, extent.size()))) return *std::move(found);
-    return guessByFeet(scene, extent).value_or(usual);
+    for (const auto guess : {guessByFeet, guessByZero, guessLower})
+        if (auto found = guess(scene, extent)) return *std::move(found);
+    return usual;
 }
 
 }  // namespace noonmark

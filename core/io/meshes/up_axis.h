@@ -15,8 +15,8 @@ struct UpAxisGuess {
 
 /// From the shape of a mesh whose format does not state it, in its own unit. In this order: a city is flat,
 /// less than half as high as it is wide either way, and 100 units or more wide; a tower is higher than one
-/// and a half times its width; buildings have most of their points at their feet; y, which is usual.
-/// O(points).
+/// and a half times its width; buildings have most of their points at their feet; a flat bottom is at 0; the
+/// lower one; y, which is usual. O(points).
 UpAxisGuess guessUpAxis(const MeshScene& scene);
 
 }  // namespace noonmark

@@ -32,7 +32,7 @@ void addPieces(Building& building, const PlacedFeature& feature, Warnings& warni
     const HeightReading& heights = feature.facts.heights;
     if (heights.byDefault)
         warnings.push_back({WarningKind::assumed,
-                            fmt::format("no height in the data; {:g} m is assumed", heights.topM),
+                            fmt::format("{}; {:g} m is assumed", noHeightInData, heights.topM),
                             feature.facts.id});
     for (const Footprint& piece : feature.pieces)
         building.parts.push_back({.sourceId = feature.facts.id,
@@ -80,6 +80,14 @@ std::optional<double> lowestGround(const BuildingGroup& group, const Features& f
     return lowest;
 }
 
+// Of a building of one feature: parts stand on each other.
+std::optional<RoofElevation> roofOf(const BuildingGroup& group, const Features& features) {
+    if (group.parts.empty()) return features[*group.outline].facts.heights.roof;
+    if (group.parts.size() > 1 || group.outline.value_or(group.parts[0]) != group.parts[0])
+        return std::nullopt;
+    return features[group.parts[0]].facts.heights.roof;
+}
+
 AssembledBuilding assemble(const BuildingGroup& group, const Features& features, double metresPerLevel,
                            Warnings& warnings) {
     const FeatureFacts& head = headOf(group, features).facts;
@@ -93,7 +101,7 @@ AssembledBuilding assemble(const BuildingGroup& group, const Features& features,
     if (group.outline && !outlineIsPart) addRemainder(building, features[*group.outline], parts, warnings);
     for (const PlacedFeature* part : parts) addPieces(building, *part, warnings);
     settle(building, group, features, metresPerLevel, warnings);
-    return {std::move(building), lowestGround(group, features)};
+    return {std::move(building), lowestGround(group, features), roofOf(group, features)};
 }
 
 }  // namespace

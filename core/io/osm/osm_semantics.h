@@ -20,8 +20,9 @@ namespace noonmark {
 /// files without parts: see groupIntoBuildings, computeRemainder and settleParts. Canopies (building=roof)
 /// without a stated underside are overhangs. Ends early when stopped.
 struct AssembledBuilding {
-    Building building;                 ///< z above its own ground
-    std::optional<double> elevationM;  ///< elevation of that ground, the lowest that its features state
+    Building building;                  ///< z above its own ground
+    std::optional<double> elevationM;   ///< elevation of that ground, the lowest that its features state
+    std::optional<RoofElevation> roof;  ///< of a building of one feature (HeightReading::roof)
 };
 std::vector<AssembledBuilding> assembleBuildings(const std::vector<PlacedFeature>& features,
                                                  double metresPerLevel, Warnings& warnings,

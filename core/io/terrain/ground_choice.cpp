@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/io/terrain/late_heights.h"
 #include "core/io/terrain/stand_on_terrain.h"
 #include "core/io/terrain/surface_model.h"
 
@@ -84,28 +85,11 @@ private:
     GroundChoice choice_;
 };
 
-bool hasAssumedHeight(const Building& building) {
-    return std::ranges::any_of(building.parts,
-                               [](const Part& part) { return part.heightSource == HeightSource::assumed; });
-}
-
 // A building whose assumed heights are replaced by those of the surface; null if none can be.
 std::shared_ptr<const Building> measureOnSurface(const Building& building, const Terrain& surface,
                                                  const Terrain& ground) {
-    constexpr float leastM = 1;
-    Building measured = building;
-    const float baseM = std::ranges::min_element(building.parts, {}, &Part::bottomM)->bottomM;
     const float lowestM = findLowestGround(building, ground);
-    bool any = false;
-    for (Part& part : measured.parts) {
-        if (part.heightSource != HeightSource::assumed) continue;
-        const auto height = measureHeight(part, surface, lowestM);
-        if (!height || baseM + *height < part.bottomM + leastM) continue;
-        part.topM = baseM + *height;
-        part.heightSource = HeightSource::measured;
-        any = true;
-    }
-    return any ? std::make_shared<const Building>(std::move(measured)) : nullptr;
+    return withHeights(building, [&](const Part& part) { return measureHeight(part, surface, lowestM); });
 }
 
 std::size_t measureOnSurface(FilePiece& piece, const Terrain& surface, const Terrain& ground,
@@ -145,8 +129,10 @@ void takeHeights(const std::vector<GroundFile>& files, const GroundFile* surface
         return choice.warnings.push_back(
             {WarningKind::leftOut, "heights from the surface: no terrain shows buildings", "the terrain"});
     std::size_t measured = 0;
-    for (const GroundFile& file : files)
+    for (const GroundFile& file : files) {
         measured += measureOnSurface(*file.piece, *surface->piece->terrain, *choice.terrain, stop);
+        withdrawAssumed(file);
+    }
     heights.fields.push_back({surface->name, "surface - ground", "median roof", "m", measured});
     choice.warnings.push_back({WarningKind::assumed,
                                "buildings without a height got that of the surface model above the ground",

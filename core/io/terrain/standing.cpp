@@ -133,7 +133,15 @@ void markOnTerrain(Building& building, const Terrain* terrain) {
     });
 }
 
+// Bases that follow a ground that varies are elevations of some datum, wherever their zero is.
+bool followTheGround(const Quartiles& gap, const Quartiles& base, const Quartiles& ground) {
+    const bool vary = base.spread() > oneHeightM && ground.spread() > 2 * oneHeightM;
+    return vary && gap.spread() <= ground.spread() / 4;
+}
+
 StandRule chooseRule(const Quartiles& gap, const Quartiles& base, const Quartiles& ground, bool fromZero) {
+    const bool fits = BaseFit{.gapM = gap.middle}.fits() && BaseFit{.gapM = gap.spread()}.fits();
+    if (fits) return StandRule::asStated;
     const bool oneHeight = base.spread() <= oneHeightM;
     if (oneHeight && (ground.spread() > 2 * oneHeightM || fromZero)) return StandRule::setDown;
     if (gap.spread() > std::max(alikeM, ground.spread() / 4)) return StandRule::setDown;
@@ -154,13 +162,15 @@ std::vector<std::size_t> findCarriers(const FilePiece& piece) {
 
 namespace {
 
-// Whether the piece is of meshes that count from their own zero, by those that no others carry.
+// Whether the piece is of meshes that count from their own zero, by the middle half of those that no others
+// carry.
 bool isFromOwnZero(const FilePiece& piece, const std::vector<std::size_t>& carriers) {
     std::vector<double> bases;
     for (std::size_t i = 0; i < piece.groundM.size(); ++i)
         if (piece.groundM[i] && (carriers.empty() || carriers[i] == i))
             bases.push_back(double(*piece.groundM[i]));
-    return piece.ownZero && countsFromZero(computeQuartiles(std::move(bases)).middle);
+    const Quartiles base = computeQuartiles(std::move(bases));
+    return piece.ownZero && countsFromZero(base.low) && countsFromZero(base.high);
 }
 
 }  // namespace
@@ -198,6 +208,7 @@ Standing::Standing(const FilePiece& piece, const std::vector<std::size_t>& carri
     : piece_(piece), carriers_(carriers), terrain_(terrain) {
     if (piece.ownZero) zeroM_ = float(-frame.originElevationM());
     footings_.resize(piece.groundM.size());
+    fromZero_ = isFromOwnZero(piece, carriers);
     findGround();
     decide(wanted);
 }
@@ -238,10 +249,10 @@ void Standing::decide(Stand wanted) {
         return;
     }
     const Quartiles gap = computeQuartiles(gaps), base = computeQuartiles(bases);
+    const Quartiles ground = computeQuartiles(std::move(grounds));
+    fromZero_ = fromZero_ && !followTheGround(gap, base, ground);
     fit_ = BaseFit{.buildings = gaps.size(), .gapM = gap.middle, .spreadM = gap.spread()};
-    const bool fromZero = isFromOwnZero(piece_, carriers_);
-    if (wanted == Stand::automatic)
-        fit_->rule = chooseRule(gap, base, computeQuartiles(std::move(grounds)), fromZero);
+    if (wanted == Stand::automatic) fit_->rule = chooseRule(gap, base, ground, fromZero_);
     if (wanted == Stand::terrain) fit_->rule = StandRule::setDown;
     if (fit_->rule == StandRule::setDown) return setDown();
     follow(fit_->rule == StandRule::shifted ? float(-gap.middle) : 0);
@@ -271,15 +282,14 @@ void Standing::setDown() {
     for (std::size_t i = 0; i < footings_.size(); ++i)
         if (hasBase(i) && !isCarried(i)) bases.push_back(double(*piece_.groundM[i]));
     const Quartiles base = computeQuartiles(bases);
-    const bool fromZero = isFromOwnZero(piece_, carriers_);
     const auto isAtOne = [&](double one) { return std::abs(one - base.middle) <= oneHeightM; };
     const bool oneHeight = double(std::ranges::count_if(bases, isAtOne)) >= 0.9 * double(bases.size());
     for (std::size_t i = 0; i < footings_.size(); ++i) {
         if (!hasBase(i) || isCarried(i)) continue;
         float plane = *piece_.groundM[i];
         const bool isAloft = isMesh(*piece_.buildings[i]) && double(plane) > base.middle + double(openAirM);
-        if (fit_ && isAloft && (fromZero || oneHeight)) ++fit_->aloft;
-        if (fromZero)
+        if (fit_ && isAloft && (fromZero_ || oneHeight)) ++fit_->aloft;
+        if (fromZero_)
             plane = 0;
         else if (oneHeight && isAloft)
             plane = float(base.middle);

@@ -22,8 +22,8 @@ std::vector<BasedBuilding> findBasedBuildings(const FilePiece& piece,
 /// which of their parts are overhangs, above the base of each building or of its carrier.
 void markOverhangsOnBases(FilePiece& piece, const std::vector<std::size_t>& carriers);
 
-/// Whether a mesh whose bases lie at this height counts from its own zero: from 20 m below it (basements) to
-/// 2 m above it. Otherwise its heights are elevations.
+/// Whether a mesh whose bases lie at this height can count from its own zero: from 20 m below it (basements)
+/// to 2 m above it. Otherwise, and if its bases follow a terrain that varies, its heights are elevations.
 bool countsFromZero(double baseM);
 
 /// Places the buildings of a file on the ground, by one rule for all kinds of files. A building's base is the
@@ -80,6 +80,7 @@ private:
     const std::vector<std::size_t>& carriers_;
     const Terrain* terrain_;
     float zeroM_ = 0;             ///< local z of the zero that the piece's z count from
+    bool fromZero_ = false;       ///< meshes that count from their own zero, and do not follow the terrain
     std::vector<float> lowestM_;  ///< ground under each building that has a base
     std::vector<Footing> footings_;
     std::optional<BaseFit> fit_;

@@ -41,6 +41,11 @@ UnknownField unknownFieldFrom(const Json& json) {
 
 namespace {
 
+HeightDoubt heightDoubtFrom(const Json& json) {
+    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
+            json.at("why").get<std::string>()};
+}
+
 BaseFit baseFitFrom(const Json& json) {
     return {.file = json.at("file").get<std::string>(),
             .buildings = wholeNumberFrom<std::size_t>(json.at("buildings")),
@@ -78,6 +83,9 @@ Json heightFactsJson(const HeightFacts& facts) {
                                     {"features", field.features},
                                     {"kind", kindNames[std::size_t(field.kind)]},
                                     {"unit", field.unit}});
+    json["doubts"] = Json::array();
+    for (const HeightDoubt& doubt : facts.doubts)
+        json["doubts"].push_back({{"file", doubt.file}, {"field", doubt.field}, {"why", doubt.why}});
     json["bases"] = Json::array();
     for (const BaseFit& fit : facts.bases) json["bases"].push_back(baseFitJson(fit));
     return json;
@@ -88,6 +96,8 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
     HeightFacts facts;
     for (const Json& field : json.at("fields")) facts.fields.push_back(heightFieldFrom(field));
     for (const Json& field : json.at("could_be")) facts.unknown.push_back(unknownFieldFrom(field));
+    if (json.contains("doubts"))
+        for (const Json& doubt : json.at("doubts")) facts.doubts.push_back(heightDoubtFrom(doubt));
     if (json.contains("bases"))  // older files have none
         for (const Json& fit : json.at("bases")) facts.bases.push_back(baseFitFrom(fit));
     const auto finite = [](const UnknownField& field) {

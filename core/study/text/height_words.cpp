@@ -16,6 +16,13 @@ std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
                        counts.assumedAlike ? "" : "most of them ", counts.assumedM);
 }
 
+std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts) {
+    if (facts.doubts.empty()) return std::nullopt;
+    std::vector<std::string> texts;
+    for (const HeightDoubt& doubt : facts.doubts) texts.push_back(describe(doubt));
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 std::optional<std::string> makeStandHeadline(const HeightFacts& facts) {
     std::vector<std::string> texts;
     for (const BaseFit& fit : facts.bases)

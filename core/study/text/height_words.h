@@ -12,6 +12,10 @@ namespace noonmark {
 /// "22,133 of 22,133 heights are assumed (9.6 m)" if more than mostAssumedShare are assumed; else nothing.
 std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts);
 
+/// Says of each field of heights whose unit is doubtful what is, and the options that settle it; nothing
+/// without such a field.
+std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts);
+
 /// Says of each file whose buildings were not left at the elevations that it states how they were placed;
 /// nothing without such a file.
 std::optional<std::string> makeStandHeadline(const HeightFacts& facts);
@@ -20,8 +24,8 @@ std::optional<std::string> makeStandHeadline(const HeightFacts& facts);
 std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts);
 
 /// {parts, by_source: {measured: parts, ...}, assumed_share, assumed_m, fields: [{file, field, meaning, unit,
-/// features}], could_be: [{file, field, low, high, whole, features}], bases: [...]}; assumed_m is null if no
-/// heights are assumed.
+/// features}], could_be: [{file, field, low, high, whole, features}], doubts: [...], bases: [...]}; assumed_m
+/// is null if no heights are assumed.
 nlohmann::ordered_json heightsJson(const HeightCounts& counts, const HeightFacts& facts);
 
 }  // namespace noonmark

@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/geo/earth_drop.h"
 #include "core/review/windows/window_points.h"
+#include "core/study/not_checked.h"
 #include "core/study/windows/window_scene.h"
 
 namespace noonmark {
@@ -35,10 +36,7 @@ void addAssumptions(const WindowStudy& study, const PlacedElements& placed, Warn
 
 std::vector<std::string> listNotChecked(const Rule& rule, const City& city,
                                         const WindowReviewSettings& settings) {
-    std::vector<std::string> all = rule.notChecked;
-    if (!rule.occluders.terrain && city.terrain)
-        all.emplace_back("The rule leaves terrain out; here terrain casts shadow");
-    if (rule.occluders.trees) all.emplace_back("The rule counts trees; the city has none");
+    std::vector<std::string> all = listUnchecked(rule, city);
     if (settings.elements.places == ElementPlaces::facades)
         all.emplace_back("Where the windows are: one was assumed in each bay and storey of the facades");
     if (const FaceChoice& faces = settings.elements.faces; !faces.takesAll())

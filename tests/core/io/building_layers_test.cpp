@@ -81,6 +81,13 @@ TEST_F(BuildingLayers, PolygonsWithoutGapsAreNoBuildings) {
     EXPECT_THAT(leftOut(piece), ElementsAre("a"));
 }
 
+// The highest that may be built in each zone.
+TEST_F(BuildingLayers, ZonesWithHeightsAreNoBuildings) {
+    EXPECT_THAT(leftOut(readLayers({{"Bauten", "", 10}, {"Bebauungsplan", "Hoehe", 20}})),
+                ElementsAre("Bebauungsplan"));
+    EXPECT_THAT(leftOut(readLayers({{"a", "", 10}, {"b", "max_height", 20}})), ElementsAre("b"));
+}
+
 TEST_F(BuildingLayers, OneThatIsLeftOutCanBeNamed) {
     settings.layer = "plots";
     EXPECT_EQ(readLayers({{"plots", "", 19}, {"buildings", "", 10}}).buildings.size(), 25U);

@@ -171,8 +171,11 @@ TEST(FieldRoles, NeighboursSettleWhatANameMeans) {
     EXPECT_THAT(namesOf(hongKong, groundElevation), ElementsAre("BASEHEIGHT"));
     EXPECT_FALSE(hasRole(hongKong, minHeight));
     EXPECT_TRUE(hasRole(knownFields({"height", "base_height"}, {}, false), minHeight));
-    // An elevation of the roof alone gives no height.
-    EXPECT_TRUE(knownFields({"AbsHMax"}, {}, false).empty());
+    // An elevation of the roof alone is no height, and makes an elevation of the ground's height.
+    EXPECT_FALSE(hasRole(knownFields({"AbsHMax"}, {}, false), height));
+    const auto pair = knownFields({"absolute_height", "ground_height"}, {}, false);
+    EXPECT_THAT(namesOf(pair, groundElevation), ElementsAre("ground_height"));
+    EXPECT_FALSE(hasRole(knownFields({"height", "ground_height"}, {}, false), groundElevation));
 }
 
 TEST(FieldRoles, AChosenElevationIsTakenOverTheGround) {

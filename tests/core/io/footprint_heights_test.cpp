@@ -139,6 +139,58 @@ TEST_F(ReadFootprints, StoreysTellThatHeightsAreFeet) {
         << "the user's unit holds";
 }
 
+TEST_F(ReadFootprints, StoreysTellEveryUnit) {
+    for (const double perMetre : {10.0, 100.0, 1000.0, 1 / 0.0254}) {
+        const FilePiece piece = readGeoJson(squares(6, [&](int i) {
+            return fmt::format(R"("height":{},"num_floors":{})", 3.3 * (i + 1) * perMetre, i + 1);
+        }));
+        EXPECT_NEAR(heightOf(*piece.buildings.at(5)), 6 * 3.3, 1e-2) << perMetre;
+    }
+}
+
+// Half of them over 130 m is no town.
+TEST_F(ReadFootprints, HeightsThatNoTownHasAreDoubted) {
+    const auto town = [](double perMetre) {
+        return squares(9, [=](int i) { return fmt::format(R"("height":{})", (9 + i) * perMetre); });
+    };
+    const auto doubtOf = [&](double perMetre) {
+        const FilePiece piece = readGeoJson(town(perMetre));
+        if (piece.heights.doubts.empty()) return std::string();
+        EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("unit of the heights is doubtful")));
+        return describe(piece.heights.doubts[0]);
+    };
+    EXPECT_EQ(
+        doubtOf(10),
+        "a.geojson: height: half of its heights are over 130 m as they are read, in metres; they look like "
+        "decimetres (13 m: --height-unit dm) or inches (3.3 m: --height-unit in) or feet (39.6 m: "
+        "--height-unit ft)");
+    EXPECT_THAT(doubtOf(100), HasSubstr("they look like centimetres (13 m: --height-unit cm)"));
+    EXPECT_THAT(doubtOf(1000), HasSubstr("they look like millimetres (13 m: --height-unit mm)"));
+    EXPECT_EQ(doubtOf(1), "");
+    settings.heightUnit = LengthUnit::metres;
+    EXPECT_EQ(doubtOf(10), "") << "the user's unit holds";
+}
+
+TEST_F(ReadFootprints, ANameThatEndsInInIsOneOfInchesWhereItsValuesSaySo) {
+    const auto town = [](double perMetre) {
+        return squares(9, [=](int i) { return fmt::format(R"("height_in":{})", (6 + i) * perMetre); });
+    };
+    const FilePiece inches = readGeoJson(town(1 / 0.0254));
+    EXPECT_NEAR(heightOf(*inches.buildings.at(8)), 14, 1e-3);
+    EXPECT_THAT(whats(inches.warnings), testing::Contains(HasSubstr("inches are assumed, since its name")));
+    const FilePiece cut = readGeoJson(town(1 / 0.3048));
+    ASSERT_EQ(cut.heights.doubts.size(), 1U);
+    EXPECT_THAT(cut.heights.doubts[0].why, HasSubstr("breaks off before its unit"));
+}
+
+TEST_F(ReadFootprints, AHeightOfTheRoofAloneIsNotThatOfTheBuilding) {
+    const FilePiece low = readGeoJson(squares(6, [](int) { return std::string(R"("roof_height":2.0)"); }));
+    EXPECT_NEAR(heightOf(*low.buildings.at(0)), 9.6, 1e-3);
+    EXPECT_THAT(whats(low.warnings), testing::Contains(HasSubstr("height of the roof alone")));
+    const FilePiece high = readGeoJson(squares(6, [](int) { return std::string(R"("roof_height":12.0)"); }));
+    EXPECT_NEAR(heightOf(*high.buildings.at(0)), 12, 1e-3);
+}
+
 TEST_F(ReadFootprints, AnotherHeightTellsTheUnit) {
     const FilePiece piece = readGeoJson(squares(6, [](int i) {
         return i < 5 ? fmt::format(R"("height":{},"maximum_roof_height":{})", 3 * (i + 1), 10 * (i + 1))
@@ -222,6 +274,30 @@ TEST_F(ReadFootprints, OutlinesAtAnUnknownHeightAreOfferedAndCanBeChosen) {
     EXPECT_NEAR(heightOf(*offered.buildings.at(0)), 9.6, 1e-3);
     settings.heightField = "outline Z";
     EXPECT_NEAR(heightOf(*readGeoJson(features).buildings.at(5)), 22.5, 1e-3);
+}
+
+TEST_F(ReadFootprints, AnOfferedOutlineZCanBeChosenInALayerOfAnyGeometry) {
+    const auto file = folder.path("any.gpkg");
+    {
+        const GdalCalls calls;
+        const GDALDatasetUniquePtr dataset(GetGDALDriverManager()->GetDriverByName("GPKG")->Create(
+            file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+        OGRSpatialReference wgs84;
+        wgs84.SetWellKnownGeogCS("WGS84");
+        wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        OGRLayer* const layer = dataset->CreateLayer("town", &wgs84, wkbUnknown, nullptr);
+        for (int i = 0; i < 6; ++i) {
+            const OGRFeatureUniquePtr made(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+            const auto document = flatOutline(i, 17.5 + i, "");
+            const auto geometry = document.substr(document.find(R"("geometry":)") + 11);
+            made->SetGeometryDirectly(
+                OGRGeometryFactory::createFromGeoJson(geometry.substr(0, geometry.size() - 1).c_str()));
+            ASSERT_EQ(layer->CreateFeature(made.get()), OGRERR_NONE);
+        }
+    }
+    EXPECT_EQ(selectingOptions(read(file).heights.unknown.at(0)), "--height-field 'outline Z'");
+    settings.heightField = "outline Z";
+    EXPECT_NEAR(heightOf(*read(file).buildings.at(5)), 22.5, 1e-3);
 }
 
 TEST_F(ReadFootprints, KmlStatesWhatItsAltitudesCountFrom) {

@@ -32,6 +32,9 @@ TEST(NameWords, AreFoldedInEveryScript) {
     EXPECT_EQ(foldName("ВЫСОТА"), "высота");
     EXPECT_EQ(foldName("ΎΨΟΣ"), foldName("ύψος"));
     EXPECT_EQ(foldName("ＨＥＩＧＨＴ"), "height");
+    EXPECT_EQ(foldName("Înălțime"), "inaltime");
+    EXPECT_EQ(foldName("chiều cao"), "chieucao");
+    EXPECT_EQ(foldName("Ho\xCC\x88he"), "hohe") << "an accent behind its letter";
 }
 
 TEST(ReadableText, IsUtf8WhateverTheTableUses) {
@@ -57,6 +60,14 @@ TEST(FieldWords, SayHeightsStoreysAndUnits) {
         {"HeightInFeet", FieldRole::height, ft},
         {"Höhe_m", FieldRole::height, m},
         {"Gebäudehöhe", FieldRole::height, {}},
+        {"înălțime", FieldRole::height, {}},
+        {"chiều cao", FieldRole::height, {}},
+        {"chieu_cao", FieldRole::height, {}},
+        {"số tầng", FieldRole::levels, {}},
+        {"αριθμός ορόφων", FieldRole::levels, {}},
+        {"HEIGHT_INCHES", FieldRole::height, LengthUnit::inches},
+        {"height_dm", FieldRole::height, LengthUnit::decimetres},
+        {"building_height_mm", FieldRole::height, LengthUnit::millimetres},
         {"建物高さ", FieldRole::height, {}},
         {"建筑高度", FieldRole::height, {}},
         {"건물높이", FieldRole::height, {}},

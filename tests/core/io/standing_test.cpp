@@ -181,6 +181,26 @@ TEST_F(StandingTest, AMeshWithElevationsOfAnotherDatumIsShifted) {
     expectOnGround(read);
 }
 
+// A mesh that counts from its highest base: by their height alone, the bases could be basements below a zero.
+TEST_F(StandingTest, AMeshWhoseBasesFollowTheTerrainBelowItsZeroIsShifted) {
+    const auto belowHighest = [](glm::dvec2 low) { return slope(low.x, low.y) - slope(50, 0); };
+    const CityRead read = readObj(boxesObj(belowHighest), true);
+    EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::shifted);
+    EXPECT_EQ(read.heights.bases[0].aloft, 0U);
+    expectOnGround(read);
+    settings.stand = Stand::terrain;
+    const CityRead setDown = readObj(boxesObj(belowHighest), true);
+    EXPECT_EQ(setDown.heights.bases.at(0).aloft, 0U);
+    expectOnGround(setDown);
+}
+
+TEST_F(StandingTest, BasesThatRangeOverMoreThanBasementsAreElevations) {
+    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return (low.x - 50) / 3; }), false);
+    ASSERT_NE(read.city.terrain, nullptr);
+    EXPECT_EQ(read.city.terrain->source.method, TerrainMethod::fromBases);
+    expectOnGround(read, 0, 1);
+}
+
 TEST_F(StandingTest, AMeshWithElevationsAndNoTerrainGetsOneFromItsBases) {
     const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return slope(low.x, low.y); }), false);
     ASSERT_NE(read.city.terrain, nullptr);
@@ -217,6 +237,19 @@ TEST_F(StandingTest, ABridgeBetweenHousesStaysAboveTheGround) {
             EXPECT_FALSE(house.isOverhanging) << zero << withHill;
             EXPECT_NEAR(house.bottomM, groundAt(read.city, {0.5, 5}), 0.1);
         }
+}
+
+// A gap of a sill is no gap, also of one building that counts from its own zero.
+TEST_F(StandingTest, OneMeshWithASmallGapStandsAsStated) {
+    std::string text;
+    int vertices = 0;
+    addBox(text, vertices, "house", {0, 0, 0.2}, {10, 10, 7});
+    settings.upAxis = UpAxis::z;
+    settings.meshAnchor = manhattan;
+    const CityRead read =
+        this->read({folder.file("house.obj", text), hill([](double, double) { return 0.0; })});
+    EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::asStated);
+    EXPECT_FALSE(warns(read, "do not follow"));
 }
 
 TEST_F(StandingTest, ABasementStaysBelowTheZeroOfItsMesh) {

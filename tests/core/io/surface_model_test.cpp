@@ -123,6 +123,8 @@ TEST_F(SurfaceModel, GivesHeightsToHousesWithoutAny) {
     settings.heightsFromSurface = true;
     for (const auto& files : {std::vector{outlines(false), dsm(), dtm()}, {outlines(false), dsm()}}) {
         const CityRead read = this->read(files);
+        EXPECT_FALSE(warns(read, "no height in the data")) << "they have one now";
+        EXPECT_FALSE(warns(read, "no field of heights"));
         for (std::size_t i = 0; i < 3; ++i) {
             const Part& part = read.city.buildings.at(i)->parts[0];
             const Box2 box = bounds(houses()[i].outline);

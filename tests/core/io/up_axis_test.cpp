@@ -45,8 +45,23 @@ TEST(UpAxis, BuildingsStandOnTheirFeet) {
     EXPECT_EQ(guess(houses).axis, UpAxis::z);
 }
 
+// A hall, a slab and a row of towers, in both directions.
+TEST(UpAxis, AFlatBottomIsAtZero) {
+    for (const glm::vec3 size : {glm::vec3{80, 40, 9}, {60, 12, 30}, {140, 20, 90}}) {
+        EXPECT_EQ(guess({boxOf({0, 0, 0}, size)}).axis, UpAxis::z);
+        EXPECT_EQ(guess({boxOf({0, 0, -size.y}, {size.x, size.z, 0})}).axis, UpAxis::y);
+        EXPECT_EQ(guess({boxOf({-7, -9, 0}, {size.x - 7, size.y - 9, size.z})}).axis, UpAxis::z);
+    }
+}
+
+TEST(UpAxis, ElseItIsTheLowerOne) {
+    EXPECT_EQ(guess({boxOf({5, 5, 5}, {85, 45, 14})}).axis, UpAxis::z);
+    EXPECT_EQ(guess({boxOf({5, 5, 5}, {85, 14, 45})}).axis, UpAxis::y);
+    EXPECT_THAT(guess({boxOf({5, 5, 5}, {85, 45, 14})}).why, HasSubstr("9 instead of 40"));
+}
+
 TEST(UpAxis, OtherwiseYIsUsual) {
-    EXPECT_EQ(guess({boxOf({0, 0, 0}, {10, 10, 10})}).axis, UpAxis::y);
+    EXPECT_EQ(guess({boxOf({5, 5, 5}, {15, 15, 15})}).axis, UpAxis::y);
     EXPECT_EQ(guess({}).axis, UpAxis::y);
 }
 

@@ -61,6 +61,21 @@ TEST(ReviewStudy, MelbournesParkIsInReachOfTheTallTowerOnly) {
     EXPECT_EQ(verdict(60), Verdict::fail);
 }
 
+TEST(ReviewStudy, SaysThatTheGroundIsFlatAndThatNothingChanges) {
+    const City tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});
+    const std::vector<Place> parks{placeOf("Green", -100, -120, 100, -60)};
+    const Rule rule = shippedRule("melbourne-c278");
+    const ReviewStudy same = reviewed(rule, tower, tower, parks, "Australia/Melbourne");
+    EXPECT_THAT(same.notChecked, testing::Contains(testing::HasSubstr("the ground is taken as flat")));
+    const auto saysSame = [](const ReviewStudy& study) {
+        return std::ranges::any_of(study.warnings, [](const Warning& warning) {
+            return warning.what.starts_with("the scenario changes nothing");
+        });
+    };
+    EXPECT_TRUE(saysSame(same));
+    EXPECT_FALSE(saysSame(reviewed(rule, cityAt(melbourne, {}), tower, parks, "Australia/Melbourne")));
+}
+
 TEST(ReviewStudy, EnginesAgreeToTheStep) {
     const City before = cityAt({-73.98, 40.75}, {{{-60, -40, 0}, {-30, -20, 25}}});
     City after = before;
