@@ -73,9 +73,9 @@ TEST_F(FieldOptionsTest, FillTheObject) {
 
 TEST_F(FieldOptionsTest, HaveTheHelpOfTheTable) {
     const std::string help = app.help();
-    EXPECT_THAT(help, HasSubstr("--tail,--length M:1 to 9 [2.5]"));
+    EXPECT_THAT(help, HasSubstr("--tail,--length M:1 to 9=2.5 Excludes: --colour"));
     EXPECT_THAT(help, HasSubstr("Length of the tail"));
-    EXPECT_THAT(help, HasSubstr("--colour COLOUR:{red,green} [red]"));
+    EXPECT_THAT(help, HasSubstr("--colour COLOUR:{red,green}=red Excludes: --tail"));
 }
 
 TEST_F(FieldOptionsTest, RefuseWhatTheTableRefuses) {

@@ -53,7 +53,7 @@ TEST(StudyWords, FiguresCarryTheirUnits) {
 
 TEST(StudyWords, ContinuousShadowThatWasNotCountedIsNoNumber) {
     QString text;
-    for (const Figure& figure : computeFigures(tests::grossOnly(tests::syntheticStudy())))
+    for (const FigureText& figure : computeFigures(tests::grossOnly(tests::syntheticStudy())))
         text += figure.name + u'=' + figure.value + u';';
     EXPECT_TRUE(text.contains("Continuous shadow=not counted;")) << text.toStdString();
     EXPECT_FALSE(text.contains("nan", Qt::CaseInsensitive)) << text.toStdString();

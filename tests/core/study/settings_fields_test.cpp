@@ -42,9 +42,12 @@ static_assert(countMembers<ElementSettings>() == 13);
 /// A value that the field may have, other than this one.
 Value otherValue(const Field& field, const Value& value) {
     static const std::map<std::string_view, std::string> texts{
-        {"start", "2025-02-28"},           {"from", "07:30"},
-        {"window", "sunrise+30m..sunset"}, {"zone", "Asia/Tokyo"},
-        {"facing_deg", "90-180"},          {"points", "id,lon,lat,height,facing\na,2,48,,\n"}};
+        {"start", "2025-02-28"},
+        {"from", "07:30"},
+        {"window", "sunrise+0.5h..sunset"},
+        {"zone", "Asia/Tokyo"},
+        {"facing_deg", "90-180"},
+        {"points", "id,lon,lat,height,facing\r\na,2.0000000,48.0000000,,\r\n"}};
     switch (field.kind) {
         case ValueKind::yesNo:
             return !std::get<bool>(value);
