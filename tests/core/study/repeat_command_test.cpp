@@ -118,7 +118,8 @@ TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
         makeRepeatCommand(study, 1000).value(),
         "noonmark-cli study 'it'\\''s.gpkg' ./-x.shp sample:grid --height-field 'roof height' --height-unit "
         "ft --start 2026-03-21 "
-        "--days 1 --window sunrise+1.5h..sunset-0.5h --step 1 --zone America/New_York --no-refraction --region "
+        "--days 1 --window sunrise+1.5h..sunset-0.5h --step 1 --zone America/New_York --no-refraction "
+        "--region "
         "region.geojson --cell 1 --engine iam --option bound=2.5 --option levels=4 --out repeated");
 }
 
