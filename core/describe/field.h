@@ -62,7 +62,7 @@ struct Field : FieldFacts {
     std::function<Result<void>(void*, const Value&)> set{};  ///< error: a value of another kind or form
 };
 
-/// A struct with its fields, as surfaces take it. Refers to both.
+/// A struct with its fields, as surfaces take it. Refers to both: of a temporary only within its expression.
 struct Described {
     std::span<const Field> fields;
     const void* object = nullptr;

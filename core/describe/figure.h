@@ -31,7 +31,7 @@ struct Figure : FigureFacts {
     std::function<void(void*, double)> set{};
 };
 
-/// A result with its figures, as surfaces take it. Refers to both.
+/// A result with its figures, as surfaces take it. Refers to both: of a temporary only within its expression.
 struct DescribedFigures {
     std::span<const Figure> figures;
     const void* object = nullptr;

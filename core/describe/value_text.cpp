@@ -32,7 +32,8 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
 std::optional<Value> numbersIn(const std::string& text) {
     std::vector<double> numbers;
     for (const std::string& piece : splitAtCommas(text)) {
-        const auto number = numberIn<double>(piece);
+        const auto number = numberIn<double>(
+            std::string_view(piece).substr(std::min(piece.find_first_not_of(' '), piece.size())));
         if (!number) return std::nullopt;
         numbers.push_back(*number);
     }

@@ -5,8 +5,7 @@
 
 namespace noonmark {
 
-/// All settings of reading a city but the frame, which no user sets: those of the three tables below between
-/// those of heights, layers and terrain.
+/// All settings of reading a city but the frame, which no user sets; the two tables below are part of it.
 const Fields<ReadSettings>& readSettingsFields();
 
 /// Where buildings stand: also of a proposal being read.

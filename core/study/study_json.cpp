@@ -77,8 +77,7 @@ Json definitions(bool runs) {
         {"receiver",
          "a cell of the region with its centre at the place that receivers_on states: on the ground, outside "
          "every footprint that stands on it and off the water of the map, or on the roof of a building "
-         "there, "
-         "its highest surface"},
+         "there, its highest surface"},
         {"period",
          "the hours of each day (hours_min_per_day in the mean) are divided into whole steps of nearly "
          "step_min; each counts counted_step_min, so that no time is dropped; the steps of a day add up to "

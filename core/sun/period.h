@@ -20,7 +20,7 @@ struct SolarWindow {
     bool operator==(const SolarWindow&) const = default;
 };
 
-/// The days and hours of a study. checked() checks the ranges.
+/// The days and hours of a study. validate() checks the ranges.
 struct Period {
     CivilDate start{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}};
     int days = 1;                       ///< 1 to 3660

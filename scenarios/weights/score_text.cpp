@@ -51,7 +51,8 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["engine_settings"] = answer.score.engine;
     json["receiver_area_m2"] = answer.score.receiverAreaM2;
     json["water_m2"] = answer.score.waterM2;
-    json.update(figuresJson(scoreFigures().of(totalsOf(answer.score))));
+    const ScoreTotals totals = totalsOf(answer.score);
+    json.update(figuresJson(scoreFigures().of(totals)));
     json["months"] = listJson(answer.score.months, "month", &monthOf, scoreMonthFigures());
     json["intervals"] = listJson(
         answer.score.intervals, "name", [](const IntervalFigures& interval) { return interval.name; },

@@ -4,6 +4,7 @@
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/report/book/review/review_book.h"
+#include "core/describe/value_text.h"
 #include "scenarios/project/title_fields.h"
 
 namespace noonmark::cli {
@@ -66,9 +67,10 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
 
 std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings) {
     std::vector<CommandOption> repeat = noonmark::makeRepeatOptions(settings);
-    // The date is among the book's own.
-    for (CommandOption& option : listOptions(titleFields().of(options.title)))
-        if (option.name != "--date") repeat.push_back(std::move(option));
+    // The date is among the book's own. A text that was emptied is restated, too.
+    for (const Field& field : titleFields().rows())
+        if (options.given.contains(field.flag) && field.flag != "--date")
+            repeat.push_back({std::string(field.flag), {formatText(field.get(&options.title))}});
     return repeat;
 }
 

@@ -23,10 +23,10 @@ void takeReceivers(const std::string& name, StudyOptions& options) {
 
 void addPlacesOption(CLI::App& command, StudyOptions& options, ReceiverChoice choice) {
     std::vector<std::string> names;
-    for (const auto& choice : receiverPlaceChoices) names.emplace_back(choice.key);
+    for (const auto& place : receiverPlaceChoices) names.emplace_back(place.key);
     std::string help(surfaceFields().rows().front().help);
     if (choice == ReceiverChoice::cellsAndPoints) {
-        for (const auto& choice : elementPlaceChoices) names.emplace_back(choice.key);
+        for (const auto& place : elementPlaceChoices) names.emplace_back(place.key);
         help += ", or points: facades, windows of a file, a plane, lines around a parcel, single points";
     }
     command

@@ -13,6 +13,7 @@ Json elementSettingsJson(const ElementSettings& elements) {
 }
 
 std::optional<ElementSettings> elementSettingsFrom(const Json& json) {
+    if (!json.is_object() || !json.contains("places")) return std::nullopt;
     ElementSettings elements;
     const Editable fields = elementFields().of(elements);
     if (!readFieldsJson(fields, json) || !checkRanges(fields)) return std::nullopt;

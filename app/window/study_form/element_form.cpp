@@ -65,8 +65,8 @@ ElementForm::ElementForm(Use use, QWidget* parent)
 }
 
 void ElementForm::makeFields() {
-    connect(rows_, &FieldRows::edited, this, [this](const QString& label) {
-        rows_->take(elementFields().of(settings_));
+    connect(rows_, &FieldRows::edited, this, [this](const QString& label, const QString& flag) {
+        rows_->take(elementFields().of(settings_), flag.toStdString());
         Q_EMIT edited(settings_, label);
     });
     proposed_ = new QCheckBox(tr("Proposed buildings only"));

@@ -45,7 +45,7 @@ private:
     void browse();
     void toggleBuilding();
     void showRows();
-    /// Whether the field with this flag is one of the points that are chosen.
+    /// Whether the field with this flag means something for the places that are chosen.
     [[nodiscard]] bool applies(std::string_view flag) const;
     void showButton();
 

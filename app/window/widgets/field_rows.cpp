@@ -135,7 +135,8 @@ QWidget* FieldRows::make(const Field& field) {
     widget->setToolTip(translated(field.help));
     showValue(*widget, field.standard);
     const auto changed = [this, &field] {
-        if (!showing_) Q_EMIT edited(translated(field.label));
+        if (!showing_)
+            Q_EMIT edited(translated(field.label), QString::fromStdString(std::string(field.flag)));
     };
     if (auto* box = qobject_cast<QCheckBox*>(widget)) connect(box, &QCheckBox::toggled, this, changed);
     if (auto* whole = qobject_cast<QSpinBox*>(widget)) connect(whole, &QSpinBox::valueChanged, this, changed);
@@ -160,6 +161,12 @@ void FieldRows::addRows(QFormLayout& form, std::initializer_list<std::string_vie
 void FieldRows::show(const Described& settings) {
     const QScopedValueRollback<bool> quiet(showing_, true);
     for (const auto& [field, widget] : widgets_) showValue(*widget, settings.get(*field));
+}
+
+void FieldRows::take(const Editable& settings, std::string_view flag) const {
+    const auto found = widgets_.find(find(flag));
+    if (found == widgets_.end()) return;
+    if (const auto value = valueOf(*found->first, *found->second)) (void)settings.set(*found->first, *value);
 }
 
 void FieldRows::take(const Editable& settings) const {

@@ -29,9 +29,11 @@ public:
 
     void show(const Described& settings);       ///< without a signal
     void take(const Editable& settings) const;  ///< what the widgets hold, into their fields
+    /// The same of one field only: widgets round what they show.
+    void take(const Editable& settings, std::string_view flag) const;
 
 Q_SIGNALS:
-    void edited(const QString& label);
+    void edited(const QString& label, const QString& flag);
 
 private:
     [[nodiscard]] const Field* find(std::string_view flag) const;

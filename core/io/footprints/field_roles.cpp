@@ -104,7 +104,6 @@ std::optional<FieldMeaning> heightOfWords(const NameWords& words) {
     return lengthOfWords(words, height);
 }
 
-// Nothing for a name that is known by itself.
 std::optional<FieldMeaning> groundHeightOfWords(std::string_view name) {
     const NameWords words(name);
     const bool says = words.areAllKnown() && words.has(NameWord::ground) && words.has(NameWord::height);

@@ -78,12 +78,14 @@ struct Finding {
     std::string why;
 };
 
-// "height_in" where metres would make towers and inches make houses.
+// "height_in" where metres would make towers, inches make houses, and feet, whose name a table may have cut,
+// would make towers, too.
 std::optional<Finding> findInches(const KnownField& field, const LayerSample& sample) {
     if (!field.meaning.maybeInches) return std::nullopt;
     const std::optional<double> median = medianAt(sample, field.index);
     const double inch = metresPer(LengthUnit::inches);
     if (!median || isTypicalHeight(*median) || !isTypicalHeight(*median * inch)) return std::nullopt;
+    if (isTypicalHeight(*median * metresPer(LengthUnit::feet))) return std::nullopt;
     return Finding{LengthUnit::inches,
                    fmt::format("its name ends in \"in\" and half of its values are over {:.4g}", *median)};
 }

@@ -9,19 +9,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Earlier versions knew two axes.
-void renameAxis(Json& json) {
-    const auto old = json.find("z_up");
-    if (old == json.end()) return;
-    json["up"] = old->get<bool>() ? "z" : "y";
-    json.erase("z_up");
+// Projects name the axis by whether z points up, as all versions read it.
+constexpr const char* axisKey = "z_up";
+
+void readAxis(Json& json) {
+    const auto found = json.find(axisKey);
+    if (found == json.end()) return;
+    json["up"] = found->get<bool>() ? "z" : "y";
+    json.erase(axisKey);
 }
 
 }  // namespace
 
 std::string formatText(const ReadSettings& reading) {
-    const Json json = fieldsJson(readSettingsFields().of(reading),
-                                 {FieldJson::Which::changed, FieldJson::Choices::numbers});
+    Json json = fieldsJson(readSettingsFields().of(reading),
+                           {FieldJson::Which::changed, FieldJson::Choices::numbers});
+    json.erase("up");
+    if (reading.upAxis != UpAxis::automatic) json[axisKey] = reading.upAxis == UpAxis::z;
     return json.empty() ? std::string() : json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -29,7 +33,7 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
     ReadSettings reading;
     if (text.empty()) return reading;
     Json json = Json::parse(text);
-    renameAxis(json);
+    readAxis(json);
     if (!readFieldsJson(readSettingsFields().of(reading), json)) return std::nullopt;
     return reading;
 } catch (const std::exception&) {  // not JSON, or of another structure

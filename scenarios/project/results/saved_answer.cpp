@@ -145,7 +145,8 @@ void compareCity(std::vector<std::string>& changes, const Project& project, cons
     if (!city)
         changes.push_back(fmt::format("The scenario '{}' no longer exists.", scenario));
     else if (!hash.empty() && hashCity(city->city) != hash)
-        changes.push_back(fmt::format("'{}' has changed since: its buildings or its terrain.", scenario));
+        changes.push_back(
+            fmt::format("'{}' has changed since: its buildings, its terrain or its water.", scenario));
 }
 
 }  // namespace

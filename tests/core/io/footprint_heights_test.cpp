@@ -181,6 +181,13 @@ TEST_F(ReadFootprints, ANameThatEndsInInIsOneOfInchesWhereItsValuesSaySo) {
     const FilePiece cut = readGeoJson(town(1 / 0.3048));
     ASSERT_EQ(cut.heights.doubts.size(), 1U);
     EXPECT_THAT(cut.heights.doubts[0].why, HasSubstr("breaks off before its unit"));
+    // Towers in feet would be houses in inches: neither is taken, both are named.
+    const FilePiece towers =
+        readGeoJson(squares(9, [](int i) { return fmt::format(R"("height_in":{})", 100 + 10 * i); }));
+    EXPECT_NEAR(heightOf(*towers.buildings.at(8)), 180, 1e-3);
+    ASSERT_EQ(towers.heights.doubts.size(), 1U);
+    EXPECT_THAT(towers.heights.doubts[0].why, HasSubstr("--height-unit ft"));
+    EXPECT_THAT(towers.heights.doubts[0].why, HasSubstr("--height-unit in"));
 }
 
 TEST_F(ReadFootprints, AHeightOfTheRoofAloneIsNotThatOfTheBuilding) {

@@ -40,6 +40,14 @@ TEST(ReadSettingsText, ComesBackToTheLastBit) {
     EXPECT_EQ(formatText(readSettingsFrom("").value()), "");
 }
 
+// As all versions write and read it.
+TEST(ReadSettingsText, TheAxisIsNamedByWhetherZPointsUp) {
+    ReadSettings reading;
+    reading.upAxis = UpAxis::z;
+    EXPECT_EQ(formatText(reading), R"({"z_up":true})");
+    EXPECT_EQ(readSettingsFrom(R"({"z_up": false})")->upAxis, UpAxis::y);
+}
+
 TEST(ReadSettingsText, DefaultsAreLeftOut) { EXPECT_EQ(formatText(ReadSettings{}), ""); }
 
 TEST(ReadSettingsText, OtherTextIsNoSettings) {

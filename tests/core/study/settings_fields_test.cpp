@@ -164,5 +164,21 @@ TEST(QuestionHash, OfAnEarlierVersionStaysCurrent) {
     EXPECT_TRUE(hashes.current.starts_with("2:"));
 }
 
+// The texts of periods and surfaces are part of the old hash: they cannot be reworded.
+TEST(QuestionHash, OfAnEarlierVersionKnowsHoursOfTheSunRoofsAndOptions) {
+    StudySettings settings;
+    settings.period.zone = "Europe/Paris";
+    settings.period.days = 365;
+    settings.period.refraction = false;
+    settings.period.window =
+        SolarWindow{std::chrono::minutes(90), std::chrono::minutes(75), SunriseRule::centre};
+    settings.receivers = {2.5, ReceiverPlaces::roofs};
+    settings.engine = "horizon";
+    settings.engineSettings["bin"] = 0.5;
+    settings.region.polygons.push_back({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}});
+    EXPECT_EQ(listHashes(settings).version1,
+              "5e2ac146beb833e9d4a45798e3e50d7f8610525546a6bce06f46178bdd55ad12");
+}
+
 }  // namespace
 }  // namespace noonmark

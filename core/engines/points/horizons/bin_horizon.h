@@ -39,7 +39,7 @@ struct BinHorizon {
 /// Bounds of what one point sees at any azimuth of a bin.
 struct HorizonBounds {
     BinHorizon touch;  ///< above its tangent no azimuth of the bin hides a sun; without gaps
-    BinHorizon cover;  ///< what it hides every azimuth of the bin hides
+    BinHorizon cover;  ///< what it hides every azimuth of the bin hides, but for slits between overhangs
 };
 
 }  // namespace noonmark

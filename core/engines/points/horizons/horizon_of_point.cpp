@@ -74,8 +74,8 @@ void HorizonOfPoint::uncover(const OpenBelow& open, glm::vec3 eye) {
     }
 }
 
-// What the surface itself hides. The horizon of its plane is a sine, nowhere higher or lower in a bin than at
-// the middles beside it.
+// What the surface itself hides. The horizon of its plane is a sine, nowhere lower in a bin than at the
+// middles beside it, and higher by 2e-6 at most.
 void HorizonOfPoint::boundFacing(glm::vec3 normal) {
     constexpr float upright = 1e-7F;
     const auto tanIn = [&](std::size_t bin) {
@@ -89,8 +89,9 @@ void HorizonOfPoint::boundFacing(glm::vec3 normal) {
         if (scene_.bins.highestTan[bin] <= 0) continue;
         const auto [least, most] =
             std::minmax({tanIn((bin + binCount - 1) % binCount), tanIn(bin), tanIn((bin + 1) % binCount)});
-        bounds_.cover.tan[bin] = least;
-        bounds_.touch.tan[bin] = normal.z <= -upright ? always : most;
+        constexpr float bent = 1e-5F;
+        bounds_.cover.tan[bin] = least * (1 - bent);
+        bounds_.touch.tan[bin] = normal.z <= -upright ? always : most * (1 + bent);
     }
 }
 

@@ -13,7 +13,7 @@ namespace noonmark {
 
 /// Decides the longest unbroken times of points by rays, at the steps that the bounds of the horizon leave in
 /// doubt: those of the runs that horizons find, and of all runs that could be longer. Afterwards they are off
-/// by at most `allowed` steps. Reuses its memory; one per thread.
+/// by at most `allowed` steps, but for what docs/user/limits.md names. Reuses its memory; one per thread.
 class PointRunSearch {
 public:
     static constexpr int allowed = 2;
