@@ -44,9 +44,9 @@ struct PointReceivers {
 /// Receivers on walls: one for each storey and bay.
 struct FacadeSettings {
     static constexpr double leastM = 0.25, mostM = 50;  ///< of a bay and of a storey
-    double bayM = 3;                ///< width of a bay: a wall has as many equal bays as come nearest to it
-    double storeyM = usualStoreyM;  ///< height of a storey, of buildings that state none (OwnStoreys)
-    double aboveFloorM = 1.5;       ///< height of the receivers above the floor of their storey, 0 to storeyM
+    double bayM = 3;                  ///< width of a bay: a wall has as many equal bays as come nearest to it
+    double storeyM = defaultStoreyM;  ///< height of a storey, of buildings that state none (OwnStoreys)
+    double aboveFloorM = 1.5;  ///< height of the receivers above the floor of their storey, 0 to storeyM
     bool operator==(const FacadeSettings&) const = default;
 };
 

@@ -26,6 +26,6 @@ struct Variant {
     double grossFloorM2 = 0;  ///< of the original building
 };
 Result<Variant> makeVariant(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
-                            double storeyHeightM = usualStoreyM);
+                            double storeyHeightM = defaultStoreyM);
 
 }  // namespace noonmark

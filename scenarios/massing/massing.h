@@ -56,7 +56,7 @@ struct FloorUse {
 
 /// User settings for a tower on a lot.
 struct MassingSettings {
-    double storeyHeightM = usualStoreyM;  ///< 2 to 10
+    double storeyHeightM = defaultStoreyM;  ///< 2 to 10
     int storeys = 0;     ///< in total, podium included: 1 to 500; 0: as many as fit into heightM
     double heightM = 0;  ///< 0: storeys x storey height; else 2 to 2000
     PlateSize plate;     ///< of the tower at its base

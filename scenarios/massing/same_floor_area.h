@@ -11,7 +11,7 @@ namespace noonmark {
 struct GivenMass {
     Plate plate;              ///< where the building touches the ground
     double grossFloorM2 = 0;  ///< preserved
-    double storeyHeightM = usualStoreyM;
+    double storeyHeightM = defaultStoreyM;
     int estimatedStoreys = 0;  ///< of open meshes (core/city/meshes/mesh_section.h)
 };
 

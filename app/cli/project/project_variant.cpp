@@ -16,7 +16,7 @@ namespace {
 
 struct VariantOptions : BuildingsOptions {
     std::string plate = "2";  // a factor, or "largest"
-    double storeyHeightM = usualStoreyM;
+    double storeyHeightM = defaultStoreyM;
 };
 
 Result<double> factorFrom(const std::string& text) {

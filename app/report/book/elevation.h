@@ -38,7 +38,7 @@ struct ElevationDrawing {
     std::shared_ptr<const FacadeElevation> elevation;  ///< not null
     std::vector<ElevationPanel> panels;
     ElevationLayout layout;
-    double storeyM = usualStoreyM;
+    double storeyM = defaultStoreyM;
     Caption caption;
     double textScale = 1;
 };

@@ -13,7 +13,7 @@ struct ElevationBuilding {
     std::vector<ElevationPane> panes;               ///< its windows
     std::vector<std::vector<ElevationCell>> cells;  ///< by panel, then by pane; a panel may be empty
     std::vector<QString> notes;                     ///< by panel: why it is empty
-    double storeyM = usualStoreyM;                  ///< between the floors that are drawn
+    double storeyM = defaultStoreyM;                ///< between the floors that are drawn
 };
 
 /// "Floors of 3.5 m", and that designed towers have their own.

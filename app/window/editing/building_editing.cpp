@@ -133,7 +133,7 @@ void BuildingEditing::showHandle() {
     const glm::dvec2 middle = findMiddle(building());
     context_.handle.stand({{middle.x, middle.y, ground},
                            double(heightM(building(), city)),
-                           usualStoreyM,
+                           defaultStoreyM,
                            computeElevation(city, {middle, ground})});
 }
 
@@ -160,7 +160,7 @@ void BuildingEditing::previewAll(const std::vector<Edit>& edits) {
     const double ground = double(findGroundUnder(*added.front(), city));
     context_.handle.stand({{middle.x, middle.y, ground},
                            double(topM(*added.front())) - ground,
-                           usualStoreyM,
+                           defaultStoreyM,
                            computeElevation(city, {middle, ground})});
 }
 
@@ -211,7 +211,7 @@ void BuildingEditing::previewHeight(double heightM) {
     const double ground = double(findGroundUnder(building(), city));
     const glm::dvec2 middle = findMiddle(building());
     context_.handle.stand(
-        {{middle.x, middle.y, ground}, facts.heightM, usualStoreyM, facts.groundElevationM});
+        {{middle.x, middle.y, ground}, facts.heightM, defaultStoreyM, facts.groundElevationM});
     context_.handle.tell(tr("%1, %2\n%3 floor area")
                              .arg(describeHeight(facts.heightM, facts.groundElevationM),
                                   describeAssumedStoreys(facts.storeys),

@@ -46,7 +46,7 @@ public:
     /// The lot that contains the middle of the selected building, or else its footprint as "Lot of One57".
     [[nodiscard]] std::optional<NamedLot> lot() const;
     [[nodiscard]] int storeys()
-        /// Storeys of the selected building at usualStoreyM each; 0 if none is selected.
+        /// Storeys of the selected building at defaultStoreyM each; 0 if none is selected.
         const;
 
 Q_SIGNALS:

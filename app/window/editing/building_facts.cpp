@@ -31,7 +31,7 @@ QString describeSource(HeightSource source) {
 }
 
 Result<GivenMass> massOf(const Building& building, const City& city) {
-    return givenBy(building, double(findGroundUnder(building, city)), usualStoreyM);
+    return givenBy(building, double(findGroundUnder(building, city)), defaultStoreyM);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ BuildingFacts collectFacts(const Building& building, const City& city) {
     facts.parts = building.parts.size();
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
     if (highest != building.parts.end()) facts.heightSource = describeSource(highest->heightSource);
-    facts.storeys = int(std::lround(facts.heightM / usualStoreyM));
+    facts.storeys = int(std::lround(facts.heightM / defaultStoreyM));
     if (const auto mass = massOf(building, city)) {
         facts.planM2 = computeArea(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;

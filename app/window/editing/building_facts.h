@@ -16,17 +16,17 @@ struct BuildingFacts {
     double heightM = 0;           ///< above the ground at the building
     double groundElevationM = 0;  ///< of that ground, above the datum
     QString heightSource;
-    int storeys = 0;  ///< at usualStoreyM each; 0: less than one
+    int storeys = 0;  ///< at defaultStoreyM each; 0: less than one
     std::size_t parts = 0;
     double planM2 = 0;         ///< area of the parts that touch the ground
-    double grossFloorM2 = 0;   ///< at usualStoreyM per storey
+    double grossFloorM2 = 0;   ///< at defaultStoreyM per storey
     int estimatedStoreys = 0;  ///< storeys of that area that are estimated, because the mesh is open
 };
 
 /// Facts about several buildings.
 struct GroupFacts {
     std::size_t buildings = 0;
-    double grossFloorM2 = 0;     ///< together, at usualStoreyM per storey
+    double grossFloorM2 = 0;     ///< together, at defaultStoreyM per storey
     std::size_t unmeasured = 0;  ///< buildings without a storey on the ground, which that sum lacks
 };
 GroupFacts collectFacts(std::span<const std::uint32_t> buildings, const City& city);

@@ -25,7 +25,7 @@ public:
     struct Tower {
         glm::dvec3 foot{0};  ///< on the ground, under the handle
         double heightM = 0;
-        double storeyM = usualStoreyM;
+        double storeyM = defaultStoreyM;
         double groundElevationM = 0;  ///< of the foot, above the datum: heights may be typed from there
     };
     void stand(const Tower& tower);

@@ -39,7 +39,7 @@ QString row(const QString& name, const QString& value) {
 
 QString makeRows(const GroupFacts& facts) {
     QString floors = describeSmallArea(facts.grossFloorM2) +
-                     QObject::tr(", storeys of %1").arg(describeLength(usualStoreyM));
+                     QObject::tr(", storeys of %1").arg(describeLength(defaultStoreyM));
     if (facts.unmeasured > 0)
         floors += QObject::tr("; %1 without a storey on the ground").arg(facts.unmeasured);
     const QString selected = QObject::tr("%1 building(s) selected", "", pluralNumber(facts.buildings))
@@ -59,7 +59,7 @@ QString makeRows(const BuildingFacts& facts) {
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), describeArea(facts.planM2)) +
            row(QObject::tr("Floor area"), describeSmallArea(facts.grossFloorM2) + storeys +
-                                              QObject::tr(" of %1").arg(describeLength(usualStoreyM)) +
+                                              QObject::tr(" of %1").arg(describeLength(defaultStoreyM)) +
                                               describeEstimate(facts.estimatedStoreys)) +
            QStringLiteral("</table>");
 }

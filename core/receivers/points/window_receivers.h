@@ -24,8 +24,8 @@ struct WindowShape {
 };
 
 struct WindowSettings {
-    double storeyM = usualStoreyM;  ///< height of a storey, to number the floors of windows that state none
-    bool aboveGround = false;       ///< heights are metres above the ground below the window
+    double storeyM = defaultStoreyM;  ///< height of a storey, to number the floors of windows that state none
+    bool aboveGround = false;         ///< heights are metres above the ground below the window
 };
 
 struct WindowsPlaced {
