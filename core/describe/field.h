@@ -4,7 +4,7 @@
 // row for one member of a struct of settings: its key, flag, label, unit, range, default. Surfaces loop over
 // the rows: JSON (field_json.h), command lines (command_options.h), checks and comparison (field_checks.h),
 // options of the command line (app/cli/options/field_options.h) and form rows
-// (app/window/widgets/field_rows.h). The tables stand beside the structs: core/sun/period_fields.h.
+// (app/gui/base/widgets/field_rows.h). The tables stand beside the structs: core/sun/period_fields.h.
 
 #include <functional>
 #include <optional>

@@ -11,9 +11,9 @@
 #include <functional>
 #include <mutex>
 
+#include "app/gui/session/study/open_city.h"
+#include "app/gui/view/exploration/view_refinement.h"
 #include "app/input/all_engines.h"
-#include "app/window/exploration/view_refinement.h"
-#include "app/window/study/open_city.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/api/partial_field.h"

@@ -2,8 +2,8 @@
 // text.
 #include <sstream>
 
-#include "app/window/project/view_state.h"
-#include "app/window/review/review_choice.h"
+#include "app/gui/docks/review/review_choice.h"
+#include "app/gui/session/project/view_state.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/window/frame/main_window.h"
-#include "app/window/project/answer_origin.h"
-#include "app/window/study/warnings_dock.h"
+#include "app/gui/docks/results/warnings_dock.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/session/answers/answer_origin.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 

@@ -6,11 +6,11 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/frame/main_window.h"
-#include "app/window/project/project_dock.h"
-#include "app/window/project/project_model.h"
-#include "app/window/results/results_dock.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/project/project_model.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 

@@ -1,4 +1,4 @@
-#include "app/window/editing/box_selection.h"
+#include "app/gui/tools/editing/box_selection.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <QMouseEvent>
 #include <QPushButton>
 
-#include "app/window/editing/building_facts.h"
-#include "app/window/widgets/number_words.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/tools/editing/building_facts.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

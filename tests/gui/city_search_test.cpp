@@ -1,4 +1,4 @@
-#include "app/window/search/city_search.h"
+#include "app/gui/docks/search/city_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

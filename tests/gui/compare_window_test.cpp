@@ -5,7 +5,7 @@
 #include <QTest>
 #include <utility>
 
-#include "app/window/compare/compare_strip.h"
+#include "app/gui/view/compare/compare_strip.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

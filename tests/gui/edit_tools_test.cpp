@@ -1,4 +1,4 @@
-#include "app/window/editing/edit_tools.h"
+#include "app/gui/tools/editing/edit_tools.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,11 +16,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/window/editing/building_facts.h"
-#include "app/window/editing/selection_panel.h"
-#include "app/window/looks/height_reference.h"
-#include "app/window/massing/massing_panel.h"
-#include "app/window/widgets/length_field.h"
+#include "app/gui/base/looks/height_reference.h"
+#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/tools/editing/building_facts.h"
+#include "app/gui/tools/editing/selection_panel.h"
+#include "app/gui/tools/massing/massing_panel.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/project/edit_json.h"
 #include "tests/gui/small_open_city.h"

@@ -9,14 +9,14 @@
 #include <QPushButton>
 #include <QTableView>
 
-#include "app/window/editing/building_editing.h"
-#include "app/window/elements/elements_dock.h"
-#include "app/window/export/table_text.h"
-#include "app/window/project/element_settings_json.h"
-#include "app/window/study_form/element_form.h"
-#include "app/window/study_form/point_list_form.h"
-#include "app/window/study_form/run_forecast.h"
-#include "app/window/study_form/study_dock.h"
+#include "app/gui/docks/elements/elements_dock.h"
+#include "app/gui/docks/export/table_text.h"
+#include "app/gui/docks/study_form/element_form.h"
+#include "app/gui/docks/study_form/point_list_form.h"
+#include "app/gui/docks/study_form/run_forecast.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/session/project/element_settings_json.h"
+#include "app/gui/tools/editing/building_editing.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/gui/answers_window.h"
 

@@ -1,4 +1,4 @@
-#include "app/window/exploration/exploration.h"
+#include "app/gui/view/exploration/exploration.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/window/exploration/explored_picture.h"
+#include "app/gui/view/exploration/explored_picture.h"
 #include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/ray/surface_rays.h"
 #include "tests/gui/small_open_city.h"

@@ -14,9 +14,9 @@
 #include <QStandardItemModel>
 #include <QTableView>
 
-#include "app/window/export/export_dialog.h"
-#include "app/window/export/movie_dialog.h"
-#include "app/window/export/table_text.h"
+#include "app/gui/docks/export/export_dialog.h"
+#include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/docks/export/table_text.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {

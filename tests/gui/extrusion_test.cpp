@@ -1,4 +1,4 @@
-#include "app/window/editing/extrusion.h"
+#include "app/gui/tools/preview/extrusion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/window/help/field_help.h"
+#include "app/gui/frame/help/field_help.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@
 #include <QTextBrowser>
 #include <QWhatsThisClickedEvent>
 
-#include "app/window/export/movie_dialog.h"
-#include "app/window/files/file_dialogs.h"
-#include "app/window/help/guide_window.h"
-#include "app/window/preferences/preferences_dialog.h"
-#include "app/window/study/open_options.h"
-#include "app/window/widgets/reading_form.h"
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/reading_form.h"
+#include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/frame/help/guide_window.h"
+#include "app/gui/frame/preferences/preferences_dialog.h"
+#include "app/gui/session/study/open_options.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "app/window/widgets/field_rows.h"
+#include "app/gui/base/widgets/field_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 
 #include <limits>
 
+#include "app/gui/base/layers/field_picture.h"
+#include "app/gui/base/layers/hover_text.h"
+#include "app/gui/base/layers/score_picture.h"
+#include "app/gui/docks/results/warnings_dock.h"
 #include "app/report/maps/palette.h"
 #include "app/report/maps/score_legend.h"
-#include "app/window/results/field_picture.h"
-#include "app/window/results/score_picture.h"
-#include "app/window/study/warnings_dock.h"
-#include "app/window/view/hover_text.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark {

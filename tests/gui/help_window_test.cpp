@@ -7,9 +7,9 @@
 #include <QRegularExpression>
 #include <QTextBrowser>
 
-#include "app/window/help/about_text.h"
-#include "app/window/help/guide_window.h"
-#include "app/window/help/start_dialog.h"
+#include "app/gui/frame/help/about_text.h"
+#include "app/gui/frame/help/guide_window.h"
+#include "app/gui/frame/help/start_dialog.h"
 #include "core/simd/instruction_set.h"
 #include "tests/gui/project_window.h"
 

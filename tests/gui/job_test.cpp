@@ -4,7 +4,7 @@
 #include <atomic>
 #include <optional>
 
-#include "app/window/study/job_slot.h"
+#include "app/gui/base/jobs/job_slot.h"
 #include "core/engines/api/partial_field.h"
 #include "tests/gui/wait_for.h"
 

@@ -15,11 +15,11 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/export/export_dialog.h"
-#include "app/window/frame/main_window.h"
-#include "app/window/review/review_dock.h"
-#include "app/window/sheets/sheets_dialog.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/docks/export/export_dialog.h"
+#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/sheets/sheets_dialog.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "core/samples/sample_city.h"
 #include "scenarios/impact/impact_figures.h"
 #include "tests/gui/wait_for.h"

@@ -1,4 +1,4 @@
-#include "app/window/widgets/legend_strip.h"
+#include "app/gui/view/panel/legend_strip.h"
 
 #include <gtest/gtest.h>
 

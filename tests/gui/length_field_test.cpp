@@ -1,13 +1,13 @@
-#include "app/window/widgets/length_field.h"
+#include "app/gui/base/widgets/length_field.h"
 
 #include <gtest/gtest.h>
 
 #include <QLineEdit>
 
-#include "app/window/looks/units.h"
-#include "app/window/massing/plate_field.h"
-#include "app/window/study_form/accuracy_section.h"
-#include "app/window/study_form/line_form.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/docks/study_form/accuracy_section.h"
+#include "app/gui/docks/study_form/line_form.h"
+#include "app/gui/tools/massing/plate_field.h"
 
 namespace noonmark {
 namespace {

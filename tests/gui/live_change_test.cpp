@@ -1,8 +1,8 @@
-#include "app/window/live/live_change.h"
+#include "app/gui/tools/live/live_change.h"
 
 #include <gtest/gtest.h>
 
-#include "app/window/editing/effect_words.h"
+#include "app/gui/tools/preview/effect_words.h"
 #include "tests/gui/live_scene.h"
 
 namespace noonmark {

@@ -1,8 +1,8 @@
 #include <QLabel>
 
-#include "app/window/editing/edit_tools.h"
-#include "app/window/review/review_session.h"
-#include "app/window/widgets/legend_strip.h"
+#include "app/gui/docks/review/review_session.h"
+#include "app/gui/tools/editing/edit_tools.h"
+#include "app/gui/view/panel/legend_strip.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

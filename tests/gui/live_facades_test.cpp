@@ -1,4 +1,4 @@
-#include "app/window/live/live_facades.h"
+#include "app/gui/tools/live/live_facades.h"
 
 #include <gtest/gtest.h>
 

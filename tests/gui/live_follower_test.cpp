@@ -1,4 +1,4 @@
-#include "app/window/live/live_follower.h"
+#include "app/gui/tools/live/live_follower.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/window/live/live_shadow.h"
+#include "app/gui/tools/live/live_shadow.h"
 #include "core/engines/horizon/cache/horizon_cache.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/gui/small_city.h"

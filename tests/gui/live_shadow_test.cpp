@@ -1,4 +1,4 @@
-#include "app/window/live/live_shadow.h"
+#include "app/gui/tools/live/live_shadow.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/window/looks/application_theme.h"
+#include "app/gui/base/looks/application_theme.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 #include <QWindow>
 #include <cmath>
 
+#include "app/gui/base/looks/icons.h"
+#include "app/gui/base/widgets/message_bar.h"
 #include "app/report/maps/palette.h"
-#include "app/window/looks/icons.h"
-#include "app/window/widgets/message_bar.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -1,13 +1,13 @@
-#include "app/window/editing/lot_editing.h"
+#include "app/gui/tools/editing/lot_editing.h"
 
 #include <gtest/gtest.h>
 
 #include <QUndoStack>
 #include <glm/geometric.hpp>
 
-#include "app/window/editing/edit_tools.h"
-#include "app/window/frame/workbench.h"
-#include "app/window/massing/massing_panel.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/tools/editing/edit_tools.h"
+#include "app/gui/tools/massing/massing_panel.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -1,8 +1,8 @@
-#include "app/window/widgets/marked_slider.h"
+#include "app/gui/base/widgets/marked_slider.h"
 
 #include <gtest/gtest.h>
 
-#include "app/window/time/time_strip.h"
+#include "app/gui/view/time/time_strip.h"
 
 namespace noonmark {
 namespace {

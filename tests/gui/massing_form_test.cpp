@@ -1,4 +1,4 @@
-#include "app/window/massing/massing_form.h"
+#include "app/gui/tools/massing/massing_form.h"
 
 #include <gtest/gtest.h>
 

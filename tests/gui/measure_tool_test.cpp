@@ -1,4 +1,4 @@
-#include "app/window/view/measure_tool.h"
+#include "app/gui/view/panel/measure_tool.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <QToolBar>
 #include <random>
 
+#include "app/gui/docks/study_form/accuracy_form.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "app/report/maps/palette.h"
-#include "app/window/frame/main_window.h"
-#include "app/window/view/view_panel.h"
-#include "app/window/widgets/accuracy_form.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <array>
 
-#include "app/window/frame/main_window.h"
-#include "app/window/time/sun_at_moment.h"
-#include "app/window/time/time_strip.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/sun_at_moment.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

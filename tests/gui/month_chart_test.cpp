@@ -1,4 +1,4 @@
-#include "app/window/results/month_chart.h"
+#include "app/gui/docks/results/month_chart.h"
 
 #include <gtest/gtest.h>
 

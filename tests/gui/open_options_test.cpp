@@ -1,4 +1,4 @@
-#include "app/window/study/open_options.h"
+#include "app/gui/session/study/open_options.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <QTemporaryDir>
 #include <tuple>
 
-#include "app/window/frame/main_window.h"
-#include "app/window/view/view_panel.h"
-#include "app/window/widgets/reading_form.h"
+#include "app/gui/base/widgets/reading_form.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "core/study/provenance/repeat_command.h"
 #include "tests/gui/wait_for.h"
 

@@ -11,8 +11,8 @@
 #include <QWheelEvent>
 #include <fstream>
 
-#include "app/window/frame/main_window.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

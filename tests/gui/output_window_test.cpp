@@ -5,8 +5,8 @@
 #include <QFile>
 #include <QSettings>
 
-#include "app/window/frame/main_window.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "app/window/view/view_panel.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 

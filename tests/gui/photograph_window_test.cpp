@@ -6,7 +6,7 @@
 #include <QSpinBox>
 #include <iterator>
 
-#include "app/window/photograph/photograph_dialog.h"
+#include "app/gui/tools/photograph/photograph_dialog.h"
 #include "core/city/map_context.h"
 #include "core/io/pictures/write_picture.h"
 #include "tests/gui/project_window.h"

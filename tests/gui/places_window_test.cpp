@@ -5,9 +5,9 @@
 #include <QTreeView>
 #include <QUndoStack>
 
-#include "app/window/project/lot_roads_dialog.h"
-#include "app/window/project/project_dock.h"
-#include "app/window/project/project_model.h"
+#include "app/gui/docks/project/lot_roads_dialog.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/project/project_model.h"
 #include "core/receivers/place_names.h"
 #include "tests/gui/project_window.h"
 

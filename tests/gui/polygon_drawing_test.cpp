@@ -1,4 +1,4 @@
-#include "app/window/view/polygon_drawing.h"
+#include "app/gui/view/panel/polygon_drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "app/window/looks/units.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 

@@ -1,12 +1,12 @@
-#include "app/window/view/polygon_tool.h"
+#include "app/gui/view/panel/polygon_tool.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "app/window/study/region_words.h"
-#include "app/window/view/visible_ground.h"
+#include "app/gui/session/study/region_words.h"
+#include "app/gui/view/panel/visible_ground.h"
 
 namespace noonmark {
 namespace {

@@ -8,7 +8,7 @@
 #include <QStandardPaths>
 #include <QTimer>
 
-#include "app/window/looks/theme_source.h"
+#include "app/gui/base/looks/theme_source.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

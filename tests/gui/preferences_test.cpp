@@ -6,13 +6,13 @@
 #include <QDialogButtonBox>
 #include <QPushButton>
 
-#include "app/window/help/start_settings.h"
-#include "app/window/looks/language.h"
-#include "app/window/looks/theme.h"
-#include "app/window/looks/units.h"
-#include "app/window/preferences/preferences_dialog.h"
-#include "app/window/sheets/page_settings.h"
-#include "app/window/widgets/number_words.h"
+#include "app/gui/base/looks/language.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/docks/sheets/page_settings.h"
+#include "app/gui/frame/help/start_settings.h"
+#include "app/gui/frame/preferences/preferences_dialog.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

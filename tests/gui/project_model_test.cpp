@@ -1,4 +1,4 @@
-#include "app/window/project/project_model.h"
+#include "app/gui/docks/project/project_model.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <QUndoStack>
 #include <random>
 
-#include "app/window/project/project_dock.h"
-#include "app/window/project/project_session.h"
-#include "app/window/scenarios/scenario_table.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
+#include "app/gui/session/project/project_session.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {

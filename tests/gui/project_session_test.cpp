@@ -1,4 +1,4 @@
-#include "app/window/project/project_session.h"
+#include "app/gui/session/project/project_session.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QUndoStack>
 
-#include "app/window/study/study_document.h"
+#include "app/gui/session/study/study_document.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {

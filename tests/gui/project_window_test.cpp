@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QSignalSpy>
 
-#include "app/window/view/view_panel.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "app/window/frame/recent_files.h"
+#include "app/gui/session/project/recent_files.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/files/recent_menu.h"
+#include "app/gui/frame/actions/recent_menu.h"
 #include "core/io/heights/read_settings_text.h"
 
 namespace noonmark {

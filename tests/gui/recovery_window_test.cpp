@@ -4,8 +4,8 @@
 #include <QFile>
 #include <QPushButton>
 
-#include "app/window/project/recovery_store.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/session/project/recovery_store.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "scenarios/project/recovery_file.h"
 #include "tests/gui/project_window.h"
 

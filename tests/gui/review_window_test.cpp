@@ -9,14 +9,14 @@
 #include <QTabWidget>
 #include <QUndoStack>
 
+#include "app/gui/docks/review/day_panel.h"
+#include "app/gui/docks/review/range_panel.h"
+#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/verdict_table.h"
+#include "app/gui/docks/sheets/book_view.h"
+#include "app/gui/docks/sheets/sheet_form.h"
+#include "app/gui/docks/sheets/sheets_dialog.h"
 #include "app/report/files/review_files.h"
-#include "app/window/review/day_panel.h"
-#include "app/window/review/range_panel.h"
-#include "app/window/review/review_dock.h"
-#include "app/window/review/verdict_table.h"
-#include "app/window/sheets/book_view.h"
-#include "app/window/sheets/sheet_form.h"
-#include "app/window/sheets/sheets_dialog.h"
 #include "core/engines/auto_engine.h"
 #include "tests/gui/project_window.h"
 

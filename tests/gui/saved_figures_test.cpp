@@ -1,10 +1,10 @@
-#include "app/window/scenarios/saved_figures.h"
+#include "app/gui/docks/scenarios/saved_figures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/window/project/view_state.h"
+#include "app/gui/session/project/view_state.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/gui/small_project.h"

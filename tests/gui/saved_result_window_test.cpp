@@ -4,8 +4,8 @@
 #include <QSpinBox>
 #include <cmath>
 
-#include "app/window/project/project_model.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/docks/project/project_model.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/gui/answers_window.h"
 

@@ -1,4 +1,4 @@
-#include "app/window/scenarios/scenario_table.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 #include <QUndoStack>
 #include <cmath>
 
-#include "app/window/looks/units.h"
-#include "app/window/scenarios/scenarios_dock.h"
-#include "app/window/weights/weights_dock.h"
-#include "app/window/widgets/column_menu.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/column_menu.h"
+#include "app/gui/docks/scenarios/scenarios_dock.h"
+#include "app/gui/docks/weights/weights_dock.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

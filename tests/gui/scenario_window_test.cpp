@@ -3,9 +3,9 @@
 #include <QLabel>
 #include <QTableView>
 
-#include "app/window/export/table_text.h"
-#include "app/window/looks/units.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/docks/export/table_text.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

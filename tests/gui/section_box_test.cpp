@@ -3,9 +3,9 @@
 #include <QDialog>
 #include <QMouseEvent>
 
-#include "app/window/project/view_state.h"
-#include "app/window/view/section_tool.h"
-#include "app/window/widgets/length_field.h"
+#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/session/project/view_state.h"
+#include "app/gui/view/panel/section_tool.h"
 #include "render/view/camera_control.h"
 #include "tests/gui/project_window.h"
 

@@ -1,4 +1,4 @@
-#include "app/window/live/shared_horizon_cache.h"
+#include "app/gui/session/study/shared_horizon_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 #include <QPushButton>
 #include <cmath>
 
-#include "app/window/project/project_dock.h"
-#include "app/window/project/project_model.h"
-#include "app/window/results/results_dock.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/project/project_model.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {

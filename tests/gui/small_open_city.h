@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/study/open_city.h"
+#include "app/gui/session/study/open_city.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark::test {

@@ -1,10 +1,10 @@
-#include "app/window/view/snap_targets.h"
+#include "app/gui/view/panel/snap_targets.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
-#include "app/window/view/snapping.h"
+#include "app/gui/view/panel/snapping.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "app/window/massing/storey_lines.h"
+#include "app/gui/tools/massing/storey_lines.h"
 
 #include <gtest/gtest.h>
 

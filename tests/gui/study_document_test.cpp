@@ -1,6 +1,6 @@
-#include "app/window/study/study_document.h"
+#include "app/gui/session/study/study_document.h"
+#include "app/gui/docks/study_form/study_dock.h"
 #include "app/input/all_engines.h"
-#include "app/window/study_form/study_dock.h"
 
 #include <gtest/gtest.h>
 

@@ -9,14 +9,14 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/window/looks/language.h"
-#include "app/window/looks/units.h"
-#include "app/window/study/study_document.h"
-#include "app/window/study_form/accuracy_choice.h"
-#include "app/window/study_form/period_preset.h"
-#include "app/window/study_form/rule_period.h"
-#include "app/window/study_form/run_forecast.h"
-#include "app/window/study_form/study_dock.h"
+#include "app/gui/base/looks/language.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/docks/study_form/accuracy_choice.h"
+#include "app/gui/docks/study_form/period_preset.h"
+#include "app/gui/docks/study_form/rule_period.h"
+#include "app/gui/docks/study_form/run_forecast.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/session/study/study_document.h"
 #include "core/review/library/rule_library.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"

@@ -1,4 +1,4 @@
-#include "app/window/time/sun_dome.h"
+#include "app/gui/view/time/sun_dome.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <QAction>
 #include <glm/geometric.hpp>
 
-#include "app/window/time/time_strip.h"
+#include "app/gui/view/time/time_strip.h"
 #include "render/view/camera_control.h"
 #include "tests/gui/project_window.h"
 

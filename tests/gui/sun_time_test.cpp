@@ -4,10 +4,10 @@
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
-#include "app/window/time/sun_shadow.h"
-#include "app/window/time/sun_walk.h"
-#include "app/window/time/time_strip.h"
-#include "app/window/widgets/marked_slider.h"
+#include "app/gui/base/widgets/marked_slider.h"
+#include "app/gui/view/time/sun_shadow.h"
+#include "app/gui/view/time/sun_walk.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"
 

@@ -1,4 +1,4 @@
-#include "app/window/photograph/tile_fetch.h"
+#include "app/gui/tools/photograph/tile_fetch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <QTcpSocket>
 #include <map>
 
-#include "app/window/photograph/tile_dialog.h"
+#include "app/gui/tools/photograph/tile_dialog.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

@@ -5,8 +5,8 @@
 #include <QSignalSpy>
 #include <QSlider>
 
-#include "app/window/time/time_looking.h"
-#include "app/window/time/time_strip.h"
+#include "app/gui/view/time/time_looking.h"
+#include "app/gui/view/time/time_strip.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"

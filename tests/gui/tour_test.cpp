@@ -8,9 +8,9 @@
 #include <set>
 #include <string>
 
-#include "app/window/help/start_dialog.h"
-#include "app/window/help/tour/tour_actions.h"
-#include "app/window/help/tour/tour_bubble.h"
+#include "app/gui/frame/help/start_dialog.h"
+#include "app/gui/frame/tour/tour_actions.h"
+#include "app/gui/frame/tour/tour_bubble.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -1,8 +1,8 @@
-#include "app/window/massing/tower_draft.h"
+#include "app/gui/tools/massing/tower_draft.h"
 
 #include <gtest/gtest.h>
 
-#include "app/window/editing/building_facts.h"
+#include "app/gui/tools/editing/building_facts.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/lot_edits.h"
 #include "tests/gui/small_city.h"

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/window/view/view_panel.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "render/view/software_drawing.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"

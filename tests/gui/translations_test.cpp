@@ -11,10 +11,10 @@
 #include <clocale>
 #include <map>
 
+#include "app/gui/base/looks/language.h"
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/input/all_engines.h"
-#include "app/window/looks/language.h"
-#include "app/window/widgets/error_words.h"
-#include "app/window/widgets/number_words.h"
 #include "tests/gui/answers_window.h"
 #include "tests/gui/translation_messages.h"
 

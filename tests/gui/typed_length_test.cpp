@@ -1,8 +1,8 @@
-#include "app/window/view/typed_length.h"
+#include "app/gui/view/panel/typed_length.h"
 
 #include <gtest/gtest.h>
 
-#include "app/window/looks/units.h"
+#include "app/gui/base/looks/units.h"
 
 namespace noonmark {
 namespace {

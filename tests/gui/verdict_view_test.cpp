@@ -1,10 +1,10 @@
 #include <QComboBox>
 #include <cmath>
 
-#include "app/window/review/windows/verdict_tiles.h"
-#include "app/window/review/windows/window_panel.h"
-#include "app/window/review/windows/window_table.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/docks/review/glazing/verdict_tiles.h"
+#include "app/gui/docks/review/glazing/window_panel.h"
+#include "app/gui/docks/review/glazing/window_table.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/window_review_window.h"
 
 namespace noonmark {

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/window/project/project_changes.h"
-#include "app/window/time/sun_at_moment.h"
-#include "app/window/view/saved_views.h"
-#include "app/window/view/view_presets.h"
+#include "app/gui/docks/project/saved_views.h"
+#include "app/gui/session/project/project_changes.h"
+#include "app/gui/view/panel/view_presets.h"
+#include "app/gui/view/time/sun_at_moment.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

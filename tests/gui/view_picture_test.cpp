@@ -1,10 +1,10 @@
-#include "app/window/view/view_picture.h"
+#include "app/gui/view/panel/view_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
 
-#include "app/window/editing/placing_panel.h"
+#include "app/gui/tools/editing/placing_panel.h"
 
 namespace noonmark {
 namespace {

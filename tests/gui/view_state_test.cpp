@@ -1,4 +1,4 @@
-#include "app/window/project/view_state.h"
+#include "app/gui/session/project/view_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/window/weights/weights_model.h"
+#include "app/gui/docks/weights/weights_model.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <QUndoStack>
 #include <random>
 
-#include "app/window/project/project_session.h"
-#include "app/window/weights/weights_dock.h"
+#include "app/gui/docks/weights/weights_dock.h"
+#include "app/gui/session/project/project_session.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {

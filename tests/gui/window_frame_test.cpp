@@ -5,9 +5,9 @@
 #include <QSettings>
 #include <QStatusBar>
 
-#include "app/window/study/warning_place.h"
-#include "app/window/study/warnings_dock.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/docks/results/warnings_dock.h"
+#include "app/gui/session/study/warning_place.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -4,8 +4,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/window/review/windows/window_table.h"
-#include "app/window/widgets/number_words.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/docks/review/glazing/window_table.h"
 #include "tests/gui/window_review_window.h"
 
 namespace noonmark {

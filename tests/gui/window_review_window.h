@@ -4,9 +4,9 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/window/review/review_dock.h"
-#include "app/window/review/windows/window_form.h"
-#include "app/window/review/windows/window_session.h"
+#include "app/gui/docks/review/glazing/window_form.h"
+#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/docks/review/review_dock.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark::test {

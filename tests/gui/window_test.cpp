@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
+#include "app/gui/base/layers/hover_text.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
 #include "app/report/maps/palette.h"
-#include "app/window/frame/main_window.h"
-#include "app/window/results/results_dock.h"
-#include "app/window/view/hover_text.h"
-#include "app/window/view/view_panel.h"
 #include "core/samples/sample_city.h"
 #include "tests/gui/wait_for.h"
 

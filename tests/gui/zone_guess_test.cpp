@@ -1,11 +1,11 @@
-#include "app/window/frame/zone_guess.h"
+#include "app/gui/session/study/zone_guess.h"
 
 #include <gtest/gtest.h>
 
 #include <QFile>
 #include <QIODevice>
 
-#include "app/window/frame/gazetteer_cities.h"
+#include "app/gui/session/study/gazetteer_cities.h"
 
 namespace noonmark {
 namespace {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/window/frame/appearance.h"
-#include "app/window/study/heap_memory.h"
+#include "app/gui/base/jobs/heap_memory.h"
+#include "app/gui/frame/appearance.h"
 #include "tests/soak/window_user.h"
 
 /// Performs random actions in the window for a while and writes the memory use as CSV, one line per minute.

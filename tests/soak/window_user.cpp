@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/window/time/time_strip.h"
-#include "app/window/view/view_panel.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark::soak {

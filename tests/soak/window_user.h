@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "app/window/frame/main_window.h"
+#include "app/gui/frame/main_window.h"
 
 namespace noonmark::soak {
 

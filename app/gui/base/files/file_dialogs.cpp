@@ -1,0 +1,121 @@
+#include "app/gui/base/files/file_dialogs.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "app/gui/base/files/file_endings.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark {
+
+namespace {
+
+QString orAllFiles(const QString& name, const QStringList& endings) {
+    return makeFileFilter(name, endings) + QStringLiteral(";;") + QObject::tr("All files (*)");
+}
+
+}  // namespace
+
+QStringList askForCity(QWidget* parent) {
+    return QFileDialog::getOpenFileNames(parent, QObject::tr("Open a project or a city"), {},
+                                         makeCityFilters());
+}
+
+QString askForProject(QWidget* parent, const QString& suggested) {
+    const QString ending = QString::fromLatin1(projectEnding);
+    QString file = QFileDialog::getSaveFileName(parent, QObject::tr("Save project as"), suggested,
+                                                QObject::tr("Projects (*%1)").arg(ending), nullptr,
+                                                QFileDialog::DontConfirmOverwrite);
+    if (file.isEmpty()) return {};
+    if (!file.endsWith(ending)) file += ending;
+    if (!QFileInfo::exists(file)) return file;
+    const auto answer =
+        QMessageBox::question(parent, QObject::tr("Save project as"),
+                              QObject::tr("%1 already exists. Replace it?").arg(QFileInfo(file).fileName()));
+    return answer == QMessageBox::Yes ? file : QString();
+}
+
+QString askForMesh(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Import a mesh as a building"), {},
+                                        orAllFiles(QObject::tr("Meshes"), modelEndings()));
+}
+
+QString askForRegion(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Region from file"), {},
+                                        orAllFiles(QObject::tr("Polygons"), vectorEndings()));
+}
+
+QString askForPhotograph(QWidget* parent) {
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Aerial photograph"), {},
+        orAllFiles(QObject::tr("Pictures with a position"),
+                   {QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("img")}));
+}
+
+QString askWhereToSavePhotograph(QWidget* parent) {
+    const QString file =
+        QFileDialog::getSaveFileName(parent, QObject::tr("Save the tiles as a photograph"),
+                                     QStringLiteral("photograph.tif"), QObject::tr("GeoTIFF (*.tif)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".tif");
+}
+
+QString askForWindows(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Windows from file"), {},
+                                        orAllFiles(QObject::tr("Points and polygons"), vectorEndings()));
+}
+
+QString askForPoints(QWidget* parent) {
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Points from file"), {},
+        orAllFiles(QObject::tr("Tables of points"), {QStringLiteral("csv"), QStringLiteral("txt")}));
+}
+
+QStringList askForPlaces(QWidget* parent) {
+    return QFileDialog::getOpenFileNames(parent, QObject::tr("Read places"), {},
+                                         orAllFiles(QObject::tr("Maps and polygons"), vectorEndings()));
+}
+
+QString askForSky(QWidget* parent) {
+    const QString file = QFileDialog::getSaveFileName(
+        parent, QObject::tr("Save sun and sky"), QStringLiteral("sky.svg"),
+        QObject::tr("Drawing (*.svg);;Picture (*.png);;Minutes by month and hour (*.csv)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".svg");
+}
+
+QString askForPicture(QWidget* parent) {
+    const QString file = QFileDialog::getSaveFileName(
+        parent, QObject::tr("Save picture"), QStringLiteral("noonmark.png"), QObject::tr("Pictures (*.png)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".png");
+}
+
+QString askForMovie(QWidget* parent, const QString& suggested) {
+    const QString file =
+        QFileDialog::getSaveFileName(parent, QObject::tr("Export movie"), suggested + QStringLiteral(".mp4"),
+                                     QObject::tr("Movies (*.mp4 *.gif)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".mp4");
+}
+
+QString askForLogo(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Logo for the title block"), {},
+                                        QObject::tr("Pictures (*.png *.jpg *.jpeg)"));
+}
+
+QString askForFolder(QWidget* parent, const QString& title) {
+    return QFileDialog::getExistingDirectory(parent, title);
+}
+
+bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files) {
+    if (files.isEmpty()) return true;
+    const auto answer =
+        QMessageBox::question(parent, QObject::tr("Export"),
+                              QObject::tr("%1 already contains these files: %2. Replace them?")
+                                  .arg(QFileInfo(folder).fileName(), files.join(QStringLiteral(", "))));
+    return answer == QMessageBox::Yes;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,40 @@
+#include "app/gui/base/layers/error_notes.h"
+
+#include <QObject>
+
+#include "app/gui/base/widgets/number_words.h"
+#include "core/measures/has_runs.h"
+
+namespace noonmark {
+
+namespace {
+
+QString describeRunError(double meanPct, double p99Pct, double largestPct) {
+    return QObject::tr(
+               "Measured error of the longest shadow against rays, of the longest day: %1 % in the "
+               "mean, %2 % at the 99th percentile, %3 % at most")
+        .arg(groupDigits(meanPct, 2), groupDigits(p99Pct, 2), groupDigits(largestPct, 2));
+}
+
+}  // namespace
+
+QString describeError(const std::optional<SampledError>& error, ShadowMeasure measure) {
+    if (!error) return {};
+    const CellError &gross = error->gross, &runs = error->continuous;
+    if (measure == ShadowMeasure::continuous && hasRuns(*error))
+        return describeRunError(runs.percent(runs.meanMin), runs.percent(runs.p99Min),
+                                runs.percent(runs.maxMin));
+    return QObject::tr("Measured error against rays: %1 % of the area, %2 % of the minutes of a cell")
+        .arg(groupDigits(error->areaPct, 2), groupDigits(gross.percent(gross.meanMin), 2));
+}
+
+QString describeError(const ElementStudy& study, ShadowMeasure measure) {
+    if (!study.error) return {};
+    const QuantityError& runs = study.error->continuous;
+    if (measure == ShadowMeasure::continuous)
+        return describeRunError(runs.meanPct, runs.p99Pct, runs.largestPct);
+    return QObject::tr("Measured error against rays: %1 % of the time in the sun")
+        .arg(groupDigits(study.error->gross.meanPct, 3));
+}
+
+}  // namespace noonmark

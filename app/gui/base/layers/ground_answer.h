@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "app/report/maps/change_scale.h"
+#include "app/report/maps/legend_painter.h"
+#include "core/engines/api/partial_field.h"
+#include "render/scene/ground_picture.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score_text.h"
+
+namespace noonmark {
+
+/// Any result displayed on the ground, ready to be coloured and described. A value; it shares the result's
+/// data.
+struct GroundAnswer {
+    using Map = std::variant<std::shared_ptr<const ShadowField>, std::shared_ptr<const Impact>,
+                             std::shared_ptr<const Score>>;
+    Map map;  ///< not null
+    /// Of a field, if known: then cells under buildings get colours too.
+    std::shared_ptr<const Receivers> receivers;
+    QString note;            ///< describes the result, beside the legend
+    bool marked = false;     ///< the note is a warning
+    bool grossOnly = false;  ///< no continuous shadow: gross is shown for both measures
+    /// Added to the note if gross is shown instead of continuous.
+    QString whyGross{};
+    /// Instead of the note while continuous shadow is shown; empty: the note holds for both measures.
+    QString runNote{};
+};
+
+/// Each shares the data of the answer that it is made from.
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study);
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial);
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison);
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
+
+/// Sets grossOnly and whyGross according to the map: of a study, a comparison or a saved result without
+/// continuous shadow.
+GroundAnswer runsLookedFor(GroundAnswer answer);
+
+/// The note, with the reason if the measure is not the one shown.
+QString makeNote(const GroundAnswer& answer, ShadowMeasure measure);
+
+/// A score is the same for both measures. `scale`: of a difference.
+Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale);
+GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, double top);
+
+/// The picture of receivers on roofs; nothing if there are none, or if receivers are not known.
+std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top);
+
+/// Whether the point is at a receiver on a roof; then textAt() describes it.
+bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point);
+
+/// Describes the cell that contains a point; empty outside.
+QString textAt(const GroundAnswer& answer, glm::dvec2 point);
+
+}  // namespace noonmark

@@ -1,0 +1,177 @@
+#include "app/gui/base/widgets/field_rows.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/translated.h"
+#include "core/describe/value_text.h"
+
+namespace noonmark {
+
+namespace {
+
+// "--height-field" -> "heightField"
+QString objectNameOf(const Field& field) {
+    QString name;
+    bool upper = false;
+    for (const char letter : nameOf(field)) {
+        if (letter != '-') name += upper ? QChar(letter).toUpper() : QChar(letter);
+        upper = letter == '-';
+    }
+    return name;
+}
+
+double numberOf(const Value& value) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return double(*whole);
+    const double* number = std::get_if<double>(&value);
+    return number ? *number : 0;
+}
+
+// A tenth of the default's power of ten: 0.1 for 3.2, 1000 for 60000.
+double stepOf(const Field& field) {
+    const double usual = std::abs(numberOf(field.standard));
+    return usual > 0 ? std::pow(10.0, std::floor(std::log10(usual)) - 1) : 1;
+}
+
+QWidget* makeNumber(const Field& field) {
+    const ValueRange range = field.range.value_or(ValueRange{-1e9, 1e9});
+    const double step = stepOf(field);
+    const int decimals = step >= 10 ? 0 : 2;
+    if (field.unit == "m") return lengthField(range.min, range.max, decimals, step);
+    if (field.unit == "deg") return numberField(range.min, range.max, 4, step, QStringLiteral("°"));
+    const QString unit = field.unit.empty() ? QString() : QLatin1Char(' ') + translated(field.unit);
+    return numberField(range.min, range.max, decimals, step, unit);
+}
+
+QWidget* makeWhole(const Field& field) {
+    const ValueRange range = field.range.value_or(ValueRange{0, 1e9});
+    return wholeField(int(range.min), int(range.max), {});
+}
+
+QWidget* makeChoices(const Field& field) {
+    auto* list = new QComboBox;
+    if (field.isOptional) list->addItem(translated(field.whenEmpty));
+    for (const KeyedLabel& choice : field.choices)
+        list->addItem(translated(choice.label), QString::fromStdString(std::string(choice.key)));
+    return list;
+}
+
+QWidget* makeText(const Field& field) {
+    auto* line = new QLineEdit;
+    if (!field.whenEmpty.empty()) line->setPlaceholderText(translated(field.whenEmpty));
+    return line;
+}
+
+QWidget* makeWidget(const Field& field) {
+    switch (field.kind) {
+        case ValueKind::yesNo:
+            return new QCheckBox(translated(field.label));
+        case ValueKind::whole:
+            return makeWhole(field);
+        case ValueKind::number:
+            return makeNumber(field);
+        case ValueKind::choice:
+            return makeChoices(field);
+        default:
+            return makeText(field);
+    }
+}
+
+void showValue(QWidget& widget, const Value& value) {
+    const QString text = QString::fromStdString(formatText(value));
+    if (auto* box = qobject_cast<QCheckBox*>(&widget)) box->setChecked(value == Value(true));
+    if (auto* whole = qobject_cast<QSpinBox*>(&widget)) whole->setValue(int(numberOf(value)));
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(&widget)) number->setValue(numberOf(value));
+    if (auto* list = qobject_cast<QComboBox*>(&widget))
+        list->setCurrentIndex(value == Value() ? 0 : list->findData(text));
+    if (auto* line = qobject_cast<QLineEdit*>(&widget)) line->setText(text);
+}
+
+// What a text field holds that is not of the field's kind leaves the field as it is.
+Result<Value> valueOf(const Field& field, const QWidget& widget) {
+    if (const auto* box = qobject_cast<const QCheckBox*>(&widget)) return Value(box->isChecked());
+    if (const auto* whole = qobject_cast<const QSpinBox*>(&widget))
+        return Value(std::int64_t(whole->value()));
+    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget)) return Value(number->value());
+    if (const auto* list = qobject_cast<const QComboBox*>(&widget)) {
+        const QString key = list->currentData().toString();
+        return key.isEmpty() ? Value() : Value(key.toStdString());
+    }
+    const auto* line = qobject_cast<const QLineEdit*>(&widget);
+    const std::string text = line ? line->text().trimmed().toStdString() : std::string();
+    return text.empty() && field.kind != ValueKind::text ? Result<Value>(field.standard)
+                                                         : parseValue(field, text);
+}
+
+}  // namespace
+
+FieldRows::FieldRows(std::span<const Field> fields, QObject* parent) : QObject(parent), fields_(fields) {}
+
+const Field* FieldRows::find(std::string_view flag) const {
+    const auto found = std::ranges::find(fields_, flag, &Field::flag);
+    return found == fields_.end() ? nullptr : &*found;
+}
+
+QWidget* FieldRows::widget(std::string_view flag) {
+    const Field* field = find(flag);
+    if (!field) return nullptr;
+    QWidget*& widget = widgets_[field];
+    if (!widget) widget = make(*field);
+    return widget;
+}
+
+QWidget* FieldRows::make(const Field& field) {
+    QWidget* widget = makeWidget(field);
+    widget->setObjectName(objectNameOf(field));
+    widget->setToolTip(translated(field.help));
+    showValue(*widget, field.standard);
+    const auto changed = [this, &field] {
+        if (!showing_)
+            Q_EMIT edited(translated(field.label), QString::fromStdString(std::string(field.flag)));
+    };
+    if (auto* box = qobject_cast<QCheckBox*>(widget)) connect(box, &QCheckBox::toggled, this, changed);
+    if (auto* whole = qobject_cast<QSpinBox*>(widget)) connect(whole, &QSpinBox::valueChanged, this, changed);
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(widget))
+        connect(number, &QDoubleSpinBox::valueChanged, this, changed);
+    if (auto* list = qobject_cast<QComboBox*>(widget))
+        connect(list, &QComboBox::currentIndexChanged, this, changed);
+    if (auto* line = qobject_cast<QLineEdit*>(widget))
+        connect(line, &QLineEdit::editingFinished, this, changed);
+    return widget;
+}
+
+void FieldRows::addRows(QFormLayout& form, std::initializer_list<std::string_view> flags) {
+    for (const std::string_view flag : flags) {
+        QWidget* field = widget(flag);
+        if (!field) continue;
+        const bool isBox = qobject_cast<QCheckBox*>(field) != nullptr;
+        form.addRow(isBox ? QString() : translated(find(flag)->label), field);
+    }
+}
+
+void FieldRows::show(const Described& settings) {
+    const QScopedValueRollback<bool> quiet(showing_, true);
+    for (const auto& [field, widget] : widgets_) showValue(*widget, settings.get(*field));
+}
+
+void FieldRows::take(const Editable& settings, std::string_view flag) const {
+    const auto found = widgets_.find(find(flag));
+    if (found == widgets_.end()) return;
+    if (const auto value = valueOf(*found->first, *found->second)) (void)settings.set(*found->first, *value);
+}
+
+void FieldRows::take(const Editable& settings) const {
+    for (const auto& [field, widget] : widgets_)
+        if (const auto value = valueOf(*field, *widget)) (void)settings.set(*field, *value);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,85 @@
+#include "app/gui/docks/export/movie_actions.h"
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
+
+namespace noonmark {
+
+MovieActions::MovieActions(Workbench& workbench, ViewPanel& panel, QWidget& window)
+    : workbench_(workbench),
+      panel_(panel),
+      window_(window),
+      export_(makeAction(this, tr("Export &movie..."), QKeySequence(tr("Ctrl+Shift+E")),
+                         tr("The shadows of a day, of a year, or of the change by a scenario, as MP4 or "
+                            "GIF"),
+                         "movie")) {
+    connect(export_, &QAction::triggered, this, &MovieActions::ask);
+}
+
+void MovieActions::ask() {
+    if (!workbench_.city())
+        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    auto* dialog = new MovieDialog(firstChoice(), workbench_.comparing(), &window_);
+    connect(dialog, &MovieDialog::chosen, this, [this](const MovieChoice& choice) {
+        const QString file = askForMovie(&window_, workbench_.projectName());
+        if (!file.isEmpty()) writeTo(file, choice);
+    });
+    dialog->open();
+}
+
+// The date and time of the strip below the view.
+MovieChoice MovieActions::firstChoice() const {
+    const TimeLook& look = panel_.time().look();
+    MovieChoice first;
+    first.date = look.date;
+    first.at = look.at;
+    const ProjectSession& session = workbench_.session();
+    const QString scenario = QString::fromStdString(session.scenario());
+    const QString title =
+        workbench_.comparing()
+            ? tr("%1 compared with %2").arg(scenario, QString::fromStdString(session.baseline()))
+            : tr("Shadow: %1").arg(scenario);
+    first.title = title.toStdString();
+    return first;
+}
+
+Result<MovieSource> MovieActions::sourceFor(MovieChoice::Area area) {
+    ProjectSession& session = workbench_.session();
+    const StudySettings& settings = workbench_.document().settings();
+    MovieSource source{.baseline = session.city(),
+                       .places = session.project().places,
+                       .zone = settings.period.zone,
+                       .attribution = session.project().attribution,
+                       .outputs = workbench_.exportRules()};
+    if (area == MovieChoice::Area::region) source.area = bounds(settings.region);
+    if (area == MovieChoice::Area::view) source.area = bounds(panel_.visibleGround());
+    if (!workbench_.comparing()) return source;
+    const auto baseline = session.cityOf(session.baseline());
+    if (!baseline) return tl::make_unexpected(baseline.error());
+    source.scenario = std::exchange(source.baseline, *baseline);
+    return source;
+}
+
+void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
+    auto source = sourceFor(choice.area);
+    if (!source) return panel_.messages().showError(source.error());
+    writing_.start<MovieFacts>(
+        tr("Movie"),
+        [source = *std::move(source), choice, file](Progress& progress, const std::stop_token& stop) {
+            return exportMovie(source, choice, file.toStdString(), progress, stop);
+        },
+        [this, file](const Result<MovieFacts>& facts) {
+            if (facts)
+                return panel_.messages().showNote(
+                    tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts->frames)))
+                        .arg(formatCount(quint64(facts->frames)), file));
+            if (!isCancelled(facts.error())) panel_.messages().showError(facts.error());
+        });
+}
+
+}  // namespace noonmark

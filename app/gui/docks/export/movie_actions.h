@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/docks/export/movie_export.h"
+
+class QAction;
+class QWidget;
+
+namespace noonmark {
+
+class ViewPanel;
+class Workbench;
+
+/// Writes movies of the displayed scenario, and of its difference from the baseline where one is chosen.
+class MovieActions final : public QObject {
+    Q_OBJECT
+public:
+    /// Dialogs belong to `window`. All must outlive this object.
+    MovieActions(Workbench& workbench, ViewPanel& panel, QWidget& window);
+
+    [[nodiscard]] QAction* action() const { return export_; }
+    [[nodiscard]] JobSlot& writing() { return writing_; }
+
+    /// Writes a movie; MP4 or GIF by the file extension. An existing movie is replaced.
+    void writeTo(const QString& file, const MovieChoice& choice);
+
+private:
+    void ask();
+    [[nodiscard]] MovieChoice firstChoice() const;
+    [[nodiscard]] Result<MovieSource> sourceFor(MovieChoice::Area area);
+
+    Workbench& workbench_;
+    ViewPanel& panel_;
+    QWidget& window_;
+    QAction* export_;
+    JobSlot writing_;
+};
+
+}  // namespace noonmark

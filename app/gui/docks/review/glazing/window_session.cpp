@@ -1,0 +1,173 @@
+#include "app/gui/docks/review/glazing/window_session.h"
+
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/study/run_estimate.h"
+#include "app/gui/session/workbench.h"
+#include "app/input/find_element_parts.h"
+#include "core/city/city.h"
+
+namespace noonmark {
+
+namespace {
+
+QString describeForecast(const WindowForecast& forecast) {
+    return QObject::tr("%1 window(s): %2", "", pluralNumber(forecast.windows))
+        .arg(formatCount(forecast.windows), describeAbout(forecast.seconds));
+}
+
+}  // namespace
+
+WindowSession::WindowSession(Workbench& workbench, ReviewSession& review, QObject* parent)
+    : QObject(parent), workbench_(workbench), review_(review) {
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {
+        for (JobSlot* slot : {&running_, &runningAll_, &estimating_}) slot->drop();
+        cached_.clear();
+        asked_.reset();
+        answer_.reset();
+        Q_EMIT answered();
+    });
+}
+
+bool WindowSession::applies() const {
+    const auto rule = review_.rule();
+    return rule && rule->receivers.surface == RuleSurface::windows;
+}
+
+Result<WindowQuestion> WindowSession::question() { return questionOf(review_.comparedCities()); }
+
+Result<WindowQuestion> WindowSession::questionOf(const Result<ReviewSession::ComparedCities>& compared) {
+    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    auto rule = review_.rule();
+    if (!rule) return tl::make_unexpected(rule.error());
+    const ReviewChoice& choice = review_.choice();
+    if (choice.windows.places == ElementPlaces::windows && choice.windows.windows.empty())
+        return failure("No file of windows is chosen", {},
+                       "Choose a file of points or polygons with heights, or take the facades");
+    if (!compared) return tl::make_unexpected(compared.error());
+    auto windows = findElementParts(choice.windows, workbench_.session().project(), *compared->after);
+    if (!windows) return tl::make_unexpected(windows.error());
+    const StudySettings& study = workbench_.document().settings();
+    Region region = makeRegionFromLocalBox(bounds(*compared->after));
+    region.name = "the whole city";
+    return WindowQuestion{*std::move(rule),
+                          choice.from,
+                          compared->to,
+                          compared->before,
+                          compared->after,
+                          {*std::move(windows), std::move(region), study.period.zone,
+                           int(study.period.start.year()), std::nullopt}};
+}
+
+void WindowSession::run() {
+    const auto question = this->question();
+    if (!question) return tell(question.error());
+    running_.start<WindowAnswer>(
+        tr("Review"),
+        [question = *question](Progress& progress, const std::stop_token& stop) {
+            return computeWindowReview(question, progress, stop);
+        },
+        [this](Result<WindowAnswer> answer) {
+            if (!answer) return tell(answer.error());
+            answer_ = cached_.add(*std::move(answer));
+            Q_EMIT answered();
+        });
+}
+
+std::map<std::string, std::shared_ptr<const WindowAnswer>> WindowSession::latest() {
+    std::map<std::string, std::shared_ptr<const WindowAnswer>> latest;
+    if (cached_.empty() || !applies()) return latest;
+    for (const std::string& name : review_.comparedScenarios()) {
+        const auto now = questionOf(review_.comparedCities(name));
+        if (!now) continue;
+        if (auto answer = cached_.find([&](const WindowAnswer& one) { return isSame(*now, one.question); }))
+            latest[name] = std::move(answer);
+    }
+    return latest;
+}
+
+void WindowSession::runAll() {
+    const auto known = latest();
+    std::vector<WindowQuestion> questions;
+    for (const std::string& name : review_.comparedScenarios()) {
+        if (known.contains(name)) continue;
+        auto question = questionOf(review_.comparedCities(name));
+        if (!question) return tell(question.error());
+        questions.push_back(*std::move(question));
+    }
+    runningAll_.start<ComputedAnswers<WindowAnswer>>(
+        tr("All reviews"),
+        [questions = std::move(questions)](
+            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<WindowAnswer>> {
+            return computeEach<WindowAnswer>(questions, computeWindowReview, progress, stop);
+        },
+        [this](Result<ComputedAnswers<WindowAnswer>> answers) {
+            if (!answers) return tell(answers.error());
+            for (WindowAnswer& one : answers->made) cached_.add(std::move(one));
+            Q_EMIT answered();
+            if (answers->error) tell(*answers->error);
+        });
+}
+
+void WindowSession::estimate() {
+    const auto question = this->question();
+    if (!question) {
+        estimating_.drop();
+        asked_.reset();
+        return Q_EMIT estimated({});
+    }
+    if (asked_ && isSame(*asked_, *question)) {
+        if (!estimating_.busy()) Q_EMIT estimated(estimate_);
+        return;
+    }
+    asked_ = *question;
+    estimating_.start<WindowForecast>(
+        tr("Estimating"),
+        [question = *question](Progress& progress, const std::stop_token& stop) {
+            return forecastWindowReview(question.rule, *question.before, *question.after, question.settings,
+                                        progress, stop);
+        },
+        [this](const Result<WindowForecast>& forecast) {
+            estimate_ = forecast ? describeForecast(*forecast) : QString();
+            Q_EMIT estimated(estimate_);
+        });
+}
+
+QString WindowSession::whyOutdated() {
+    if (!answer_) return {};
+    const auto now = question();
+    if (!now) return tr("Not up to date. %1").arg(describeError(now.error()));
+    if (isSame(*now, answer_->question)) return {};
+    return tr("Not up to date: buildings, windows or the rule have changed. Run again.");
+}
+
+Result<WindowExport> WindowSession::finished() const {
+    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    const ProjectSession& session = workbench_.session();
+    const SheetSettings& sheets = session.project().sheets;
+    return WindowExport{answer_,
+                        session.project(),
+                        session.file(),
+                        review_.library().warnings(),
+                        {.titleBlock = sheets.titleBlock, .units = sheets.units},
+                        workbench_.exportRules()};
+}
+
+void WindowSession::write(const WindowExport& review, const QString& folder) {
+    using Files = std::vector<std::filesystem::path>;
+    running_.start<Files>(
+        tr("Writing the review"),
+        [review, folder](Progress& progress, const std::stop_token& stop) {
+            return writeWindowReview(review, folder.toStdString(), progress, stop);
+        },
+        [this, folder](const Result<Files>& files) {
+            if (!files) return tell(files.error());
+            Q_EMIT written(folder);
+        });
+}
+
+void WindowSession::tell(const Error& error) {
+    if (!isCancelled(error)) Q_EMIT failed(error);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,139 @@
+#include "app/gui/docks/review/place_list.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <set>
+
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/study/region_words.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int nameRole = Qt::UserRole;
+
+// By name; those without a name of their own come last.
+std::vector<const Place*> order(const std::vector<Place>& places) {
+    std::vector<const Place*> ordered;
+    for (const Place& place : places) ordered.push_back(&place);
+    std::ranges::stable_sort(ordered, [](const Place* a, const Place* b) {
+        const bool first = hasOwnName(*a), second = hasOwnName(*b);
+        return first != second ? first
+                               : QString::compare(QString::fromStdString(a->name),
+                                                  QString::fromStdString(b->name), Qt::CaseInsensitive) < 0;
+    });
+    return ordered;
+}
+
+QPushButton* makeSmallButton(const QString& text, const QString& tip, QHBoxLayout& row) {
+    auto* button = new QPushButton(text);
+    button->setToolTip(tip);
+    row.addWidget(button);
+    return button;
+}
+
+}  // namespace
+
+PlaceList::PlaceList(QWidget* parent)
+    : QWidget(parent), filter_(new QLineEdit), list_(new QListWidget), count_(new QLabel) {
+    filter_->setObjectName(QStringLiteral("placeFilter"));
+    filter_->setPlaceholderText(tr("Find a place"));
+    filter_->setClearButtonEnabled(true);
+    list_->setObjectName(QStringLiteral("reviewPlaces"));
+    list_->setUniformItemSizes(true);
+    list_->setMinimumHeight(50);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    count_->setWordWrap(true);
+    auto* row = new QHBoxLayout;
+    QPushButton* all = makeSmallButton(tr("All"), tr("Tick all places"), *row);
+    QPushButton* none = makeSmallButton(tr("None"), tr("Tick no place"), *row);
+    QPushButton* screen = makeSmallButton(
+        tr("Screen"), tr("Tick the places that the proposal's shadow can reach at all"), *row);
+    screen->setObjectName(QStringLiteral("screen"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(filter_);
+    column->addWidget(list_, 1);
+    column->addLayout(row);
+    column->addWidget(count_);
+    connect(filter_, &QLineEdit::textChanged, this, &PlaceList::filter);
+    connect(list_, &QListWidget::itemChanged, this, &PlaceList::take);
+    connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item != nullptr) Q_EMIT pointedAt(item->data(nameRole).toString().toStdString());
+    });
+    connect(all, &QPushButton::clicked, this, [this] { checkAll(true); });
+    connect(none, &QPushButton::clicked, this, [this] { checkAll(false); });
+    connect(screen, &QPushButton::clicked, this, &PlaceList::screenRequested);
+}
+
+void PlaceList::show(const std::vector<Place>& places, bool all, const std::vector<std::string>& chosen,
+                     const std::map<std::string, QString>& reasons) {
+    const QSignalBlocker block(list_);
+    const std::set<std::string> ticked(chosen.begin(), chosen.end());
+    while (list_->count() > int(places.size())) delete list_->takeItem(list_->count() - 1);
+    while (list_->count() < int(places.size())) new QListWidgetItem(list_);
+    const std::vector<const Place*> ordered = order(places);
+    for (std::size_t i = 0; i < ordered.size(); ++i) {
+        const Place& place = *ordered[i];
+        QListWidgetItem& item = *list_->item(int(i));
+        const QString name = QString::fromStdString(place.name);
+        item.setText(name);
+        item.setData(nameRole, name);
+        item.setFlags(item.flags() | Qt::ItemIsUserCheckable);
+        item.setCheckState(all || ticked.contains(place.name) ? Qt::Checked : Qt::Unchecked);
+        const auto reason = reasons.find(place.name);
+        item.setToolTip(tr("%1, %2%3")
+                            .arg(describeKind(place.kind), describeArea(area(place)),
+                                 reason == reasons.end() ? QString() : u'\n' + reason->second));
+    }
+    filter(filter_->text());
+    count();
+}
+
+void PlaceList::count() {
+    int checked = 0;
+    for (int i = 0; i < list_->count(); ++i) checked += list_->item(i)->checkState() == Qt::Checked ? 1 : 0;
+    count_->setText(tr("%1 of %2 place(s) ticked", "", list_->count())
+                        .arg(formatCount(quint64(checked)), formatCount(quint64(list_->count()))));
+}
+
+void PlaceList::tellScreening(std::size_t reached, std::size_t of) {
+    count_->setText(
+        tr("%1 of %2 place(s) can be reached; the others' tooltips say why not", "", pluralNumber(of))
+            .arg(formatCount(reached), formatCount(of)));
+}
+
+void PlaceList::take() {
+    std::vector<std::string> names;
+    for (int i = 0; i < list_->count(); ++i)
+        if (list_->item(i)->checkState() == Qt::Checked)
+            names.push_back(list_->item(i)->data(nameRole).toString().toStdString());
+    const bool all = int(names.size()) == list_->count();
+    if (all) names.clear();
+    Q_EMIT chosen(all, names);
+}
+
+// Of those that the filter shows.
+void PlaceList::checkAll(bool on) {
+    {
+        const QSignalBlocker block(list_);
+        for (int i = 0; i < list_->count(); ++i)
+            if (!list_->item(i)->isHidden()) list_->item(i)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    }
+    take();
+}
+
+void PlaceList::filter(const QString& part) {
+    for (int i = 0; i < list_->count(); ++i)
+        list_->item(i)->setHidden(!list_->item(i)->text().contains(part, Qt::CaseInsensitive));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,410 @@
+#include "app/gui/docks/review/review_dock.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QTextBrowser>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/docks/review/day_panel.h"
+#include "app/gui/docks/review/glazing/window_form.h"
+#include "app/gui/docks/review/glazing/window_panel.h"
+#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/docks/review/glazing/window_table.h"
+#include "app/gui/docks/review/place_list.h"
+#include "app/gui/docks/review/range_panel.h"
+#include "app/gui/docks/review/rule_form.h"
+#include "app/gui/docks/review/verdict_table.h"
+#include "app/gui/docks/review/verdict_words.h"
+#include "app/gui/session/project/project_session.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/places/verdict_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int estimateDelayMs = 600;
+constexpr int formWidth = 250;
+
+QString describeSums(const ReviewTotals& sums, UnitSystem units) {
+    const auto share = [&](double m2h) {
+        return sums.theoreticalM2h > 0 ? 100 * m2h / sums.theoreticalM2h : 0.0;
+    };
+    const auto text = [&](double m2h) {
+        return localiseNumbers(QString::fromStdString(formatAreaHours(m2h, units)));
+    };
+    QString words = QObject::tr(
+                        "Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the "
+                        "scenario; incremental shadow takes %4 (%5 %)")
+                        .arg(text(sums.theoreticalM2h))
+                        .arg(groupDigits(share(sums.baselineM2h), 2))
+                        .arg(groupDigits(share(sums.scenarioM2h), 2))
+                        .arg(text(sums.incrementalM2h))
+                        .arg(groupDigits(share(sums.incrementalM2h), 2));
+    if (sums.largestDay && sums.incrementalM2h > 0)
+        words += QObject::tr(", most on %1").arg(QString::fromStdString(formatText(*sums.largestDay)));
+    return words + u'.';
+}
+
+QString listOf(const QString& title, const std::vector<std::string>& texts) {
+    if (texts.empty()) return {};
+    QString html = QStringLiteral("<h4>%1</h4><ul>").arg(title);
+    for (const std::string& text : texts)
+        html += QStringLiteral("<li>%1</li>").arg(QString::fromStdString(text).toHtmlEscaped());
+    return html + QStringLiteral("</ul>");
+}
+
+}  // namespace
+
+ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSession& project,
+                       QWidget* parent)
+    : QWidget(parent),
+      review_(review),
+      windows_(windows),
+      project_(project),
+      form_(new RuleForm(review.library())),
+      subjects_(new QStackedWidget),
+      places_(new PlaceList),
+      windowForm_(new WindowForm),
+      run_(new QPushButton(tr("Run review"))),
+      copy_(new QPushButton(tr("Copy"))),
+      export_(new QPushButton(tr("Export..."))),
+      estimate_(new QLabel),
+      state_(new QLabel),
+      details_(new QLabel),
+      progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
+      tables_(new QStackedWidget),
+      table_(new VerdictTable),
+      windowPanel_(new WindowPanel),
+      windowTable_(windowPanel_->table()),
+      tabs_(new QTabWidget),
+      day_(new DayPanel),
+      range_(new RangePanel),
+      about_(new QTextBrowser),
+      estimateSoon_(new QTimer(this)) {
+    auto* parts = new QSplitter(Qt::Horizontal);
+    for (QWidget* part : {makeForm(), makeTable(), makeCharts()}) parts->addWidget(part);
+    parts->setStretchFactor(0, 0);
+    parts->setStretchFactor(1, 3);
+    parts->setStretchFactor(2, 2);
+    parts->setSizes({250, 560, 430});
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 2, 4, 2);
+    column->addWidget(parts);
+    estimateSoon_->setSingleShot(true);
+    estimateSoon_->setInterval(estimateDelayMs);
+    connect(estimateSoon_, &QTimer::timeout, this,
+            [this] { windows_.applies() ? windows_.estimate() : review_.estimate(); });
+    connectSession();
+    connectTable();
+    showChart();
+}
+
+QWidget* ReviewDock::makeForm() {
+    run_->setObjectName(QStringLiteral("runReview"));
+    run_->setToolTip(tr("Evaluate the rule on the ticked places, or on the windows"));
+    estimate_->setObjectName(QStringLiteral("reviewEstimate"));
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(2, 2, 2, 2);
+    column->addWidget(form_);
+    for (QWidget* subject : {static_cast<QWidget*>(places_), static_cast<QWidget*>(windowForm_)})
+        subjects_->addWidget(subject);
+    column->addWidget(subjects_, 1);
+    content->setMinimumWidth(formWidth);
+    return content;
+}
+
+QWidget* ReviewDock::makeTable() {
+    state_->setObjectName(QStringLiteral("reviewState"));
+    state_->setWordWrap(true);
+    copy_->setToolTip(tr("Copies the table, with all days, as text for a spreadsheet"));
+    export_->setObjectName(QStringLiteral("exportReview"));
+    export_->setToolTip(
+        tr("Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, "
+           "GeoPackage)"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(run_);
+    row->addWidget(estimate_, 1);
+    row->addWidget(copy_);
+    row->addWidget(export_);
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(2, 2, 2, 2);
+    column->addLayout(row);
+    // It must not widen the dock, and with it the window, while a review runs.
+    progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column->addWidget(progress_);
+    column->addWidget(state_);
+    tables_->addWidget(table_);
+    tables_->addWidget(windowPanel_);
+    column->addWidget(tables_, 1);
+    details_->setObjectName(QStringLiteral("verdictDetails"));
+    details_->setWordWrap(true);
+    details_->setTextFormat(Qt::PlainText);
+    column->addWidget(details_);
+    return content;
+}
+
+QWidget* ReviewDock::makeCharts() {
+    about_->setObjectName(QStringLiteral("aboutRule"));
+    about_->setOpenExternalLinks(false);
+    tabs_->setDocumentMode(true);
+    tabs_->addTab(day_, tr("Day"));
+    tabs_->addTab(range_, tr("Range of days"));
+    tabs_->addTab(about_, tr("Rule"));
+    connect(range_, &RangePanel::dayChosen, this, [this](CivilDate day) {
+        chosenDay_ = day;
+        tabs_->setCurrentWidget(day_);
+        showChart();
+    });
+    return tabs_;
+}
+
+void ReviewDock::connectSession() {
+    progress_->follow(review_.running());
+    connect(&review_, &ReviewSession::changed, this, &ReviewDock::showChoice);
+    connect(&review_, &ReviewSession::answered, this, &ReviewDock::showAnswer);
+    connect(&review_, &ReviewSession::estimated, this,
+            [this](const QString& words) { showEstimate(words, false); });
+    connect(&windows_, &WindowSession::estimated, this,
+            [this](const QString& words) { showEstimate(words, true); });
+    connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::tellScreening);
+    connect(run_, &QPushButton::clicked, this,
+            [this] { windows_.applies() ? windows_.run() : review_.run(); });
+    progress_->follow(windows_.running());
+    connect(&windows_, &WindowSession::answered, this, &ReviewDock::showAnswer);
+    connect(windowForm_, &WindowForm::edited, this, [this](const ElementSettings& windows) {
+        ReviewChoice choice = review_.choice();
+        choice.windows = windows;
+        review_.choose(choice);
+    });
+    connect(form_, &RuleForm::edited, &review_, &ReviewSession::choose);
+    connect(places_, &PlaceList::screenRequested, &review_, &ReviewSession::screen);
+    connect(places_, &PlaceList::pointedAt, this, &ReviewDock::placePointedAt);
+    connect(places_, &PlaceList::chosen, this, [this](bool all, const std::vector<std::string>& names) {
+        ReviewChoice choice = review_.choice();
+        choice.allPlaces = all;
+        choice.places = names;
+        review_.choose(choice);
+    });
+}
+
+void ReviewDock::showEstimate(const QString& words, bool ofWindows) {
+    if (ofWindows != windows_.applies()) return;
+    estimate_->setText(words);
+    estimate_->setToolTip(words.isEmpty() ? QString() : tr("The expected time of this review"));
+}
+
+void ReviewDock::connectTable() {
+    connect(copy_, &QPushButton::clicked, this, &ReviewDock::copyTable);
+    connect(export_, &QPushButton::clicked, this, &ReviewDock::exportRequested);
+    connect(&windowTable_, &WindowTable::described, this, [this](const QString& words) {
+        if (!windows_.applies()) return;
+        details_->setText(words);
+        details_->setVisible(!words.isEmpty());
+    });
+    connect(table_, &VerdictTable::chosen, this, [this](std::size_t review, CivilDate day) {
+        chosen_ = review;
+        chosenDay_ = day;
+        if (answer_) Q_EMIT placePointedAt(answer_->placeOf(review).name);
+        showDetails();
+        showChart();
+    });
+    connect(table_, &VerdictTable::zoomRequested, this, [this](std::size_t review) {
+        if (answer_) Q_EMIT zoomRequested(answer_->placeOf(review).name);
+    });
+}
+
+void ReviewDock::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    review_.setFollowing(true);
+    showChoice();
+    showAnswer();
+}
+
+void ReviewDock::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    review_.setFollowing(false);
+}
+
+void ReviewDock::showChoice() {
+    if (!isVisible()) return;
+    const ReviewChoice& choice = review_.choice();
+    form_->show(choice, project_.project().scenarios, project_.scenario());
+    places_->show(review_.candidates(), choice.allPlaces, choice.places, review_.screened());
+    windowForm_->show(choice.windows);
+    const bool ofWindows = windows_.applies();
+    subjects_->setCurrentIndex(ofWindows ? 1 : 0);
+    tables_->setCurrentIndex(ofWindows ? 1 : 0);
+    estimate_->clear();
+    estimateSoon_->start();
+    ofWindows ? windowTable_.describeCurrent() : showDetails();
+    showRule();
+}
+
+void ReviewDock::showAnswer() {
+    if (!isVisible()) return;
+    if (windows_.applies()) return showWindows();
+    const auto shown = review_.shown();
+    showUnits();
+    if (shown != answer_) {
+        answer_ = shown;
+        table_->show(answer_, units_);
+        chosenDay_.reset();
+        if (answer_)
+            table_->chooseCurrent();
+        else
+            showChart();
+        showDetails();
+        showRule();
+    }
+    showState();
+}
+
+void ReviewDock::showWindows() {
+    if (std::exchange(windowAnswer_, windows_.answer()) != windows_.answer()) {
+        windowTable_.show(windowAnswer_);
+        showRule();
+    }
+    const QString hint =
+        tr("A rule about windows has no timeline: click a row to read when its window has sun.");
+    day_->clear(hint);
+    range_->clear(hint);
+    showWindowState();
+}
+
+void ReviewDock::showWindowState() {
+    copy_->setEnabled(windowAnswer_ != nullptr);
+    export_->setEnabled(windowAnswer_ != nullptr);
+    if (!windowAnswer_) {
+        const auto question = windows_.question();
+        return state_->setText(question ? tr("Press Run review to evaluate the rule on the windows.")
+                                        : describeError(question.error()));
+    }
+    const WindowQuestion& asked = windowAnswer_->question;
+    QString text = tr("<b>%1</b>: %2 compared with %3. %4")
+                       .arg(QString::fromStdString(asked.rule.name).toHtmlEscaped(),
+                            QString::fromStdString(asked.to).toHtmlEscaped(),
+                            QString::fromStdString(asked.from).toHtmlEscaped(),
+                            describeWindowVerdicts(windowAnswer_->study));
+    if (const QString why = windows_.whyOutdated(); !why.isEmpty())
+        text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
+                    .arg(errorTextColour(themeInUse()).name(), why.toHtmlEscaped());
+    state_->setText(text);
+}
+
+// The units of the project; a change of them keeps what is chosen.
+void ReviewDock::showUnits() {
+    const UnitSystem units = project_.project().sheets.units;
+    if (std::exchange(units_, units) == units) return;
+    table_->show(answer_, units_);
+    day_->setUnits(units_);
+    range_->setUnits(units_);
+    showDetails();
+}
+
+// What the table shows and whether it is up to date; without an answer, what to do next.
+void ReviewDock::showState() {
+    copy_->setEnabled(answer_ != nullptr);
+    export_->setEnabled(answer_ && !review_.isLive());
+    if (!answer_) {
+        const auto question = review_.question();
+        if (review_.following().busy())
+            return state_->setText(tr("Computing the verdicts of the building being designed..."));
+        state_->setText(question ? tr("Press Run review to evaluate the rule on the ticked places.")
+                                 : describeError(question.error()));
+        return;
+    }
+    const ReviewStudy& study = answer_->study;
+    QString text =
+        tr("<b>%1</b>: %2 compared with %3. %4")
+            .arg(QString::fromStdString(study.rule.name).toHtmlEscaped(),
+                 QString::fromStdString(answer_->question.to).toHtmlEscaped(),
+                 QString::fromStdString(answer_->question.from).toHtmlEscaped(), describeVerdicts(study));
+    if (review_.isLive()) text += tr("<br><i>Follows the building being designed.</i>");
+    if (const QString why = review_.whyOutdated(); !why.isEmpty())
+        text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
+                    .arg(errorTextColour(themeInUse()).name(), why.toHtmlEscaped());
+    state_->setText(text);
+}
+
+// The verdict in a sentence, and the sums of a range of days.
+void ReviewDock::showDetails() {
+    details_->setVisible(answer_ && chosenDay_);
+    if (!answer_ || !chosenDay_) return;
+    const PlaceReview& place = answer_->study.places[chosen_];
+    QString text = tr("%1: %2.").arg(QString::fromStdString(place.name),
+                                     localiseNumbers(QString::fromStdString(describeReason(place, units_))));
+    if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
+    details_->setText(text);
+}
+
+void ReviewDock::showChart() {
+    if (!answer_ || !chosenDay_) {
+        const QString hint = answer_ ? tr("Click a row of the table to see its timeline.")
+                                     : tr("The timeline of a place appears here after a review.");
+        day_->clear(hint);
+        return range_->clear(hint);
+    }
+    day_->show(answer_, chosen_, *chosenDay_);
+    if (review_.isLive())
+        range_->clear(tr("Build the tower, then run the review, to see its range of days."));
+    else
+        range_->show(answer_, chosen_);
+}
+
+// What the rule asks for, how sure it is, and what is not checked.
+void ReviewDock::showRule() {
+    const auto rule = review_.rule();
+    if (!rule) return about_->setPlainText(describeError(rule.error()));
+    QString html = QStringLiteral("<h3>%1</h3><p>%2</p><p><b>%3</b></p>")
+                       .arg(QString::fromStdString(rule->name).toHtmlEscaped(),
+                            QString::fromStdString(rule->summary).toHtmlEscaped(),
+                            describeStatus(*rule).toHtmlEscaped());
+    const bool same = answer_ && answer_->study.rule.key == rule->key;
+    const bool ofWindows = windowAnswer_ && windowAnswer_->study.rule.key == rule->key;
+    html += listOf(tr("Not checked"), same        ? answer_->study.notChecked
+                                      : ofWindows ? windowAnswer_->study.notChecked
+                                                  : rule->notChecked);
+    html += listOf(tr("How Noonmark reads what the rule leaves open"), rule->readings);
+    if (same)
+        html += tr("<p>%1, steps of %2 min, cells of %3 m, %4, %5</p>")
+                    .arg(QString::fromStdString(answer_->study.engine))
+                    .arg(answer_->study.stepMinutes)
+                    .arg(answer_->study.settings.cellM)
+                    .arg(QString::fromStdString(answer_->study.clock).toHtmlEscaped())
+                    .arg(answer_->study.year);
+    std::vector<std::string> leftOut;
+    for (const WarningGroup& group : groupWarnings(review_.library().warnings()))
+        leftOut.push_back(lineOf(group));
+    html += listOf(tr("Rule files that are left out"), leftOut);
+    html += tr("<h4>Figures with status and source</h4>") +
+            QStringLiteral("<pre style=\"white-space:pre-wrap\">%1</pre>")
+                .arg(QString::fromStdString(describeRule(*rule)).toHtmlEscaped());
+    if (html != about_->property("shown").toString()) about_->setHtml(html);
+    about_->setProperty("shown", html);
+}
+
+ElementForm& ReviewDock::elements() { return windowForm_->elements(); }
+
+void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setBuilding(id); }
+
+void ReviewDock::copyTable() {
+    QGuiApplication::clipboard()->setText(windows_.applies() ? windowTable_.text() : table_->text());
+}
+
+}  // namespace noonmark

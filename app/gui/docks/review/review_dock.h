@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/gui/docks/review/review_session.h"
+#include "core/base/display_units.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+class QTextBrowser;
+class QTimer;
+
+namespace noonmark {
+
+class DayPanel;
+class ElementForm;
+class PlaceList;
+class ProjectSession;
+class ProgressStrip;
+class RangePanel;
+class RuleForm;
+class VerdictTable;
+struct WindowAnswer;
+class WindowForm;
+class WindowPanel;
+class WindowSession;
+class WindowTable;
+
+/// Chooses a rule, scenarios and places or windows, runs the review, and shows the verdicts with the numbers
+/// behind them, the timeline of the chosen place, and what the rule rests on. Empty, it states what to do
+/// next.
+class ReviewDock final : public QWidget {
+    Q_OBJECT
+public:
+    /// All must outlive it.
+    ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSession& project,
+               QWidget* parent = nullptr);
+
+    [[nodiscard]] VerdictTable& table() { return *table_; }
+    [[nodiscard]] WindowPanel& windowPanel() { return *windowPanel_; }
+    [[nodiscard]] WindowTable& windowTable() { return windowTable_; }
+    [[nodiscard]] DayPanel& day() { return *day_; }
+    [[nodiscard]] RangePanel& range() { return *range_; }
+    void copyTable();
+    /// The building that is selected in the view, whose windows may be reviewed; empty: none.
+    void setSelectedBuilding(const QString& id);
+    [[nodiscard]] ElementForm& elements();  ///< which windows a rule is evaluated on
+
+Q_SIGNALS:
+    void placePointedAt(const std::string& place);  ///< to be highlighted in the view
+    void zoomRequested(const std::string& place);
+    void exportRequested();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    QWidget* makeForm();
+    QWidget* makeTable();
+    QWidget* makeCharts();
+    void connectSession();
+    void connectTable();
+    void showChoice();
+    void showEstimate(const QString& words, bool ofWindows);
+    void showAnswer();
+    void showUnits();
+    void showState();
+    void showWindows();
+    void showWindowState();
+    void showChart();
+    void showDetails();
+    void showRule();
+
+    ReviewSession& review_;
+    WindowSession& windows_;
+    ProjectSession& project_;
+    RuleForm* form_;
+    QStackedWidget* subjects_;  ///< places_ or windowForm_
+    PlaceList* places_;
+    WindowForm* windowForm_;
+    QPushButton* run_;
+    QPushButton* copy_;
+    QPushButton* export_;
+    QLabel* estimate_;
+    QLabel* state_;
+    QLabel* details_;  ///< of the chosen place
+    ProgressStrip* progress_;
+    QStackedWidget* tables_;  ///< table_ or windowPanel_
+    VerdictTable* table_;
+    WindowPanel* windowPanel_;
+    WindowTable& windowTable_;  ///< of windowPanel_
+    QTabWidget* tabs_;
+    DayPanel* day_;
+    RangePanel* range_;
+    QTextBrowser* about_;
+    QTimer* estimateSoon_;
+    std::shared_ptr<const ReviewAnswer> answer_;  ///< in the table
+    std::shared_ptr<const WindowAnswer> windowAnswer_;
+    UnitSystem units_ = UnitSystem::metric;  ///< in which all is shown
+    std::size_t chosen_ = 0;                 ///< review whose charts are shown
+    std::optional<CivilDate> chosenDay_;
+};
+
+}  // namespace noonmark

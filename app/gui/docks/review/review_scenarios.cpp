@@ -1,0 +1,96 @@
+#include <algorithm>
+
+#include "app/gui/docks/review/review_session.h"
+#include "app/gui/session/workbench.h"
+#include "scenarios/scenario_list.h"
+
+// The reviews of all scenarios.
+namespace noonmark {
+
+namespace {
+
+using Answers = std::map<std::string, std::shared_ptr<const ReviewAnswer>>;
+
+// Whether an answer is to the question `now`, of all of its places or, with `orSome`, of some.
+bool holds(const ReviewAnswer& answer, const ReviewQuestion& now, bool orSome) {
+    const ReviewQuestion& then = answer.question;
+    if (then.rule.key != now.rule.key || then.rule.chosen != now.rule.chosen) return false;
+    if (then.before != now.before || then.after != now.after) return false;
+    if (then.settings.zone != now.settings.zone || then.settings.year != now.settings.year) return false;
+    if (then.places == now.places) return true;
+    return orSome && std::ranges::all_of(then.places, [&](const Place& place) {
+               return std::ranges::find(now.places, place) != now.places.end();
+           });
+}
+
+}  // namespace
+
+Answers ReviewSession::latest() {
+    const auto rule = this->rule();
+    return rule ? findLatest(*rule, chosenPlaces(*rule), false) : Answers();
+}
+
+Answers ReviewSession::findLatest(const Rule& rule, Result<PlacesToReview> places, bool orSome) {
+    Answers latest;
+    ProjectSession& session = workbench_.session();
+    const auto before = session.cityOf(choice_.from);
+    if (cached_.empty() || !before || !places) return latest;
+    const Period& period = workbench_.document().settings().period;
+    ReviewQuestion now{rule,
+                       choice_.from,
+                       {},
+                       *before,
+                       {},
+                       std::move(places->places),
+                       {1, period.zone, int(period.start.year())},
+                       {}};
+    for (const std::string& name : comparedScenarios()) {
+        now.after = session.cityOf(name).value_or(nullptr);
+        if (auto answer = cached_.find([&](const ReviewAnswer& one) { return holds(one, now, orSome); }))
+            latest[name] = std::move(answer);
+    }
+    return latest;
+}
+
+std::vector<std::string> ReviewSession::comparedScenarios() {
+    ProjectSession& session = workbench_.session();
+    const auto before = session.cityOf(choice_.from).value_or(nullptr);
+    std::vector<std::string> names = listNames(session.project().scenarios);
+    std::erase_if(names, [&](const auto& name) { return session.cityOf(name).value_or(nullptr) == before; });
+    return names;
+}
+
+// Where another scenario is displayed, its own answer is shown instead of the last one, of whichever places.
+void ReviewSession::recall() {
+    const auto rule = this->rule();
+    if (!rule) return;
+    const auto known =
+        findLatest(*rule, moveLines(*rule, workbench_.session().project(), candidates()), true);
+    if (const auto own = known.find(scenarioName()); own != known.end()) answer_ = own->second;
+}
+
+void ReviewSession::runAll() {
+    const auto known = latest();
+    std::vector<ReviewQuestion> questions;
+    for (const std::string& name : comparedScenarios()) {
+        if (known.contains(name)) continue;
+        auto question = questionOf(name);
+        if (!question) return tell(question.error());
+        questions.push_back(*std::move(question));
+    }
+    runningAll_.start<ComputedAnswers<ReviewAnswer>>(
+        tr("All reviews"),
+        [questions = std::move(questions)](
+            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<ReviewAnswer>> {
+            return computeEach<ReviewAnswer>(questions, computeReview, progress, stop);
+        },
+        [this](Result<ComputedAnswers<ReviewAnswer>> answers) {
+            if (!answers) return tell(answers.error());
+            for (ReviewAnswer& one : answers->made) cached_.add(std::move(one));
+            recall();
+            Q_EMIT answered();
+            if (answers->error) tell(*answers->error);
+        });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,291 @@
+#include "app/gui/docks/review/review_session.h"
+
+#include <QStandardPaths>
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/session/workbench.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+// The shipped rules and those of the user's folder; without it the shipped ones.
+RuleLibrary loadLibrary() {
+    const QString folder = QStandardPaths::locate(QStandardPaths::AppDataLocation, QStringLiteral("rules"),
+                                                  QStandardPaths::LocateDirectory);
+    if (!folder.isEmpty())
+        if (auto all = RuleLibrary::load({folder.toStdString()})) return *std::move(all);
+    return RuleLibrary::load().value_or(RuleLibrary{});
+}
+
+}  // namespace
+
+ReviewSession::ReviewSession(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
+    library_ = loadLibrary();
+    ProjectSession& session = workbench_.session();
+    connect(&session, &ProjectSession::changed, this, [this] {
+        Q_EMIT changed();
+        Q_EMIT answered();
+    });
+    connect(&session, &ProjectSession::renamed, this, &ReviewSession::rename);
+    connect(&workbench_, &Workbench::cityShown, this, &ReviewSession::cityChanged);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &ReviewSession::answered);
+}
+
+void ReviewSession::restore(const std::string& text) {
+    for (JobSlot* slot : {&running_, &runningAll_, &followed_, &estimating_}) slot->drop();
+    answer_.reset();
+    cached_.clear();
+    live_.reset();
+    proposed_.reset();
+    screened_.clear();
+    choice_ = parseReviewChoice(text);
+    Q_EMIT changed();
+    Q_EMIT answered();
+}
+
+void ReviewSession::choose(const ReviewChoice& choice) {
+    if (choice == choice_) return;
+    choice_ = choice;
+    Q_EMIT changed();
+    Q_EMIT answered();
+    follow();
+}
+
+void ReviewSession::rename(ProjectPart part, const std::string& from, const std::string& to) {
+    if (part == ProjectPart::scenario)
+        for (std::string* name : {&choice_.from, &choice_.to})
+            if (*name == from) *name = to;
+    if (part == ProjectPart::place || part == ProjectPart::lot)
+        std::ranges::replace(choice_.places, from, to);
+}
+
+std::string ReviewSession::scenarioName() const {
+    return choice_.to.empty() ? workbench_.session().scenario() : choice_.to;
+}
+
+std::vector<Place> ReviewSession::candidates() const {
+    const auto rule = this->rule();
+    const Project& project = workbench_.session().project();
+    return rule ? placesUnder(*rule, project) : project.places;
+}
+
+Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
+    std::vector<Place> places = candidates();
+    if (places.empty() && rule.receivers.hasLines())
+        return failure("The project has no lots, and this rule is about parcels", {},
+                       "Draw the lot of the proposal: Edit > Draw lot");
+    if (places.empty())
+        return failure("The project has no places yet", {},
+                       "Read them from a map or draw one: Study > Read places, Study > Draw place");
+    if (!choice_.allPlaces)
+        std::erase_if(places, [this](const Place& place) {
+            return std::ranges::find(choice_.places, place.name) == choice_.places.end();
+        });
+    if (places.empty())
+        return failure("No place is chosen", {},
+                       "Tick the places to review, or Screen to find those in reach");
+    return moveLines(rule, workbench_.session().project(), std::move(places));
+}
+
+Result<ReviewSession::ComparedCities> ReviewSession::comparedCities(const std::string& to) const {
+    const auto before = workbench_.session().cityOf(choice_.from);
+    if (!before) return tl::make_unexpected(before.error());
+    const auto after = workbench_.session().cityOf(to);
+    if (!after) return tl::make_unexpected(after.error());
+    if (*before == *after)
+        return failure("Baseline and scenario are the same: " + to, {},
+                       "Design a tower, or choose a scenario with a proposal");
+    return ComparedCities{to, *before, *after};
+}
+
+Result<ReviewQuestion> ReviewSession::question() { return questionOf(scenarioName()); }
+
+Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
+    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    auto rule = this->rule();
+    if (!rule) return tl::make_unexpected(rule.error());
+    auto places = chosenPlaces(*rule);
+    if (!places) return tl::make_unexpected(places.error());
+    auto cities = comparedCities(scenario);
+    if (!cities) return tl::make_unexpected(cities.error());
+    const StudySettings& study = workbench_.document().settings();
+    return ReviewQuestion{*std::move(rule),
+                          choice_.from,
+                          std::move(cities->to),
+                          std::move(cities->before),
+                          std::move(cities->after),
+                          std::move(places->places),
+                          {1, study.period.zone, int(study.period.start.year())},
+                          std::move(places->moved)};
+}
+
+void ReviewSession::run() {
+    const auto question = this->question();
+    if (!question) return tell(question.error());
+    running_.start<ReviewAnswer>(
+        tr("Review"),
+        [question = *question](Progress& progress, std::stop_token stop) {
+            return computeReview(question, progress, std::move(stop));
+        },
+        [this](Result<ReviewAnswer> answer) {
+            if (!answer) return tell(answer.error());
+            answer_ = cached_.add(*std::move(answer));
+            if (!proposed_) live_.reset();
+            Q_EMIT answered();
+        });
+}
+
+void ReviewSession::estimate() {
+    const auto question = this->question();
+    if (!question) {
+        estimating_.drop();
+        return Q_EMIT estimated({});
+    }
+    estimating_.start<double>(
+        tr("Estimating"),
+        [question = *question](Progress&, const std::stop_token& stop) {
+            return estimateReviewSeconds(question.rule, *question.before, *question.after, question.places,
+                                         question.settings, stop);
+        },
+        [this](Result<double> seconds) { Q_EMIT estimated(seconds ? describeAbout(*seconds) : QString()); });
+}
+
+void ReviewSession::screen() {
+    auto question = this->question();
+    if (!question) {
+        ReviewChoice all = choice_;  // it may be the screening that has left none
+        all.allPlaces = true;
+        std::swap(all, choice_);
+        question = this->question();
+        std::swap(all, choice_);
+    }
+    if (!question) return tell(question.error());
+    question->places = candidates();
+    running_.start<std::vector<ScreenedPlace>>(
+        tr("Screening"),
+        [question = *question](Progress& progress, std::stop_token stop) {
+            return noonmark::screen(question, progress, std::move(stop));
+        },
+        [this, question = *question](Result<std::vector<ScreenedPlace>> screened) {
+            screened ? takeScreening(question, *screened) : tell(screened.error());
+        });
+}
+
+void ReviewSession::takeScreening(const ReviewQuestion& question,
+                                  const std::vector<ScreenedPlace>& screened) {
+    ReviewChoice choice = choice_;
+    choice.allPlaces = false;
+    choice.places.clear();
+    screened_.clear();
+    for (const ScreenedPlace& one : screened) {
+        const std::string& name = question.places[one.place].name;
+        screened_[name] = QString::fromStdString(one.reason);
+        if (one.result == ScreeningResult::reached) choice.places.push_back(name);
+    }
+    const std::size_t reached = choice.places.size();
+    choose(choice);
+    Q_EMIT changed();  // what the list states of each place
+    Q_EMIT screeningDone(reached, screened.size());
+}
+
+Result<std::shared_ptr<const ReviewAnswer>> ReviewSession::finished() const {
+    if (live_) return failure("The building is still being designed", {}, "Build it, then run the review");
+    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    return answer_;
+}
+
+void ReviewSession::setFollowing(bool following) {
+    following_ = following;
+    if (following) follow();
+}
+
+void ReviewSession::shape(std::shared_ptr<const City> proposed) {
+    proposed_ = std::move(proposed);
+    if (proposed_) return follow();
+    followed_.drop();
+    newerShape_ = false;
+    if (std::exchange(live_, nullptr)) Q_EMIT answered();
+}
+
+// From a run of the same rule on as many places.
+bool ReviewSession::isKnownAsQuick() const {
+    if (!answer_ || answer_->seconds > quickSeconds || answer_->question.rule.key != choice_.rule)
+        return false;
+    const auto rule = this->rule();
+    const auto places = rule ? chosenPlaces(*rule) : tl::make_unexpected(rule.error());
+    return places && places->places.size() <= answer_->question.places.size();
+}
+
+void ReviewSession::dropLive() {
+    live_.reset();
+    Q_EMIT answered();
+}
+
+// One shape is computed at a time; when it is ready, the newest that arrived meanwhile is next.
+void ReviewSession::follow() {
+    const bool shaping = proposed_ && (following_ || isKnownAsQuick());
+    if (!shaping || (!choice_.to.empty() && choice_.to != workbench_.session().scenario())) return;
+    const auto rule = this->rule();
+    const bool ofPlaces = rule && rule->receivers.surface != RuleSurface::windows;
+    auto places = ofPlaces && hasFewDays(*rule) ? chosenPlaces(*rule)
+                                                : Result<PlacesToReview>(tl::make_unexpected(Error{}));
+    const auto before = workbench_.session().cityOf(choice_.from);
+    if (!places || !before) return dropLive();
+    newerShape_ = followed_.busy();
+    if (newerShape_) return;
+    const StudySettings& study = workbench_.document().settings();
+    ReviewQuestion question{*rule,
+                            choice_.from,
+                            tr("the building being designed").toStdString(),
+                            *before,
+                            proposed_,
+                            std::move(places->places),
+                            {1, study.period.zone, int(study.period.start.year())},
+                            std::move(places->moved)};
+    question.settings.refinesSpots = false;  // as fast as a hand drags; their error includes the cell
+    followed_.start<ReviewAnswer>(
+        tr("Live review"),
+        [question = std::move(question)](Progress& progress, std::stop_token stop) {
+            return computeReview(question, progress, std::move(stop));
+        },
+        [this](Result<ReviewAnswer> answer) { takeLive(std::move(answer)); });
+    if (!live_) Q_EMIT answered();
+}
+
+void ReviewSession::takeLive(Result<ReviewAnswer> answer) {
+    if (!answer && !isCancelled(answer.error())) live_.reset();
+    if (answer && proposed_) live_ = std::make_shared<const ReviewAnswer>(*std::move(answer));
+    Q_EMIT answered();
+    if (std::exchange(newerShape_, false)) follow();
+}
+
+// A review that was quick is computed again, as studies are.
+void ReviewSession::cityChanged() {
+    recall();
+    Q_EMIT answered();
+    if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;
+    const auto now = question();
+    if (now && hasFewDays(now->rule) && !isSame(*now, answer_->question)) run();
+}
+
+QString ReviewSession::whyOutdated() {
+    if (live_) return {};
+    if (proposed_ && answer_) return tr("Not up to date: a building is being designed. Build it, then run.");
+    if (!answer_) return {};
+    const auto now = question();
+    if (!now) return tr("Not up to date. %1").arg(describeError(now.error()));
+    if (isSame(*now, answer_->question)) return {};
+    const bool buildings = now->before != answer_->question.before || now->after != answer_->question.after;
+    return buildings ? tr("Not up to date: buildings or scenarios have changed. Run again.")
+                     : tr("Not up to date: rule, places, time zone or year have changed. Run again.");
+}
+
+void ReviewSession::tell(const Error& error) {
+    if (!isCancelled(error)) Q_EMIT failed(error);
+}
+
+}  // namespace noonmark

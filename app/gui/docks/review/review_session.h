@@ -1,0 +1,123 @@
+#pragma once
+
+// The review of places by the rule of a board. ReviewSession holds what is chosen and the latest answer, and
+// runs the jobs; review_choice is the choice as it is saved, review_question the work without a window.
+// ReviewDock shows it: RuleForm and PlaceList choose, VerdictTable lists verdicts and the numbers behind
+// them, DayPanel and RangePanel draw charts on a ChartWidget. verdict_words has the words and colours of
+// verdicts.
+
+#include <QObject>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/docks/review/review_cache.h"
+#include "app/gui/docks/review/review_question.h"
+#include "scenarios/project/rule_parcels.h"
+
+namespace noonmark {
+
+class Workbench;
+enum class ProjectPart;
+
+/// The review of the open project: the choice, its answer, and the answer for the building that is being
+/// shaped. Long work runs in jobs. Knows no widgets.
+class ReviewSession final : public QObject {
+    Q_OBJECT
+public:
+    explicit ReviewSession(Workbench& workbench, QObject* parent = nullptr);  ///< `workbench` must outlive it
+
+    [[nodiscard]] const RuleLibrary& library() const { return library_; }
+    [[nodiscard]] const ReviewChoice& choice() const { return choice_; }
+    void choose(const ReviewChoice& choice);  ///< no undo step, like the camera
+    /// Another project was opened: takes the choice saved in it, and drops the answers of the one before.
+    void restore(const std::string& text);
+
+    [[nodiscard]] Result<Rule> rule() const { return library_.find(choice_.rule, choice_.options); }
+    /// The places that can be chosen; the lots, for a rule about parcels.
+    [[nodiscard]] std::vector<Place> candidates() const;
+    /// What run() would compute. Error: what is still missing, and what to do.
+    [[nodiscard]] Result<ReviewQuestion> question();
+    struct ComparedCities {
+        std::string to;  ///< name of the scenario
+        std::shared_ptr<const City> before, after;
+    };
+    /// The cities of baseline and scenario. Error: they are the same, or no longer exist.
+    [[nodiscard]] Result<ComparedCities> comparedCities() const { return comparedCities(scenarioName()); }
+    [[nodiscard]] Result<ComparedCities> comparedCities(const std::string& to) const;
+    /// The scenarios whose buildings differ from the baseline's.
+    [[nodiscard]] std::vector<std::string> comparedScenarios();
+
+    void run();
+    /// Reviews every scenario that latest() lacks.
+    void runAll();
+    /// By scenario, its latest answer for the chosen rule, baseline and places, where none of them nor the
+    /// buildings have changed since.
+    [[nodiscard]] std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest();
+    void screen();  ///< chooses the places that can be reached
+    /// Computes the expected time of run() and emits estimated().
+    void estimate();
+    /// The answer that can be exported. Error: why there is none, and what to do.
+    [[nodiscard]] Result<std::shared_ptr<const ReviewAnswer>> finished() const;
+
+    [[nodiscard]] bool isShaping() const { return proposed_ != nullptr; }
+    /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While
+    /// `following`, or after a run that was quick, the verdicts follow if the rule has few days.
+    void shape(std::shared_ptr<const City> proposed);
+    void setFollowing(bool following);
+
+    /// The live answer, or else the latest one; null: none.
+    [[nodiscard]] std::shared_ptr<const ReviewAnswer> shown() const { return live_ ? live_ : answer_; }
+    [[nodiscard]] bool isLive() const { return live_ != nullptr; }
+    /// Why the answer shown is not up to date; empty: it is.
+    [[nodiscard]] QString whyOutdated();
+    /// By name: why the last screening left a place out, or that it is reached.
+    [[nodiscard]] const std::map<std::string, QString>& screened() const { return screened_; }
+
+    [[nodiscard]] JobSlot& running() { return running_; }
+    [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
+    [[nodiscard]] JobSlot& following() { return followed_; }
+
+    /// A review that took at most this many seconds is computed again after an edit without asking.
+    static constexpr double quickSeconds = 10;
+
+Q_SIGNALS:
+    void changed();   ///< the choice, or what can be chosen
+    void answered();  ///< shown() or whether it is up to date
+    void estimated(QString words);
+    void screeningDone(std::size_t reached, std::size_t of);
+    void noted(QString text);
+    void failed(noonmark::Error error);  ///< not emitted for cancelled work
+
+private:
+    void follow();
+    [[nodiscard]] bool isKnownAsQuick() const;
+    void dropLive();
+    void takeLive(Result<ReviewAnswer> answer);
+    void takeScreening(const ReviewQuestion& question, const std::vector<ScreenedPlace>& screened);
+    void rename(ProjectPart part, const std::string& from, const std::string& to);
+    void cityChanged();
+    void tell(const Error& error);
+    [[nodiscard]] std::string scenarioName() const;
+    [[nodiscard]] Result<ReviewQuestion> questionOf(const std::string& scenario);
+    std::map<std::string, std::shared_ptr<const ReviewAnswer>> findLatest(const Rule& rule,
+                                                                          Result<PlacesToReview> places,
+                                                                          bool orSome);
+    void recall();
+    Result<PlacesToReview> chosenPlaces(const Rule& rule) const;
+
+    Workbench& workbench_;
+    RuleLibrary library_;
+    ReviewChoice choice_;
+    std::shared_ptr<const ReviewAnswer> answer_;
+    ReviewCache<ReviewAnswer, 64> cached_;
+    std::shared_ptr<const ReviewAnswer> live_;
+    std::shared_ptr<const City> proposed_;
+    std::map<std::string, QString> screened_;
+    bool newerShape_ = false;
+    bool following_ = false;
+    JobSlot running_;
+    JobSlot runningAll_;
+    JobSlot followed_;
+    JobSlot estimating_;
+};
+
+}  // namespace noonmark

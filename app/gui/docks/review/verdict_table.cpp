@@ -1,0 +1,184 @@
+#include "app/gui/docks/review/verdict_table.h"
+
+#include <QApplication>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "app/gui/docks/review/verdict_words.h"
+#include "core/review/places/review_columns.h"
+#include "core/review/places/verdict_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int reviewRole = Qt::UserRole, dayRole = Qt::UserRole + 1;
+constexpr int verdictColumn = 1, firstRuleColumn = 2;
+constexpr std::size_t mostExpanded = 8;  // places whose days are shown at first
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+/// The day that says most of a place: the one that decides its verdict, or else the one with most incremental
+/// shadow, or the first.
+const ReviewRow* mainRow(const PlaceReview& review) {
+    for (const CriterionResult& result : review.results)
+        for (const ReviewRow& row : review.rows)
+            if (result.verdict == review.verdict && result.verdict != Verdict::pass && row.day == result.day)
+                return &row;
+    const auto found = std::ranges::max_element(review.rows, {}, &ReviewRow::incrementalM2h);
+    return found == review.rows.end() ? nullptr : &*found;
+}
+
+/// The rows to list: all of fixed days; of a range those with most incremental shadow, in time order.
+std::vector<const ReviewRow*> rowsToList(const PlaceReview& review, bool fewDays) {
+    std::vector<const ReviewRow*> rows;
+    for (const ReviewRow& row : review.rows)
+        if (fewDays || row.incrementalM2h > 0) rows.push_back(&row);
+    if (fewDays || rows.size() <= VerdictTable::mostDays) return rows;
+    std::ranges::stable_sort(rows, std::greater(), &ReviewRow::incrementalM2h);
+    rows.resize(VerdictTable::mostDays);
+    std::ranges::sort(rows, {}, &ReviewRow::day);
+    return rows;
+}
+
+// What fails comes first, and of these what gets most incremental shadow.
+std::vector<std::size_t> orderByVerdict(const ReviewStudy& study) {
+    constexpr std::array rank{2, 1, 0, 3, 4};  // of Verdict's values
+    std::vector<std::size_t> order(study.places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        const PlaceReview& place = study.places[i];
+        return std::pair(rank[std::size_t(place.verdict)], -place.totals.incrementalM2h);
+    });
+    return order;
+}
+
+QString wrapped(QString title) {
+    const auto middle = title.indexOf(u' ', title.size() / 2 - 1);
+    if (title.size() > 14 && middle > 0) title[middle] = u'\n';
+    return title;
+}
+
+}  // namespace
+
+VerdictTable::VerdictTable(QWidget* parent) : QTreeWidget(parent) {
+    setObjectName(QStringLiteral("verdicts"));
+    setUniformRowHeights(true);
+    setAllColumnsShowFocus(true);
+    setExpandsOnDoubleClick(false);  // a double click zooms to the place
+    setHeaderHidden(true);
+    header()->setSectionResizeMode(QHeaderView::Interactive);
+    connect(this, &QTreeWidget::currentItemChanged, this,
+            [this](const QTreeWidgetItem* item) { choose(item); });
+    connect(this, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
+        Q_EMIT zoomRequested(item->data(0, reviewRole).toULongLong());
+    });
+}
+
+void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer, UnitSystem units) {
+    const QSignalBlocker block(this);
+    const QTreeWidgetItem* before = currentItem();
+    const QString name = before ? (before->parent() ? before->parent() : before)->text(0) : QString();
+    const QVariant day = before ? before->data(0, dayRole) : QVariant();
+    std::map<QString, bool> open;
+    const bool sameRule = answer && answer_ && answer->question.rule.key == answer_->question.rule.key;
+    const bool alike = sameRule && answer->study.places.size() == answer_->study.places.size();
+    for (int i = 0; alike && i < topLevelItemCount(); ++i)
+        open[topLevelItem(i)->text(0)] = topLevelItem(i)->isExpanded();
+    answer_ = answer;
+    clear();
+    setHeaderHidden(!answer);
+    if (!answer) return setColumnCount(1);
+    units_ = units;
+    columns_ = columnsIn(units, answer->question.rule.deliverables.columns);
+    std::erase_if(columns_,
+                  [](const RuleColumn& column) { return column.key == "place" || column.key == "day"; });
+    const bool sameColumns = sameRule && columnCount() == int(columns_.size()) + firstRuleColumn;
+    QStringList titles{tr("Place and day"), tr("Verdict")};
+    for (const RuleColumn& column : columns_) titles << wrapped(textOf(column.title));
+    setColumnCount(int(titles.size()));
+    setHeaderLabels(titles);
+    for (const std::size_t i : orderByVerdict(answer->study)) addPlace(i);
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = topLevelItem(i);
+        const auto was = open.find(item->text(0));
+        item->setExpanded(was == open.end() ? std::size_t(topLevelItemCount()) <= mostExpanded : was->second);
+        if (item->text(0) != name) continue;
+        setCurrentItem(item);
+        for (int child = 0; child < item->childCount(); ++child)
+            if (day.isValid() && item->child(child)->data(0, dayRole) == day)
+                setCurrentItem(item->child(child));
+    }
+    if (sameColumns) return;
+    for (int i = 0; i < columnCount(); ++i) resizeColumnToContents(i);
+    setColumnWidth(0, std::min(columnWidth(0), 220));
+}
+
+void VerdictTable::addPlace(std::size_t review) {
+    const PlaceReview& place = answer_->study.places[review];
+    auto* item = new QTreeWidgetItem(this);
+    item->setText(0, textOf(place.name));
+    item->setText(verdictColumn, describeVerdict(place.verdict));
+    item->setForeground(verdictColumn, verdictColour(place.verdict));
+    QFont bold = font();
+    bold.setBold(true);
+    item->setFont(verdictColumn, bold);
+    for (int i = 0; i < columnCount(); ++i) item->setToolTip(i, textOf(describeReason(place, units_)));
+    item->setData(0, reviewRole, qulonglong(review));
+    if (place.rows.size() == 1) {  // one day stands in the place's own row
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            item->setText(int(i) + firstRuleColumn,
+                          textOf(columnText(place, place.rows.front(), columns_[i].key)));
+        return;
+    }
+    for (const ReviewRow* row : rowsToList(place, hasFewDays(answer_->question.rule)))
+        addDay(*item, review, *row);
+}
+
+void VerdictTable::addDay(QTreeWidgetItem& place, std::size_t review, const ReviewRow& row) {
+    auto* item = new QTreeWidgetItem(&place);
+    item->setText(0, textOf(formatText(row.day)));
+    item->setData(0, reviewRole, qulonglong(review));
+    item->setData(0, dayRole, item->text(0));
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+        item->setText(int(i) + firstRuleColumn,
+                      textOf(columnText(answer_->study.places[review], row, columns_[i].key)));
+}
+
+void VerdictTable::choose(const QTreeWidgetItem* item) {
+    if (item == nullptr || !answer_) return;
+    const std::size_t review = item->data(0, reviewRole).toULongLong();
+    const PlaceReview& place = answer_->study.places[review];
+    const QString day = item->data(0, dayRole).toString();
+    for (const ReviewRow& row : place.rows)
+        if (textOf(formatText(row.day)) == day) return Q_EMIT chosen(review, row.day);
+    if (const ReviewRow* row = mainRow(place)) Q_EMIT chosen(review, row->day);
+}
+
+void VerdictTable::chooseCurrent() {
+    if (!currentItem() && topLevelItemCount() > 0) {
+        const QSignalBlocker block(this);
+        setCurrentItem(topLevelItem(0));
+    }
+    choose(currentItem());
+}
+
+QString VerdictTable::text() const {
+    if (!answer_) return {};
+    QStringList titles{tr("Place"), tr("Kind"), tr("Verdict"), tr("Day")};
+    for (const RuleColumn& column : columns_) titles << textOf(column.title);
+    QStringList lines{titles.join(u'\t')};
+    for (const PlaceReview& place : answer_->study.places)
+        for (const ReviewRow& row : place.rows) {
+            QStringList fields{textOf(place.name), QString::fromUtf8(nameOf(place.kind).data()),
+                               QString::fromUtf8(nameOf(place.verdict).data()), textOf(formatText(row.day))};
+            for (const RuleColumn& column : columns_) fields << textOf(columnText(place, row, column.key));
+            lines << fields.join(u'\t');
+        }
+    return lines.join(u'\n') + u'\n';
+}
+
+}  // namespace noonmark

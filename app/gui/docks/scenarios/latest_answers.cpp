@@ -1,0 +1,216 @@
+#include "app/gui/docks/scenarios/latest_answers.h"
+
+#include <algorithm>
+
+#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
+#include "app/gui/docks/weights/weights_model.h"
+#include "app/gui/session/workbench.h"
+#include "core/study/provenance/study_hash.h"
+#include "scenarios/scenario_list.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr std::size_t mostKnown =
+    192;  // figures, of three kinds; each holds the list of its city's buildings
+
+ScenarioVerdicts countVerdicts(const ReviewAnswer& answer) {
+    ScenarioVerdicts verdicts{answer.question.rule.name, answer.question.from, {}};
+    for (const PlaceReview& place : answer.study.places) verdicts.counts.add(place.verdict);
+    return verdicts;
+}
+
+ScenarioVerdicts countVerdicts(const WindowAnswer& answer) {
+    return {answer.question.rule.name, answer.question.from, answer.study.windowChanges.after};
+}
+
+template <class Answers>
+std::map<std::string, ScenarioVerdicts> countEach(const Answers& answers) {
+    std::map<std::string, ScenarioVerdicts> all;
+    for (const auto& [scenario, answer] : answers) all[scenario] = countVerdicts(*answer);
+    return all;
+}
+
+// Whether figures answer the same question of the same buildings as older ones.
+bool replaces(const ViewFigures& newer, const ViewFigures& older) {
+    const SavedFigures &now = newer.figures, &then = older.figures;
+    return newer.citySha256 == older.citySha256 && newer.baselineSha256 == older.baselineSha256 &&
+           now.question == then.question && now.weights == then.weights &&
+           now.measured.has_value() == then.measured.has_value() &&
+           now.impact.has_value() == then.impact.has_value();
+}
+
+}  // namespace
+
+LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObject* parent)
+    : QObject(parent), from_(sources), table_(table) {
+    Workbench& workbench = from_.workbench;
+    workbench.setScenarioAnswers([this] { return all(); });
+    connect(&workbench, &Workbench::projectOpened, this, &LatestAnswers::forget);
+    connect(&workbench, &Workbench::comparisonDone, this, &LatestAnswers::takeComparison);
+    connect(&workbench, &Workbench::scoreDone, this, &LatestAnswers::takeScore);
+    connect(&workbench, &Workbench::studyDone, this, &LatestAnswers::update);
+    connect(&workbench.document(), &StudyDocument::changed, this, &LatestAnswers::update);
+    for (auto signal : {&ProjectSession::changed, &ProjectSession::baselineChanged})
+        connect(&workbench.session(), signal, this, &LatestAnswers::update);
+    const auto unlessShaping = [this] {  // a shape that is dragged changes no scenario
+        if (!from_.review.isShaping()) update();
+    };
+    connect(&from_.review, &ReviewSession::answered, this, unlessShaping);
+    connect(&from_.windows, &WindowSession::answered, this, unlessShaping);
+    connect(&from_.weights, &WeightsModel::chosen, this, &LatestAnswers::update);
+}
+
+void LatestAnswers::add(Known known) {
+    known_.push_back(std::move(known));
+    if (known_.size() > mostKnown) known_.erase(known_.begin());
+}
+
+template <class Holds>
+const SavedFigures* LatestAnswers::find(const Holds& holds) const {
+    const StudySettings& settings = from_.workbench.document().settings();
+    for (auto one = known_.rbegin(); one != known_.rend(); ++one)
+        if (holds(*one) && haveSettings(one->figures, settings, question_)) return &one->figures;
+    return nullptr;
+}
+
+void LatestAnswers::forget() {
+    for (JobSlot* slot : {&scoring_, &comparing_, &reading_, &hashing_}) slot->drop();
+    known_.clear();
+    hashes_.clear();
+    read_.clear();
+    update();
+    readViewFigures();
+}
+
+void LatestAnswers::update() {
+    question_ = listHashes(from_.workbench.document().settings());
+    const auto rule = from_.review.rule();
+    table_.setAnswers(all(), {baseline(), from_.weights.table().name, rule ? rule->name : std::string()});
+    compareStudies();
+    readSaved();
+}
+
+LatestAnswers::CityPointer LatestAnswers::cityOf(const std::string& scenario) {
+    return from_.workbench.session().cityOf(scenario).value_or(nullptr);
+}
+
+std::string LatestAnswers::baseline() const {
+    const std::string& chosen = from_.workbench.session().baseline();
+    return chosen.empty() ? existingCity : chosen;
+}
+
+std::map<std::string, ScenarioAnswers> LatestAnswers::all() {
+    std::map<std::string, ScenarioAnswers> all;
+    auto verdicts = this->verdicts();
+    for (const std::string& name : listNames(from_.workbench.session().project().scenarios)) {
+        const CityPointer city = cityOf(name);
+        if (!city) continue;
+        ScenarioAnswers& answers = all[name];
+        answers = {impactOf(city), scoreOf(city), std::nullopt, measuredOf(city)};
+        if (const auto found = verdicts.find(name); found != verdicts.end()) answers.verdicts = found->second;
+    }
+    return all;
+}
+
+std::optional<ScenarioImpact> LatestAnswers::impactOf(const CityPointer& city) {
+    const CityPointer before = cityOf(baseline());
+    const auto* found = find(
+        [&](const Known& one) { return one.figures.impact && one.before == before && one.city == city; });
+    if (!found) return std::nullopt;
+    return ScenarioImpact{baseline(), *found->impact};
+}
+
+std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) const {
+    const TimeWeights& weights = from_.weights.table();
+    const auto* found = find([&](const Known& one) {
+        return one.city == city && one.figures.weights && one.figures.weights->intervals == weights.intervals;
+    });
+    if (!found) return std::nullopt;
+    return ScenarioScore{weights.name, found->score};
+}
+
+std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& city) const {
+    const auto* found = find([&](const Known& one) { return one.city == city && one.figures.measured; });
+    return found ? found->measured : std::nullopt;
+}
+
+std::map<std::string, ScenarioVerdicts> LatestAnswers::verdicts() {
+    return from_.windows.applies() ? countEach(from_.windows.latest()) : countEach(from_.review.latest());
+}
+
+// The workbench emits a comparison only while the cities are those that it compared.
+void LatestAnswers::takeComparison() {
+    if (const auto comparison = from_.workbench.comparison())
+        add({cityOf(comparison->to),
+             cityOf(comparison->from),
+             {.question = hashQuestion(comparison->settings.study),
+              .impact = computeFigures(comparison->study.total, comparison->thresholdsMin.front())}});
+    update();
+}
+
+void LatestAnswers::takeScore() {
+    if (const auto score = from_.workbench.score())
+        add({cityOf(score->scenario),
+             nullptr,
+             {.question = hashQuestion(score->settings),
+              .weights = score->weights,
+              .score = totalsOf(score->score)}});
+    update();
+}
+
+std::vector<LatestAnswers::CityPointer> LatestAnswers::cities() {
+    std::vector<CityPointer> cities;
+    for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
+        if (CityPointer city = cityOf(name)) cities.push_back(std::move(city));
+    return cities;
+}
+
+std::string LatestAnswers::hashOf(const CityPointer& city) {
+    std::string& hash = hashes_[city];
+    if (hash.empty()) hash = hashCity(*city);
+    return hash;
+}
+
+// Figures of the studies at hand.
+std::vector<LatestAnswers::Known> LatestAnswers::ofStudies() {
+    std::vector<Known> known;
+    for (const auto& [name, study] : from_.workbench.studies())
+        known.push_back({cityOf(name),
+                         nullptr,
+                         {.question = hashQuestion(study->settings), .measured = study->statistics}});
+    return known;
+}
+
+std::string LatestAnswers::figuresInView() const {
+    const auto& view = from_.workbench.session().project().view;
+    const auto text = view.find(viewFiguresKey);
+    return text == view.end() ? std::string() : text->second;
+}
+
+// Of the cities of scenarios as they are now; the others cannot come back in another session. The newest of
+// each kind.
+std::string LatestAnswers::figuresToSave() {
+    if (hashing_.busy()) return figuresInView();
+    std::vector<Known> all = known_;
+    for (Known& one : ofStudies()) all.push_back(std::move(one));
+    const std::vector<CityPointer> now = cities();
+    const auto isNow = [&](const CityPointer& city) { return std::ranges::find(now, city) != now.end(); };
+    std::erase_if(hashes_, [&](const auto& one) { return !isNow(one.first); });
+    std::vector<ViewFigures> saved;
+    for (auto one = all.rbegin(); one != all.rend(); ++one) {
+        if (one->figures.question.empty() || !isNow(one->city) || (one->before && !isNow(one->before)))
+            continue;
+        ViewFigures next{hashOf(one->city), one->before ? hashOf(one->before) : std::string(), one->figures};
+        if (std::ranges::none_of(saved, [&](const ViewFigures& newer) { return replaces(newer, next); }))
+            saved.push_back(std::move(next));
+    }
+    std::ranges::reverse(saved);
+    return saved.empty() ? std::string() : formatText(saved);
+}
+
+void LatestAnswers::reviewAll() { from_.windows.applies() ? from_.windows.runAll() : from_.review.runAll(); }
+
+}  // namespace noonmark

@@ -1,0 +1,106 @@
+#include "app/gui/docks/scenarios/saved_figures.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/describe/figure_text.h"
+#include "core/measures/shadow_figures.h"
+#include "scenarios/project/results/saved_answer.h"
+#include "scenarios/project/results/saved_figures_json.h"
+#include "scenarios/settings_json.h"
+#include "scenarios/weights/score_figures.h"
+#include "scenarios/weights/weights_text.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// What settingsJson() states of the question, without what a result adds to it.
+Json questionOf(const Json& settings) {
+    Json question;
+    for (const char* key : {"engine", "region", "cell_m", "receivers_on"})
+        question[key] = settings.value(key, Json());
+    for (const char* key : {"start", "days", "from", "hours", "window", "step_min", "zone", "refraction"})
+        question["period"][key] = settings.at("period").value(key, Json());
+    return question;
+}
+
+// Of results that state no hash of it.
+bool haveOldSettings(const SavedFigures& saved, const StudySettings& settings) {
+    if (saved.settings.empty()) return false;
+    const auto grid = gridOver(settings.region, settings.receivers);
+    return grid && *grid == saved.grid && Json::parse(saved.settings) == questionOf(settingsJson(settings));
+}
+
+Json viewJson(const ViewFigures& saved) {
+    const SavedFigures& figures = saved.figures;
+    Json json{{"city_sha256", saved.citySha256}, {"question_sha256", figures.question}};
+    if (!saved.baselineSha256.empty()) json["baseline_sha256"] = saved.baselineSha256;
+    if (figures.measured) json["measured"] = figuresJson(shadowFigures().of(*figures.measured));
+    if (figures.impact) json["impact"] = figuresJson(*figures.impact);
+    if (!figures.weights) return json;
+    json["score"] = {{"table", figures.weights->name},
+                     {"weights", Json::parse(weightsJson(*figures.weights))}};
+    json["score"].update(figuresJson(scoreFigures().of(figures.score)));
+    return json;
+}
+
+TimeWeights weightsFrom(const Json& score) {
+    auto table = parseWeightsJson(score.at("weights").dump(), score.at("table").get<std::string>());
+    if (!table) throw std::invalid_argument(table.error().what);
+    return *std::move(table);
+}
+
+std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
+    ViewFigures saved{json.at("city_sha256"), json.value("baseline_sha256", ""), {}};
+    SavedFigures& figures = saved.figures;
+    figures.question = json.at("question_sha256");
+    if (json.contains("measured")) figures.measured = parseStatistics(json.at("measured"));
+    if (json.contains("impact")) figures.impact = parseImpactFigures(json.at("impact"));
+    if (json.contains("score")) {
+        figures.weights = weightsFrom(json.at("score"));
+        figures.score = readFigures(scoreFigures(), json.at("score"));
+    }
+    return saved;
+} catch (const std::exception&) {  // JSON of another shape
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Project& project) {
+    if (result.kind != "study" && result.kind != "score" && result.kind != "impact") return std::nullopt;
+    const auto saved = readSavedAnswer(result);
+    if (!saved || !findChangesSince(result, saved->origin, project).empty()) return std::nullopt;
+    SavedFigures figures{.question = saved->origin.questionSha256, .weights = saved->origin.weights};
+    figures.grid = result.grid;
+    if (const auto* study = std::get_if<SavedStudy>(&saved->answer)) figures.measured = study->statistics;
+    if (const auto* score = std::get_if<SavedScore>(&saved->answer)) figures.score = totalsOf(score->score);
+    if (const auto* impact = std::get_if<SavedImpact>(&saved->answer))
+        figures.impact = impact->figures.all.front();
+    if (!figures.measured) figures.settings = questionOf(Json::parse(result.settings)).dump();
+    return figures;
+}
+
+bool haveSettings(const SavedFigures& saved, const StudySettings& settings, const QuestionHashes& hashes) {
+    return saved.question.empty() ? haveOldSettings(saved, settings) : hashes.hold(saved.question);
+}
+
+std::string formatText(const std::vector<ViewFigures>& saved) {
+    Json json = Json::array();
+    for (const ViewFigures& one : saved) json.push_back(viewJson(one));
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::vector<ViewFigures> parseViewFigures(const std::string& text) {
+    constexpr std::size_t most = 1000;  // far more than the window keeps
+    std::vector<ViewFigures> saved;
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_array() || json.size() > most) return saved;
+    for (const Json& one : json)
+        if (auto figures = viewFiguresFrom(one)) saved.push_back(*std::move(figures));
+    return saved;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,125 @@
+#include "app/gui/docks/search/city_search.h"
+
+#include <QObject>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/gui/session/study/region_words.h"
+#include "core/city/map_context.h"
+#include "core/geo/distance.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float aroundPositionM = 100;
+
+/// Without accents and in lower case: "Café" is found by "cafe".
+QString fold(const QString& text) {
+    QString plain;
+    for (const QChar letter : text.normalized(QString::NormalizationForm_KD))
+        if (letter.category() != QChar::Mark_NonSpacing) plain += letter;
+    return plain.toCaseFolded().simplified();
+}
+
+/// 0: not found; higher is better.
+int rank(const QString& name, const QString& wanted) {
+    if (name == wanted) return 4;
+    if (name.startsWith(wanted)) return 3;
+    if (name.contains(u' ' + wanted)) return 2;
+    return name.contains(wanted) ? 1 : 0;
+}
+
+bool isOnEarth(LonLat place) { return std::abs(place.latDeg) <= 90 && std::abs(place.lonDeg) <= 180; }
+
+Box2 boxOf(const std::vector<Footprint>& polygons) {
+    Box2 box;
+    for (const Footprint& polygon : polygons) box.add(bounds(polygon));
+    return box;
+}
+
+/// A street is found once, however many lines have its name.
+std::map<std::string, Box2> boxesOfStreets(const MapContext& context) {
+    std::map<std::string, Box2> streets;
+    for (const ContextLine& line : context.lines) {
+        if (line.name.empty() || line.kind == ContextKind::rail) continue;
+        for (const glm::vec2 point : line.points) streets[line.name].add(point);
+    }
+    return streets;
+}
+
+}  // namespace
+
+CitySearch::CitySearch(const City& city, const std::vector<Place>& places, const std::vector<NamedLot>& lots)
+    : frame_(city.frame) {
+    for (std::size_t i = 0; i < city.buildings.size(); ++i) {
+        const Building& building = *city.buildings[i];
+        const QString id = QString::fromStdString(building.sourceId);
+        const QString title = building.name.empty() ? id : QString::fromStdString(building.name);
+        add({FoundKind::building, title,
+             building.name.empty() ? QObject::tr("building") : QObject::tr("building, %1").arg(id),
+             bounds(building), std::uint32_t(i)},
+            id);
+    }
+    for (const Place& place : places)
+        add({FoundKind::place,
+             QString::fromStdString(place.name),
+             describeKind(place.kind),
+             boxOf(place.polygons),
+             {}});
+    for (const NamedLot& lot : lots)
+        add({FoundKind::lot, QString::fromStdString(lot.name), QObject::tr("lot"), bounds(lot.outline), {}});
+    if (!city.context) return;
+    for (const auto& [name, box] : boxesOfStreets(*city.context))
+        add({FoundKind::street, QString::fromStdString(name), QObject::tr("street"), box, {}});
+}
+
+void CitySearch::add(Found found, const QString& id) {
+    QString folded = fold(found.title);
+    entries_.push_back({std::move(found), std::move(folded), fold(id)});
+}
+
+std::vector<Found> CitySearch::find(const QString& text, std::size_t most) const {
+    const QString wanted = fold(text);
+    if (wanted.isEmpty()) return {};
+    std::vector<Found> found;
+    if (const auto at = parsePosition(text, frame_.origin())) {
+        const glm::vec2 point(frame_.localFromLonLat(*at));
+        found.push_back({FoundKind::coordinates,
+                         text.trimmed(),
+                         QObject::tr("position"),
+                         {point - aroundPositionM, point + aroundPositionM},
+                         {}});
+    }
+    std::vector<std::pair<int, const Entry*>> ranked;
+    for (const Entry& entry : entries_)
+        if (const int how = std::max(rank(entry.folded, wanted), rank(entry.foldedId, wanted)); how > 0)
+            ranked.emplace_back(-how, &entry);
+    const auto order = [](const auto& one) {
+        return std::tuple(one.first, one.second->folded.size(), one.second->folded);
+    };
+    std::ranges::stable_sort(ranked, {}, order);
+    for (const auto& [how, entry] : ranked)
+        if (found.size() < most) found.push_back(entry->found);
+    return found;
+}
+
+std::optional<LonLat> parsePosition(const QString& text, LonLat near) {
+    static const QRegularExpression two(QStringLiteral(
+        R"(^\s*([-+]?\d+(?:\.\d+)?)\s*°?\s*([NSns]?)\s*[,; ]\s*([-+]?\d+(?:\.\d+)?)\s*°?\s*([EWOewo]?)\s*$)"));
+    const QRegularExpressionMatch match = two.match(text);
+    if (!match.hasMatch()) return std::nullopt;
+    double first = match.captured(1).toDouble(), second = match.captured(3).toDouble();
+    const QString north = match.captured(2).toUpper(), east = match.captured(4).toUpper();
+    if (north == QLatin1String("S")) first = -first;
+    if (east == QLatin1String("W")) second = -second;
+    const LonLat latFirst{second, first}, lonFirst{first, second};
+    if (!north.isEmpty() || !east.isEmpty() || !isOnEarth(lonFirst))
+        return isOnEarth(latFirst) ? std::optional(latFirst) : std::nullopt;
+    if (!isOnEarth(latFirst)) return lonFirst;
+    return computeGreatCircleM(latFirst, near) <= computeGreatCircleM(lonFirst, near) ? latFirst : lonFirst;
+}
+
+}  // namespace noonmark

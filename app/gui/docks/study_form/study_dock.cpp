@@ -1,0 +1,220 @@
+#include "app/gui/docks/study_form/study_dock.h"
+
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/docks/study_form/accuracy_section.h"
+#include "app/gui/docks/study_form/run_forecast.h"
+#include "app/gui/docks/study_form/when_form.h"
+#include "app/gui/docks/study_form/where_form.h"
+#include "app/gui/session/study/study_document.h"
+#include "app/input/all_engines.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int leastScreenPx = 248;  // of the forms; where they need more, they scroll
+
+QGroupBox* groupOf(const QString& title, QWidget* content) {
+    auto* group = new QGroupBox(title);
+    (new QVBoxLayout(group))->addWidget(content);
+    return group;
+}
+
+QLabel* lineOf(const char* name) {
+    auto* line = new QLabel;
+    line->setObjectName(QString::fromLatin1(name));
+    line->setWordWrap(true);
+    return line;
+}
+
+}  // namespace
+
+StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      what_(new WhatForm),
+      when_(new WhenForm),
+      where_(new WhereForm),
+      accuracy_(new AccuracySection),
+      forecast_(new RunForecast(this)),
+      forecastLine_(lineOf("forecast")),
+      refusal_(lineOf("engineRefusal")),
+      run_(pushButton({}, "run", tr("Compute the minutes of shadow in every cell of the region (Ctrl+R)"))),
+      progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
+    showAsError(*refusal_);
+    placeForms();
+    connectForms();
+    connectRegion();
+    connect(&document_, &StudyDocument::changed, this, &StudyDock::showDocument);
+    connect(forecast_, &RunForecast::changed, this, &StudyDock::showForecast);
+    connect(run_, &QPushButton::clicked, this, &StudyDock::run);
+    showDocument();
+}
+
+void StudyDock::placeForms() {
+    auto* forms = new QWidget;
+    auto* questions = new QVBoxLayout(forms);
+    questions->addWidget(groupOf(tr("What"), what_));
+    questions->addWidget(groupOf(tr("When"), when_));
+    questions->addWidget(groupOf(tr("Where"), where_));
+    questions->addWidget(groupOf(tr("How exactly"), accuracy_));
+    questions->addStretch(1);
+    // The button and what it will do stay in sight on any screen.
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(forms);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    formsWidth_ = forms->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumWidth(std::min(leastScreenPx, formsWidth_));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 0, 4, 4);
+    column->addWidget(scroll, 1);
+    for (QWidget* widget : {static_cast<QWidget*>(refusal_), static_cast<QWidget*>(forecastLine_),
+                            static_cast<QWidget*>(run_), static_cast<QWidget*>(progress_)})
+        column->addWidget(widget);
+}
+
+QSize StudyDock::sizeHint() const {
+    const QMargins margins = layout()->contentsMargins();
+    return {formsWidth_ + margins.left() + margins.right(), QWidget::sizeHint().height()};
+}
+
+void StudyDock::connectForms() {
+    connect(what_, &WhatForm::placesChosen, this, [this](ReceiverPlaces places) {
+        StudySettings settings = document_.settings();
+        settings.receivers.places = places;
+        document_.change(settings, std::nullopt, tr("receivers"));
+    });
+    connect(what_, &WhatForm::elementsChosen, this,
+            [this](const ElementSettings& elements, const QString& field) {
+                document_.change(document_.settings(), elements, field);
+            });
+    connect(what_, &WhatForm::kindChosen, this, [this](StudyKind kind) {
+        Q_EMIT kindChosen(kind);
+        showKind();
+    });
+    connect(when_, &WhenForm::edited, this, [this](const Period& period, const QString& field) {
+        StudySettings settings = document_.settings();
+        settings.period = period;
+        document_.change(settings, field);
+    });
+    connect(
+        accuracy_, &AccuracySection::edited, this,
+        [this](const StudySettings& settings, const QString& field) { document_.change(settings, field); });
+    connect(accuracy_, &AccuracySection::paperRequested, this, &StudyDock::paperRequested);
+}
+
+void StudyDock::connectRegion() {
+    connect(where_, &WhereForm::drawRequested, this, &StudyDock::drawRequested);
+    connect(where_, &WhereForm::viewRequested, this, &StudyDock::viewRegionRequested);
+    connect(where_, &WhereForm::wholeCityRequested, this, &StudyDock::wholeCityRequested);
+    connect(where_, &WhereForm::surroundingsRequested, this, &StudyDock::surroundingsRequested);
+    connect(where_, &WhereForm::named, this, &StudyDock::regionNamed);
+}
+
+// Scores and reviews have panels of their own, with their own buttons.
+void StudyDock::run() {
+    const StudyKind kind = what_->kind();
+    if (kind == StudyKind::score || kind == StudyKind::review) return Q_EMIT kindChosen(kind);
+    Q_EMIT runRequested();
+}
+
+void StudyDock::setRegions(const QStringList& names) { where_->setNames(names); }
+void StudyDock::setDrawing(bool drawing) { where_->setDrawing(drawing); }
+void StudyDock::setRules(const std::vector<Rule>& rules) { when_->setRules(rules); }
+
+void StudyDock::setBuilding(const QString& id) {
+    where_->setBuilding(!id.isEmpty());
+    what_->setBuilding(id);
+}
+
+void StudyDock::setCity(std::shared_ptr<const City> city) {
+    terrain_ = city && city->terrain != nullptr;
+    if (city) when_->setLatitude(city->frame.origin().latDeg);
+    accuracy_->setTerrain(terrain_);
+    forecast_->setCity(std::move(city));
+    showRefusal();
+}
+
+void StudyDock::setElementFinder(ElementFinder find) { find_ = std::move(find); }
+
+void StudyDock::setComparing(bool comparing) {
+    if (comparing == comparing_) return;
+    comparing_ = comparing;
+    what_->show(comparing ? StudyKind::change : StudyKind::shadow, document_.settings().receivers.places,
+                document_.elements());
+    forecast_->setSettings(document_.settings(), measuredElements());
+    showRefusal();
+    showKind();
+}
+
+void StudyDock::showDocument() {
+    const StudySettings& settings = document_.settings();
+    what_->show(what_->kind(), settings.receivers.places, document_.elements());
+    when_->show(settings.period);
+    where_->show(settings);
+    accuracy_->show(settings);
+    forecast_->setSettings(settings, measuredElements());
+    showRefusal();
+    showKind();
+}
+
+// Comparisons are of cells.
+std::optional<ElementSettings> StudyDock::measuredElements() const {
+    if (comparing_ || !document_.elements()) return std::nullopt;
+    return find_ ? find_(*document_.elements()) : *document_.elements();
+}
+
+// Shown at once, not only on Run.
+void StudyDock::showRefusal() {
+    const QString words = measuredElements() ? whyNotPoints() : whyNotCells();
+    refusal_->setVisible(!words.isEmpty());
+    refusal_->setText(words);
+    showForecast();
+}
+
+QString StudyDock::whyNotCells() const {
+    const StudySettings& settings = document_.settings();
+    const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
+    if (!(roofs || terrain_) || !takesLevelGroundOnly(settings.engine)) return {};
+    return tr("This method works on level ground only, but %1. Choose Quick or Reference.")
+        .arg(roofs ? tr("roofs are to be measured") : tr("this city has terrain"));
+}
+
+QString StudyDock::whyNotPoints() const {
+    const StudySettings& settings = document_.settings();
+    if (measuresPoints(settings)) return {};
+    return tr("This method measures no facades, windows or planes. Choose Quick or Reference.");
+}
+
+void StudyDock::showForecast() {
+    const auto& estimate = forecast_->estimate();
+    const QString words = estimate ? describe(*estimate) : forecast_->refusal();
+    forecastLine_->setText(words);
+    forecastLine_->setVisible(refusal_->isHidden() && !words.isEmpty());
+}
+
+void StudyDock::showKind() {
+    const StudyKind kind = what_->kind();
+    if (kind == StudyKind::score) return run_->setText(tr("Choose weights"));
+    if (kind == StudyKind::review) return run_->setText(tr("Choose a rule"));
+    if (running_) return run_->setText(tr("Run again"));
+    run_->setText(kind == StudyKind::change ? tr("Compare") : tr("Run study"));
+}
+
+void StudyDock::setRunning(bool running) {
+    running_ = running;
+    showKind();
+}
+
+}  // namespace noonmark

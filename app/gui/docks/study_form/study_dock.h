@@ -1,0 +1,90 @@
+#pragma once
+
+// The study's form. StudyDock is the dock: WhatForm, WhenForm, WhereForm and AccuracySection, one for each
+// question that a planner answers, and RunForecast, which states how long the study will take. period_preset,
+// rule_period and accuracy_choice turn the plain choices into settings.
+
+#include <QWidget>
+#include <functional>
+
+#include "app/gui/docks/study_form/what_form.h"
+#include "core/review/rule/rule.h"
+#include "core/study/study.h"
+
+class QLabel;
+class QPushButton;
+
+namespace noonmark {
+
+class AccuracySection;
+class ProgressStrip;
+class RunForecast;
+class StudyDocument;
+class WhenForm;
+class WhereForm;
+
+/// The dock for the study: what, when, where, how exactly, and the run button. Shows and changes a
+/// StudyDocument.
+class StudyDock final : public QWidget {
+    Q_OBJECT
+public:
+    explicit StudyDock(StudyDocument& document, QWidget* parent = nullptr);  ///< `document` must outlive it
+
+    [[nodiscard]] ProgressStrip& progress() { return *progress_; }
+    [[nodiscard]] const RunForecast& forecast() const { return *forecast_; }
+    void setDrawing(bool drawing);  ///< while a region is being drawn
+    void setRunning(bool running);
+    /// The names of regions and places that can be chosen.
+    void setRegions(const QStringList& names);
+    void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
+    void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
+    void setBuilding(const QString& id);             ///< the selected building; empty: none
+    /// Looks up the parts of the settings in the project (findElementParts()), to estimate the time of a run.
+    using ElementFinder = std::function<ElementSettings(const ElementSettings&)>;
+    void setElementFinder(ElementFinder find);
+    [[nodiscard]] ElementForm& elements() { return what_->elements(); }
+    void setComparing(bool comparing);  ///< run() compares the scenario with a baseline
+    /// Wide enough for the forms without scrolling sideways.
+    [[nodiscard]] QSize sizeHint() const override;
+
+Q_SIGNALS:
+    void runRequested();
+    void drawRequested(bool draw);
+    void viewRegionRequested();
+    void wholeCityRequested();
+    void surroundingsRequested();           ///< of the selected building, as the region
+    void regionNamed(const QString& name);  ///< of the list, or typed
+    void kindChosen(noonmark::StudyKind kind);
+    void paperRequested();
+
+private:
+    void placeForms();
+    void connectForms();
+    void connectRegion();
+    void run();
+    void showDocument();
+    void showKind();
+    void showForecast();
+    void showRefusal();
+    [[nodiscard]] std::optional<ElementSettings> measuredElements() const;
+    [[nodiscard]] QString whyNotCells() const;
+    [[nodiscard]] QString whyNotPoints() const;
+
+    StudyDocument& document_;
+    WhatForm* what_;
+    WhenForm* when_;
+    WhereForm* where_;
+    AccuracySection* accuracy_;
+    RunForecast* forecast_;
+    QLabel* forecastLine_;
+    QLabel* refusal_;  ///< why the engine cannot run this study
+    bool terrain_ = false;
+    bool comparing_ = false;
+    bool running_ = false;
+    QPushButton* run_;
+    ProgressStrip* progress_;
+    ElementFinder find_;
+    int formsWidth_ = 0;  // px, all they need
+};
+
+}  // namespace noonmark

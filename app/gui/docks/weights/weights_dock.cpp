@@ -1,0 +1,161 @@
+#include "app/gui/docks/weights/weights_dock.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/docks/weights/weight_bar.h"
+#include "app/gui/docks/weights/weights_model.h"
+#include "app/gui/session/project/project_session.h"
+
+namespace noonmark {
+
+WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      model_(new WeightsModel(session, this)),
+      tables_(new QComboBox),
+      view_(new QTableView),
+      refusal_(new QLabel),
+      score_(pushButton(tr("Compute score"), "score",
+                        tr("Shadow of the displayed scenario over the study's region and period, weighted by "
+                           "this table: by month and as a map"))),
+      note_(new QLabel(tr("Cutting an interval in two changes the score, but not the weighted shade."))) {
+    tables_->setObjectName(QStringLiteral("weightTables"));
+    tables_->setToolTip(
+        tr("The weight table to edit and to compute scores with; rename it with F2 in the project tree"));
+    refusal_->setObjectName(QStringLiteral("refusal"));
+    refusal_->setWordWrap(true);
+    note_->setWordWrap(true);
+    note_->setEnabled(false);  // in the quiet colour of the theme
+    showAsError(*refusal_);
+    makeView();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    column->addWidget(tables_);
+    column->addWidget(view_, 1);
+    column->addWidget(refusal_);
+    column->addWidget(note_);
+    column->addWidget(makeButtons());
+    column->addWidget(score_);
+    connect(tables_, &QComboBox::currentTextChanged, this,
+            [this](const QString& name) { choose(name.toStdString()); });
+    connect(score_, &QPushButton::clicked, this, [this] { Q_EMIT scoreRequested(model_->table().name); });
+    connect(model_, &WeightsModel::refused, this, [this](const Error& error) { tell(describeError(error)); });
+    connect(model_, &WeightsModel::edited, this, [this] { tell({}); });
+    connect(&session_, &ProjectSession::changed, this, &WeightsDock::follow);
+    tell({});
+    follow();
+}
+
+void WeightsDock::makeView() {
+    view_->setObjectName(QStringLiteral("weights"));
+    view_->setModel(model_);
+    view_->setItemDelegateForColumn(WeightsModel::intervalWeight, new WeightBar(view_));
+    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view_->setSelectionMode(QAbstractItemView::SingleSelection);
+    view_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                           QAbstractItemView::AnyKeyPressed);
+    view_->setShowGrid(false);
+    view_->verticalHeader()->hide();
+    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view_->setTextElideMode(Qt::ElideRight);
+    view_->horizontalHeader()->setTextElideMode(Qt::ElideRight);
+    fitColumns();
+    view_->horizontalHeader()->moveSection(WeightsModel::intervalWeight, 1);  // visible in a narrow dock
+    view_->verticalHeader()->setDefaultSectionSize(view_->fontMetrics().height() + 10);
+}
+
+// Keeps all columns visible in the narrowest dock: each is as wide as its longest content, and names take the
+// rest.
+void WeightsDock::fitColumns() {
+    constexpr int padding = 8, leastName = 60;
+    const QString day = QStringLiteral("30 May"), hour = QStringLiteral("00:00");
+    const std::pair<int, QString> widest[] = {{WeightsModel::firstDay, day},
+                                              {WeightsModel::lastDay, day},
+                                              {WeightsModel::fromHour, hour},
+                                              {WeightsModel::toHour, hour},
+                                              {WeightsModel::intervalWeight, tr("Weight")}};
+    QHeaderView* header = view_->horizontalHeader();
+    header->setMinimumSectionSize(24);
+    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(WeightsModel::intervalName, QHeaderView::Stretch);
+    int sum = leastName + view_->verticalScrollBar()->sizeHint().width() + 2 * view_->frameWidth();
+    for (const auto& [column, text] : widest) {
+        header->resizeSection(column, view_->fontMetrics().horizontalAdvance(text) + padding);
+        sum += header->sectionSize(column);
+    }
+    view_->setMinimumWidth(sum);
+}
+
+QWidget* WeightsDock::makeButtons() {
+    auto* add = pushButton(tr("Add"), "addInterval",
+                           tr("Adds an interval after the selected one: over days without a weight, else "
+                              "over half of its days"));
+    auto* remove = pushButton(tr("Remove"), "removeInterval",
+                              tr("Removes the selected interval; its time then has no weight"));
+    auto* table = pushButton(tr("New table"), "newTable",
+                             tr("Adds a table that starts with the twelve months of the paper"));
+    connect(add, &QPushButton::clicked, this, &WeightsDock::addInterval);
+    connect(remove, &QPushButton::clicked, this, &WeightsDock::removeInterval);
+    connect(table, &QPushButton::clicked, this, &WeightsDock::addTable);
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* button : {add, remove, table}) row->addWidget(button);
+    return buttons;
+}
+
+void WeightsDock::choose(const std::string& table) {
+    if (table != model_->table().name) tell({});
+    model_->setTable(table);
+    follow();
+}
+
+// Fills the list and selects the model's table, or the first one if that no longer exists.
+void WeightsDock::follow() {
+    const QSignalBlocker quiet(tables_);
+    tables_->clear();
+    for (const TimeWeights& table : session_.project().weights)
+        tables_->addItem(QString::fromStdString(table.name));
+    const int at = tables_->findText(QString::fromStdString(model_->table().name));
+    tables_->setCurrentIndex(std::max(at, tables_->count() > 0 ? 0 : -1));
+    if (at < 0) model_->setTable(tables_->currentText().toStdString());
+    score_->setEnabled(tables_->count() > 0);
+}
+
+void WeightsDock::addTable() {
+    Project next = session_.project();
+    TimeWeights table = makeMonthlyWeights();
+    table.name = freeName(next, ProjectPart::weights, "my weights");
+    const std::string name = table.name;
+    next.weights.push_back(std::move(table));
+    if (session_.change(std::move(next), tr("new weight table %1").arg(QString::fromStdString(name))))
+        choose(name);
+}
+
+void WeightsDock::addInterval() {
+    const int row = model_->add(view_->currentIndex().row());
+    if (row >= 0) view_->setCurrentIndex(model_->index(row, WeightsModel::intervalName));
+}
+
+void WeightsDock::removeInterval() {
+    if (view_->currentIndex().isValid()) model_->removeRows(view_->currentIndex().row(), 1);
+}
+
+void WeightsDock::tell(const QString& text) {
+    refusal_->setText(text);
+    refusal_->setVisible(!text.isEmpty());
+}
+
+}  // namespace noonmark

@@ -1,0 +1,164 @@
+#include "app/gui/frame/actions/opening_actions.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/message_bar.h"
+#include "app/gui/frame/actions/place_actions.h"
+#include "app/gui/frame/actions/saving_actions.h"
+#include "app/gui/session/study/open_options.h"
+#include "app/gui/session/workbench.h"
+#include "app/input/load_city.h"
+#include "core/io/files/file_kind.h"
+#include "core/io/footprints/place_advice.h"
+#include "core/study/text/height_words.h"
+
+namespace noonmark {
+
+namespace {
+
+LonLat findMiddle(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty()) return city.frame.origin();
+    return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
+}
+
+// How a city was read, with what is stated about the terrain that is added to it.
+ReadSettings withTerrain(ReadSettings city, const ReadSettings& terrain) {
+    const ReadSettings defaults;
+    if (terrain.terrainShows != defaults.terrainShows) city.terrainShows = terrain.terrainShows;
+    if (terrain.heightsFromSurface) city.heightsFromSurface = true;
+    if (terrain.crs && !city.crs) city.crs = terrain.crs;
+    return city;
+}
+
+bool areTerrain(const QStringList& files) {
+    return std::ranges::all_of(files, [](const QString& file) {
+        const auto kind = detectFileKind(file.toStdString());
+        return kind && *kind == FileKind::terrain;
+    });
+}
+
+}  // namespace
+
+OpeningActions::OpeningActions(Workbench& workbench, SavingActions& saving, QSettings& settings,
+                               MessageBar& messages, QWidget& window)
+    : workbench_(workbench),
+      saving_(saving),
+      messages_(messages),
+      window_(window),
+      samples_(tr("Open samp&le")),
+      recentMenu_(tr("Open &recent")),
+      recent_(recentMenu_, settings),
+      options_(new OpenOptions(&window)) {
+    makeActions();
+    connect(&recent_, &RecentMenu::chosen, this, &OpeningActions::openWith);
+    connect(options_, &OpenOptions::chosen, this, &OpeningActions::openWith);
+    connect(&workbench_, &Workbench::openFailed, this, &OpeningActions::showFailure);
+    connect(&saving_, &SavingActions::saved, this, [this](const QString& file) { recent_.add({file}); });
+}
+
+void OpeningActions::makeActions() {
+    QAction* newProject =
+        makeAction(this, tr("&New project from a city..."), QKeySequence::New,
+                   tr("Footprints, CityJSON, meshes, terrain; several files are combined into one city"));
+    QAction* open = makeAction(this, tr("&Open..."), QKeySequence::Open,
+                               tr("A project, or city files, from which a new project is created"), "open");
+    QAction* withOptions = makeAction(this, tr("Open &with options..."), QKeySequence(tr("Ctrl+Shift+O")),
+                                      tr("For files without location, unit or heights"));
+    for (QAction* action : {newProject, open})
+        connect(action, &QAction::triggered, this, [this] { this->open(askForCity(&window_)); });
+    connect(withOptions, &QAction::triggered, this, [this] {
+        if (const QStringList files = askForCity(&window_); !files.isEmpty()) options_->ask(files, {});
+    });
+    addSample(tr("&Central Park South"), tr("The park, its streets and the towers of the case study"),
+              QStringLiteral("sample:central-park-south"));
+    addSample(tr("&Grid"), tr("A synthetic city of blocks and lots"), QStringLiteral("sample:grid"));
+    actions_ = {newProject, open, withOptions, samples_.menuAction(), recentMenu_.menuAction()};
+}
+
+void OpeningActions::addSample(const QString& text, const QString& tip, const QString& sample) {
+    QAction* action = makeAction(this, text, {}, tip);
+    connect(action, &QAction::triggered, this, [this, sample] { open({sample}); });
+    samples_.addAction(action);
+}
+
+QList<QAction*> OpeningActions::actions() const { return actions_; }
+
+void OpeningActions::open(const QStringList& files) { openWith(files, {}); }
+
+void OpeningActions::openWith(const QStringList& files, const ReadSettings& reading) {
+    if (files.isEmpty()) return;
+    const bool sameFiles = files == workbench_.source().files;
+    if (workbench_.city() != nullptr && !sameFiles && areTerrain(files))
+        return askAboutTerrain(files, reading);
+    replaceBy(files, reading);
+}
+
+// A terrain has no buildings: alone it would take the place of the city that it was meant for.
+void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSettings& reading) {
+    messages_.showHelp(
+        tr("%1 is a terrain: it holds no buildings.").arg(QFileInfo(files.front()).fileName()));
+    const Workbench::Source source = workbench_.source();
+    const bool canAdd = !workbench_.session().file() && !source.files.isEmpty() &&
+                        !isSample(source.files.front().toStdString());
+    if (canAdd)
+        messages_.offer(tr("Add to the city"), [this, source, files, reading] {
+            replaceBy(source.files + files, withTerrain(source.reading, reading));
+        });
+    messages_.offerToo(tr("Open alone"), [this, files, reading] { replaceBy(files, reading); });
+}
+
+void OpeningActions::replaceBy(const QStringList& files, const ReadSettings& reading) {
+    saving_.whenSafe([this, files, reading] {
+        messages_.hide();  // its buttons refer to the previous files
+        workbench_.open(files, reading);
+    });
+}
+
+void OpeningActions::takeProject() {
+    options_->setMiddle(findMiddle(workbench_.city()->city()));
+    const Workbench::Source& source = workbench_.source();
+    if (!source.files.isEmpty()) recent_.add(source.files, source.reading);
+}
+
+void OpeningActions::showGuesses() {
+    const CityRead& city = workbench_.city()->loaded.read;
+    const auto heights = makeAssumedHeightsMessage(countHeights(city.city), city.heights);
+    const ZoneGuess& zone = workbench_.zone();
+    QStringList lines;
+    if (heights) lines << QString::fromStdString(*heights) + u'.';
+    const auto doubt = makeDoubtHeadline(city.heights);
+    if (doubt) lines << QString::fromStdString(*doubt) + u'.';
+    const auto stand = makeStandHeadline(city.heights);
+    if (stand) lines << QString::fromStdString(*stand) + u'.';
+    if (!zone.others.isEmpty() && !workbench_.openedView().study)
+        lines << tr("The time zone %1 is a guess; %2 is also nearby.")
+                     .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
+    const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty();
+    if (read || !workbench_.placeWarnings().empty())
+        lines << describePlacesRead(workbench_.session().project().places.size(), 0,
+                                    workbench_.placeWarnings());
+    if (lines.isEmpty()) return;
+    if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
+    messages_.showHelp(lines.join(u'\n'));
+    if ((heights || doubt || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
+        offerOptions();
+}
+
+// If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.
+void OpeningActions::showFailure(const Error& error) {
+    if (isCancelled(error)) return;
+    messages_.showError(error);
+    const ReadSettings& reading = workbench_.source().reading;
+    if (asksForPlace(error) || reading.crs || reading.meshAnchor) offerOptions();
+}
+
+void OpeningActions::offerOptions() {
+    messages_.offer(tr("Open with options..."),
+                    [this] { options_->ask(workbench_.source().files, workbench_.source().reading); });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QMenu>
+#include <QObject>
+
+#include "app/gui/frame/actions/recent_menu.h"
+
+class QSettings;
+
+namespace noonmark {
+
+class MessageBar;
+class OpenOptions;
+class SavingActions;
+class Workbench;
+
+/// Opens cities, samples, recent files and projects, and offers to open them again with options where they
+/// do not state everything.
+class OpeningActions final : public QObject {
+    Q_OBJECT
+public:
+    /// `settings` stores the recent files; dialogs belong to `window`. All must outlive this object.
+    OpeningActions(Workbench& workbench, SavingActions& saving, QSettings& settings, MessageBar& messages,
+                   QWidget& window);
+
+    /// New project, open, open with options, samples, recent files.
+    [[nodiscard]] QList<QAction*> actions() const;
+    [[nodiscard]] QAction* openAction() const { return actions_[1]; }
+
+    /// Asks first if there is unsaved work, and whether a terrain alone belongs to the city that is open.
+    void open(const QStringList& files);
+    void openWith(const QStringList& files, const ReadSettings& reading);
+    void takeProject();  ///< another project is open: adds it to the recent files
+    void showGuesses();  ///< reports what is assumed because the files do not state it: heights, time zone
+
+private:
+    void makeActions();
+    void replaceBy(const QStringList& files, const ReadSettings& reading);
+    void askAboutTerrain(const QStringList& files, const ReadSettings& reading);
+    void addSample(const QString& text, const QString& tip, const QString& sample);
+    void showFailure(const Error& error);
+    void offerOptions();
+
+    Workbench& workbench_;
+    SavingActions& saving_;
+    MessageBar& messages_;
+    QWidget& window_;
+    QMenu samples_;
+    QMenu recentMenu_;
+    RecentMenu recent_;
+    OpenOptions* options_;
+    QList<QAction*> actions_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,203 @@
+#include "app/gui/frame/actions/place_actions.h"
+
+#include <QCursor>
+#include <QFileInfo>
+#include <QMenu>
+#include <glm/common.hpp>
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/files/file_endings.h"
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/frame/actions/opening_actions.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/tools/editing/edit_tools.h"
+#include "app/gui/tools/photograph/photograph_actions.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/input/load_places.h"
+#include "app/report/sheets/study_words.h"
+#include "core/receivers/place_names.h"
+#include "scenarios/massing/lot_edits.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float leastShownM = 150;  // side of the ground shown with a small place
+
+// By the files' endings: they are read only after the user's choice.
+bool mayHoldPlaces(const QStringList& files) {
+    for (const QString& file : files)
+        if (!vectorEndings().contains(QFileInfo(file).suffix().toLower()) ||
+            file.endsWith(QString::fromLatin1(projectEnding)))
+            return false;
+    return !files.isEmpty();
+}
+
+bool isMass(const QStringList& files) {
+    return files.size() == 1 && massEndings().contains(QFileInfo(files.front()).suffix().toLower());
+}
+
+PlaceActions::Dropped askByMenu() {
+    QMenu menu;
+    const QAction* places = menu.addAction(QObject::tr("Read &places into this project"));
+    const QAction* city = menu.addAction(QObject::tr("&Open as another city"));
+    const QAction* chosen = menu.exec(QCursor::pos());
+    if (chosen == places) return PlaceActions::Dropped::readPlaces;
+    return chosen == city ? PlaceActions::Dropped::open : PlaceActions::Dropped::nothing;
+}
+
+QString describeMoreKinds(std::size_t kinds) {
+    return QObject::tr("%1 more kind(s) of notes", "", pluralNumber(kinds)).arg(formatCount(kinds));
+}
+
+}  // namespace
+
+QString describePlacesRead(std::size_t places, std::size_t replaced, const Warnings& warnings) {
+    QString text = QObject::tr("%1 place(s) were read", "", pluralNumber(places)).arg(formatCount(places));
+    if (replaced > 0)
+        text += QObject::tr("; %1 replace(s) earlier ones", "", pluralNumber(replaced))
+                    .arg(formatCount(replaced));
+    text += u'.';
+    constexpr std::size_t most = 3;
+    const auto groups = groupWarnings(warnings);
+    for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
+        text += u'\n' + QString::fromStdString(lineOf(groups[i]));
+    if (groups.size() > most) text += u'\n' + describeMoreKinds(groups.size() - most);
+    return text;
+}
+
+PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTools& tools, ViewPanel& panel,
+                           ProjectDock& tree, QWidget& window)
+    : workbench_(workbench),
+      opening_(opening),
+      tools_(tools),
+      panel_(panel),
+      tree_(tree),
+      window_(window),
+      read_(makeAction(this, tr("Read &places..."), {},
+                       tr("Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons"),
+                       "place")),
+      draw_(makeAction(this, tr("Draw p&lace"), QKeySequence(tr("Ctrl+Shift+D")),
+                       tr("Click corners on the ground; Enter finishes, Esc cancels"), "place")),
+      fromBuilding_(makeAction(this, tr("Place from b&uilding outline"), {},
+                               tr("Creates a place from the selected building's outline"))),
+      show_(makeAction(this, tr("P&laces"), Qt::Key_P, tr("Shows outlines and names of places"))),
+      ask_(askByMenu) {
+    makeActions();
+    connectTree(tree);
+    connect(&workbench_.session(), &ProjectSession::changed, this, &PlaceActions::follow);
+    connect(&workbench_, &Workbench::cityShown, this, &PlaceActions::follow);
+    connect(&panel_.placeTool(), &PolygonTool::finished, this, &PlaceActions::takeDrawn);
+    connect(&panel_, &ViewPanel::filesDropped, this,
+            [this](const QStringList& files, QPointF pixel) { takeDropped(files, pixel); });
+}
+
+void PlaceActions::makeActions() {
+    draw_->setObjectName(QStringLiteral("drawPlace"));
+    show_->setCheckable(true);
+    show_->setChecked(true);
+    fromBuilding_->setEnabled(false);
+    connect(read_, &QAction::triggered, this, &PlaceActions::askForFiles);
+    connect(draw_, &QAction::triggered, this, &PlaceActions::draw);
+    connect(fromBuilding_, &QAction::triggered, this, &PlaceActions::makeFromBuilding);
+    connect(show_, &QAction::toggled, this, [this](bool on) { panel_.view().places().setShown(on); });
+    connect(&tools_.building(), &BuildingEditing::selectionChanged, this,
+            [this] { fromBuilding_->setEnabled(tools_.building().selected().has_value()); });
+}
+
+void PlaceActions::connectTree(ProjectDock& tree) {
+    connect(&tree, &ProjectDock::placeChosen, this, &PlaceActions::zoomTo);
+    connect(&tree, &ProjectDock::placeSelected, &panel_, &ViewPanel::highlightPlace);
+    connect(&tree, &ProjectDock::drawPlaceRequested, this, &PlaceActions::draw);
+    connect(&tree, &ProjectDock::readPlacesRequested, this, &PlaceActions::askForFiles);
+}
+
+void PlaceActions::follow() {
+    if (workbench_.city()) panel_.showPlaces(workbench_.session().project().places);
+}
+
+void PlaceActions::askForFiles() {
+    if (!workbench_.city())
+        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    read(askForPlaces(&window_));
+}
+
+void PlaceActions::read(const QStringList& files) {
+    if (files.isEmpty() || !workbench_.city()) return;
+    std::vector<std::string> names;
+    for (const QString& file : files) names.push_back(file.toStdString());
+    reading_.start<PlacesRead>(
+        tr("Reading places"),
+        [names, frame = workbench_.city()->city().frame](Progress& progress, const std::stop_token& stop) {
+            return loadPlaceFiles(names, {}, frame, {}, progress, stop);
+        },
+        [this](Result<PlacesRead> read) {
+            if (read) return take(*read);
+            if (!isCancelled(read.error())) panel_.messages().showError(read.error());
+        });
+}
+
+void PlaceActions::take(const PlacesRead& read) {
+    if (read.places.empty())
+        return panel_.messages().showError(
+            {"The file holds no places", {}, "Choose a map with parks, or a file of polygons"});
+    std::size_t replaced = 0;
+    Project next = withPlaces(workbench_.session().project(), read.places, replaced);
+    if (!workbench_.session().change(std::move(next), tr("read places"))) return;
+    const QString text = describePlacesRead(read.places.size(), replaced, read.warnings);
+    read.warnings.empty() ? panel_.messages().showNote(text) : panel_.messages().showHelp(text);
+}
+
+void PlaceActions::takeDropped(const QStringList& files, std::optional<QPointF> pixel) {
+    if (workbench_.city() && isMass(files)) {
+        const auto ground = pixel ? panel_.navigator().groundAt(*pixel) : std::nullopt;
+        return tools_.placeMesh(files.front(), ground ? std::optional(glm::dvec2(*ground)) : std::nullopt);
+    }
+    if (workbench_.city() && isPhotograph(files)) return Q_EMIT photographDropped(files.front());
+    const Dropped wanted = workbench_.city() && mayHoldPlaces(files) ? ask_() : Dropped::open;
+    if (wanted == Dropped::open) opening_.open(files);
+    if (wanted == Dropped::readPlaces) read(files);
+}
+
+void PlaceActions::draw() {
+    if (!workbench_.city()) return;
+    panel_.placeTool().begin();
+    panel_.view().requestActivate();  // the view receives the keys that finish or cancel the polygon
+}
+
+void PlaceActions::takeDrawn(const std::vector<Footprint>& pieces) {
+    add({"Place", PlaceKind::park, pieces, "drawn"}, tr("draw place"));
+}
+
+void PlaceActions::makeFromBuilding() {
+    const auto selected = tools_.building().selected();
+    if (!selected || !workbench_.city()) return;
+    const Building& building = *workbench_.city()->city().buildings[*selected];
+    const std::string name = cleanName(building.name.empty() ? building.sourceId : building.name);
+    add({name.empty() ? "Place" : name, PlaceKind::other, computeOutline(building),
+         "building " + cleanName(building.sourceId)},
+        tr("place from building"));
+}
+
+// The new place's name can be typed at once.
+void PlaceActions::add(Place place, const QString& what) {
+    Project next = workbench_.session().project();
+    place.name = freeName(next, ProjectPart::place, place.name);
+    const std::string name = place.name;
+    next.places.push_back(std::move(place));
+    if (workbench_.session().change(std::move(next), what)) tree_.editName(ProjectPart::place, name);
+}
+
+void PlaceActions::zoomTo(const std::string& name) {
+    const auto place = findPlace(workbench_.session().project(), name);
+    if (!place) return panel_.messages().showError(place.error());
+    Box2 box = bounds(*place);
+    const glm::vec2 border =
+        glm::max((box.high - box.low) * 0.25F, (glm::vec2(leastShownM) - (box.high - box.low)) * 0.5F);
+    panel_.navigator().show({box.low - border, box.high + border});
+    panel_.highlightPlace(place->name);
+}
+
+}  // namespace noonmark

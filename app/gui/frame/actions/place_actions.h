@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QStringList>
+#include <functional>
+#include <optional>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "core/io/places/read_places.h"
+
+class QAction;
+class QWidget;
+
+namespace noonmark {
+
+class EditTools;
+class OpeningActions;
+class ProjectDock;
+class ViewPanel;
+class Workbench;
+
+/// Adds places to the project: read from files, drawn, or made of the selected building's outline; shows them
+/// in the view and zooms to one. Each addition is one undo step.
+class PlaceActions final : public QObject {
+    Q_OBJECT
+public:
+    /// Dialogs belong to `window`. All must outlive this object.
+    PlaceActions(Workbench& workbench, OpeningActions& opening, EditTools& tools, ViewPanel& panel,
+                 ProjectDock& tree, QWidget& window);
+
+    [[nodiscard]] QList<QAction*> actions() const { return {read_, draw_, fromBuilding_}; }
+    [[nodiscard]] QAction* showAction() const { return show_; }  ///< shows and hides outlines and names
+
+    /// Reads places into the open project; those of the same source are replaced.
+    void read(const QStringList& files);
+    /// Files dropped on the window. A mesh dropped on an open city becomes a proposal, placed on the lot
+    /// under `pixel` or there on the ground. Other files are opened, or, if a city is open and they may hold
+    /// places, as the user chooses.
+    void takeDropped(const QStringList& files, std::optional<QPointF> pixel = {});
+    void draw();
+    void makeFromBuilding();
+    void zoomTo(const std::string& place);
+
+    enum class Dropped { open, readPlaces, nothing };
+    /// Replaces the menu that asks what to do with dropped files.
+    void setDropQuestion(std::function<Dropped()> ask) { ask_ = std::move(ask); }
+
+    [[nodiscard]] JobSlot& reading() { return reading_; }
+
+Q_SIGNALS:
+    void photographDropped(QString file);  ///< on an open city
+
+private:
+    void makeActions();
+    void connectTree(ProjectDock& tree);
+    void askForFiles();
+    void take(const PlacesRead& read);
+    void takeDrawn(const std::vector<Footprint>& pieces);
+    void add(Place place, const QString& what);
+    void follow();
+
+    Workbench& workbench_;
+    OpeningActions& opening_;
+    EditTools& tools_;
+    ViewPanel& panel_;
+    ProjectDock& tree_;
+    QWidget& window_;
+    QAction* read_;
+    QAction* draw_;
+    QAction* fromBuilding_;
+    QAction* show_;
+    std::function<Dropped()> ask_;
+    JobSlot reading_;
+};
+
+/// "212 places were read; 3 replace earlier ones. 2 repaired: outline crossed itself (way 7)"
+QString describePlacesRead(std::size_t places, std::size_t replaced, const Warnings& warnings);
+
+}  // namespace noonmark

@@ -1,0 +1,146 @@
+#include "app/gui/frame/actions/result_actions.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/docks/export/export_dialog.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/results/result_display.h"
+#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/mode_switch.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
+#include "app/report/sheets/period_words.h"
+
+namespace noonmark {
+
+namespace {
+
+QString text(const std::string& name) { return QString::fromStdString(name); }
+
+}  // namespace
+
+ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
+                             ViewPanel& panel, ProjectDock& tree, ReviewSession& review,
+                             WindowSession& windowReview, QWidget& window)
+    : workbench_(workbench),
+      mode_(mode),
+      display_(display),
+      panel_(panel),
+      window_(window),
+      savePicture_(makeAction(this, tr("Save &picture..."), QKeySequence(tr("Ctrl+P")),
+                              tr("The view with its legend, as a PNG file"), "picture")),
+      export_(makeAction(this, tr("&Export..."), QKeySequence(tr("Ctrl+E")),
+                         tr("The displayed result, all scenarios or the review, as PDF, picture, GeoTIFF, "
+                            "tables and JSON"),
+                         "export")),
+      saveResult_(makeAction(this, tr("&Save result"), {},
+                             tr("Stores the displayed map and figures in the project"))),
+      review_(review),
+      windowReview_(windowReview) {
+    connect(savePicture_, &QAction::triggered, this, [this] { savePicture(askForPicture(&window_)); });
+    export_->setObjectName(QStringLiteral("exportResults"));
+    connect(export_, &QAction::triggered, this, &ResultActions::askForExport);
+    connect(saveResult_, &QAction::triggered, this, &ResultActions::saveInProject);
+    connect(&tree, &ProjectDock::keepResultRequested, this, &ResultActions::saveInProject);
+    connect(&tree, &ProjectDock::resultChosen, &workbench_, &Workbench::showSaved);
+    connect(&display_, &ResultDisplay::updated, this, &ResultActions::nameExport);
+}
+
+void ResultActions::savePicture(const QString& file) {
+    if (file.isEmpty()) return;
+    if (const auto may = checkOutput(file.toStdString(), OutputKind::picture, workbench_.exportRules()); !may)
+        return panel_.messages().showError(may.error());
+    takePicture([this, file](const QImage& image) {
+        if (image.save(file)) return panel_.messages().showNote(tr("Picture saved as %1").arg(file));
+        panel_.messages().showError(
+            {"The picture could not be written", file.toStdString(), "Choose another folder"});
+    });
+}
+
+void ResultActions::copyPicture() {
+    takePicture([this](const QImage& image) {
+        QGuiApplication::clipboard()->setImage(image);
+        panel_.messages().showNote(tr("Picture copied"));
+    });
+}
+
+// With what is shown and when as its title.
+void ResultActions::takePicture(std::function<void(const QImage&)> done) {
+    const ProjectSession& session = workbench_.session();
+    QString title = tr("%1: %2").arg(workbench_.projectName(), text(session.scenario()));
+    if (!session.baseline().empty()) title = tr("%1 compared with %2").arg(title, text(session.baseline()));
+    const Period& period = mode_.mode() == ViewMode::exploration || !display_.anyShown()
+                               ? workbench_.document().settings().period
+                               : display_.settings().period;
+    const TimeLook& look = panel_.time().look();
+    const QString when = look.span == LookSpan::moment ? describe(look) : describePeriod(period);
+    panel_.takePicture(title, when, std::move(done));
+}
+
+// Without anything to export there is nothing to ask for: the workbench refuses and says why.
+void ResultActions::askForExport() {
+    using Subject = ExportChoice::Subject;
+    std::vector<ExportDialog::Subject> subjects;
+    if (workbench_.shown() != Workbench::Shown::nothing) subjects.push_back({Subject::shown, shownText()});
+    if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
+        subjects.push_back(
+            {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
+                                     .arg(formatCount(measured.size()))});
+    if (windowReview_.applies() ? windowReview_.finished().has_value() : review_.finished().has_value())
+        subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
+    if (subjects.empty()) return workbench_.exportShown({}, {});
+    last_.scale = panel_.legend().changeScale();
+    auto* dialog = new ExportDialog(
+        subjects, last_, lastFolder_,
+        [this](const ExportChoice& choice) { return workbench_.filesOf(choice); }, &window_);
+    connect(dialog, &ExportDialog::chosen, this, &ResultActions::exportTo);
+    dialog->open();
+}
+
+void ResultActions::exportTo(const ExportChoice& choice, const QString& folder) {
+    last_ = choice;
+    if (choice.subject == ExportChoice::Subject::review) return Q_EMIT sheetsWanted();
+    lastFolder_ = folder;
+    if (mayReplace(&window_, folder, workbench_.filesInTheWay(folder.toStdString(), choice)))
+        workbench_.exportShown(folder.toStdString(), choice);
+}
+
+QString ResultActions::shownText() const {
+    const auto comparison = workbench_.comparison();
+    const auto score = workbench_.score();
+    switch (workbench_.shown()) {
+        case Workbench::Shown::comparison:
+            return tr("%1 compared with %2").arg(text(comparison->to), text(comparison->from));
+        case Workbench::Shown::score:
+            return tr("Score of %1 with %2").arg(text(score->scenario), text(score->weights.name));
+        case Workbench::Shown::elements:
+            return tr("Points of %1").arg(text(workbench_.session().scenario()));
+        case Workbench::Shown::study:
+            return tr("Study of %1").arg(text(workbench_.session().scenario()));
+        case Workbench::Shown::savedResult:
+            return tr("Saved result %1").arg(text(workbench_.saved()->name));
+        case Workbench::Shown::nothing:
+            return {};
+    }
+    return {};
+}
+
+// The menu item names what is displayed.
+void ResultActions::nameExport() {
+    QString words = shownText();
+    words.replace(QLatin1Char('&'), QStringLiteral("&&"));  // an ampersand in a name is not a mnemonic
+    export_->setText(words.isEmpty() ? tr("&Export...") : tr("&Export (%1)...").arg(words));
+}
+
+void ResultActions::saveInProject() {
+    const bool study = workbench_.shown() == Workbench::Shown::study;
+    const QString name = study ? text(workbench_.session().scenario()) : shownText();
+    workbench_.keepAnswer(tr("%1, %2").arg(name, text(formatText(display_.settings().period.start))));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <functional>
+
+#include "app/gui/session/answers/export_choice.h"
+
+class QAction;
+class QWidget;
+
+namespace noonmark {
+
+class ModeSwitch;
+class ExportDialog;
+class ProjectDock;
+class ReviewSession;
+class WindowSession;
+class ResultDisplay;
+class ViewPanel;
+class Workbench;
+
+/// Takes results out of the window: the picture of the view, exported files, results saved in the project.
+/// The last folder and the choices of an export are remembered until the window closes.
+class ResultActions final : public QObject {
+    Q_OBJECT
+public:
+    /// Dialogs belong to `window`. All must outlive this object.
+    ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
+                  ViewPanel& panel, ProjectDock& tree, ReviewSession& review, WindowSession& windowReview,
+                  QWidget& window);
+
+    [[nodiscard]] QList<QAction*> fileActions() const { return {savePicture_, export_}; }
+    [[nodiscard]] QAction* saveResult() const { return saveResult_; }
+
+    void savePicture(const QString& file);  ///< format by the file extension, PNG by default
+    void copyPicture();                     ///< to the clipboard
+    void usePaper(const PageSetup& setup) { last_.setup = setup; }  ///< of sheets, until another is chosen
+
+Q_SIGNALS:
+    void sheetsWanted();  ///< of the review
+
+private:
+    void takePicture(std::function<void(const QImage&)> done);
+    void askForExport();
+    void exportTo(const ExportChoice& choice, const QString& folder);
+    void saveInProject();
+    void nameExport();
+    [[nodiscard]] QString shownText() const;
+
+    Workbench& workbench_;
+    const ModeSwitch& mode_;
+    const ResultDisplay& display_;
+    ViewPanel& panel_;
+    QWidget& window_;
+    QAction* savePicture_;
+    QAction* export_;
+    QAction* saveResult_;
+    ReviewSession& review_;
+    WindowSession& windowReview_;
+    ExportChoice last_;
+    QString lastFolder_;
+};
+
+}  // namespace noonmark

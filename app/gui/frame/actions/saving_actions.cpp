@@ -1,0 +1,103 @@
+#include "app/gui/frame/actions/saving_actions.h"
+
+#include <QMessageBox>
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/message_bar.h"
+#include "app/gui/session/workbench.h"
+
+namespace noonmark {
+
+SavingActions::SavingActions(Workbench& workbench, RecoveryStore& store,
+                             std::function<ProjectSaving::View()> view, MessageBar& messages, QWidget& window)
+    : workbench_(workbench),
+      store_(store),
+      messages_(messages),
+      window_(window),
+      saving_(workbench.session(), std::move(view), store.file()),
+      save_(makeAction(this, tr("&Save project"), QKeySequence::Save,
+                       tr("City, scenarios, lots, results and view in one file"), "save")),
+      saveAs_(makeAction(this, tr("Save project &as..."), QKeySequence(tr("Ctrl+Shift+S")), {}, "save-as")),
+      askUnsaved_([this] { return askUnsaved(); }),
+      askSaveAs_([this](const QString& suggested) { return askForProject(&window_, suggested); }) {
+    connectSaving();
+}
+
+void SavingActions::connectSaving() {
+    connect(save_, &QAction::triggered, this, &SavingActions::save);
+    connect(saveAs_, &QAction::triggered, this, &SavingActions::saveAs);
+    connect(&saving_, &ProjectSaving::saved, this, &SavingActions::takeSaved);
+    connect(&saving_, &ProjectSaving::failed, this, &SavingActions::showFailure);
+    connect(&saving_, &ProjectSaving::notSaved, &messages_, &MessageBar::showError);
+    connect(&workbench_, &Workbench::tookUp, &saving_, &ProjectSaving::takeUp);
+    // The work discarded for a file that did not open is still open.
+    connect(&workbench_, &Workbench::openFailed, this, &SavingActions::keepUnsaved);
+}
+
+void SavingActions::takeSaved(const QString& file) {
+    Q_EMIT saved(file);
+    if (std::exchange(leftTaken_, false)) store_.forgetLeft();
+    messages_.showNote(tr("Saved as %1").arg(file));
+    if (const auto then = std::exchange(afterSave_, nullptr)) then();
+}
+
+void SavingActions::showFailure(const Error& error) {
+    afterSave_ = nullptr;
+    messages_.showError(error);
+    messages_.offer(tr("Save as..."), [this] { saveAs(); });
+}
+
+void SavingActions::save() {
+    if (!workbench_.session().file()) return saveAs();
+    saving_.save();
+}
+
+void SavingActions::saveAs() {
+    if (!workbench_.city()) return;
+    const QString file = askSaveAs_(workbench_.projectName() + QLatin1String(projectEnding));
+    if (file.isEmpty()) return void(afterSave_ = nullptr);
+    saveTo(file.toStdString());
+}
+
+void SavingActions::saveTo(const std::filesystem::path& file) { saving_.saveAs(file); }
+
+bool SavingActions::maySafely(const std::function<void()>& afterSave) {
+    afterSave_ = nullptr;
+    if (!workbench_.session().hasUnsavedWork()) {
+        saving_.forgetUnsaved();
+        return true;
+    }
+    const Unsaved answer = askUnsaved_();
+    if (answer == Unsaved::discard) discardWork();
+    if (answer != Unsaved::save) return answer == Unsaved::discard;
+    afterSave_ = afterSave;
+    save();
+    return false;
+}
+
+void SavingActions::whenSafe(const std::function<void()>& then) {
+    if (maySafely([this, then] { whenSafe(then); })) then();
+}
+
+// Also removes the recovery file that the work came from; otherwise it would be offered again.
+void SavingActions::discardWork() {
+    saving_.discardUnsaved();
+    if (std::exchange(leftTaken_, false)) store_.forgetLeft();
+}
+
+void SavingActions::takeProject() {
+    afterSave_ = nullptr;
+    saving_.projectReplaced();
+    leftTaken_ = workbench_.session().recovered();
+}
+
+SavingActions::Unsaved SavingActions::askUnsaved() {
+    const auto answer = QMessageBox::question(
+        &window_, tr("Unsaved changes"), tr("Save changes to %1?").arg(workbench_.projectName()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) return Unsaved::save;
+    return answer == QMessageBox::Discard ? Unsaved::discard : Unsaved::cancel;
+}
+
+}  // namespace noonmark

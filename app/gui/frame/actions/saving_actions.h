@@ -1,0 +1,79 @@
+#pragma once
+
+// The actions of the window. Each class owns the menu entries (QAction) of one subject, does what they ask of
+// the workbench, and listens to the docks that ask for the same: opening, saving, recovery, edits, studies,
+// regions, scenarios, results, view. They know neither the main window nor each other's entries; window_menus
+// (frame) arranges them in menus.
+
+#include <functional>
+
+#include "app/gui/session/project/project_saving.h"
+#include "app/gui/session/project/recovery_store.h"
+
+class QAction;
+class QWidget;
+
+namespace noonmark {
+
+class MessageBar;
+class Workbench;
+
+/// Saves the project, and asks about unsaved work before an action that would lose it.
+class SavingActions final : public QObject {
+    Q_OBJECT
+public:
+    /// `view` returns the window's state to save; `store` names the recovery file of a project without a
+    /// file; dialogs belong to `window`. All must outlive this object.
+    SavingActions(Workbench& workbench, RecoveryStore& store, std::function<ProjectSaving::View()> view,
+                  MessageBar& messages, QWidget& window);
+
+    [[nodiscard]] QList<QAction*> actions() const { return {save_, saveAs_}; }
+    [[nodiscard]] JobSlot& writing() { return saving_.writing(); }
+    void keepUnsaved() { saving_.keepUnsaved(); }  ///< writes the recovery file now
+
+    void save();
+    void saveAs();                                   ///< asks for a file
+    void saveTo(const std::filesystem::path& file);  ///< replaces a project file, never another file
+    /// Whether an action that ends the current work may proceed now: nothing is unsaved, or the user discards
+    /// it. False if the user cancels or saves first; in the latter case `afterSave` is called after the save.
+    /// An action that waited for an earlier save is dropped.
+    [[nodiscard]] bool maySafely(const std::function<void()>& afterSave);
+    /// Calls `then` once no work can be lost: at once, after a save, or never.
+    void whenSafe(const std::function<void()>& then);
+    void takeProject();  ///< another project is open
+
+    /// What to do with unsaved work before an action that would lose it. Tests answer here instead of in a
+    /// dialog.
+    enum class Unsaved { save, discard, cancel };
+    void setUnsavedQuestion(std::function<Unsaved()> question) { askUnsaved_ = std::move(question); }
+    /// Replaces the "Save as" dialog: takes the suggested name, returns the file, or an empty string if the
+    /// user cancelled.
+    using SaveAsQuestion = std::function<QString(const QString& suggested)>;
+    void setSaveAsQuestion(SaveAsQuestion question) { askSaveAs_ = std::move(question); }
+
+Q_SIGNALS:
+    void saved(QString file);
+
+private:
+    void connectSaving();
+    void takeSaved(const QString& file);
+    void showFailure(const Error& error);
+    void discardWork();
+    [[nodiscard]] Unsaved askUnsaved();
+
+    Workbench& workbench_;
+    RecoveryStore& store_;
+    MessageBar& messages_;
+    QWidget& window_;
+    ProjectSaving saving_;
+    QAction* save_;
+    QAction* saveAs_;
+    std::function<Unsaved()> askUnsaved_;
+    SaveAsQuestion askSaveAs_;
+    /// Action to continue with after the save that the user asked for.
+    std::function<void()> afterSave_;
+    /// The open project was recovered from work that an earlier run left unsaved.
+    bool leftTaken_ = false;
+};
+
+}  // namespace noonmark

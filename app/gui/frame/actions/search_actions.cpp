@@ -1,0 +1,54 @@
+#include "app/gui/frame/actions/search_actions.h"
+
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/docks/search/search_field.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/tools/editing/edit_tools.h"
+#include "app/gui/view/panel/view_panel.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float leastSideM = 120;  // of the ground that is shown around what was found
+
+Box2 widened(Box2 box) {
+    const glm::vec2 middle = (box.low + box.high) / 2.0F;
+    const glm::vec2 half = glm::max((box.high - box.low) * 0.75F, glm::vec2(leastSideM / 2));
+    return {middle - half, middle + half};
+}
+
+}  // namespace
+
+SearchActions::SearchActions(Workbench& workbench, EditTools& tools, ViewPanel& panel)
+    : workbench_(workbench),
+      tools_(tools),
+      panel_(panel),
+      field_(new SearchField),
+      find_(makeAction(this, tr("&Find"), QKeySequence::Find,
+                       tr("A building by name or id, a street, a place, a lot or a position"), "find")) {
+    connect(find_, &QAction::triggered, field_, &SearchField::begin);
+    connect(field_, &SearchField::found, this, &SearchActions::show);
+    connect(field_, &SearchField::nothingFound, this, [this](const QString& text) {
+        panel_.messages().showNote(
+            tr("Nothing is called \"%1\". Buildings without a name are found by their id.").arg(text));
+    });
+    connect(&workbench_, &Workbench::cityShown, this, &SearchActions::renew);
+    connect(&workbench_.session(), &ProjectSession::changed, this, &SearchActions::renew);
+}
+
+void SearchActions::renew() {
+    if (!workbench_.city()) return;
+    field_->setIndex([this] {
+        const Project& project = workbench_.session().project();
+        return CitySearch(workbench_.city()->city(), project.places, project.lots);
+    });
+}
+
+void SearchActions::show(const Found& found) {
+    panel_.navigator().showSlanting(widened(found.box));
+    if (found.building) tools_.building().select(found.building);
+    if (found.kind == FoundKind::place) panel_.highlightPlace(found.title.toStdString());
+}
+
+}  // namespace noonmark

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/gui/docks/search/city_search.h"
+
+class QAction;
+class QWidget;
+
+namespace noonmark {
+
+class EditTools;
+class SearchField;
+class ViewPanel;
+class Workbench;
+
+/// Finds what the user types and moves the camera there; a building is selected, too.
+class SearchActions final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    SearchActions(Workbench& workbench, EditTools& tools, ViewPanel& panel);
+
+    [[nodiscard]] SearchField* field() const { return field_; }  ///< its parent takes ownership
+    [[nodiscard]] QAction* action() const { return find_; }
+
+private:
+    void renew();
+    void show(const Found& found);
+
+    Workbench& workbench_;
+    EditTools& tools_;
+    ViewPanel& panel_;
+    SearchField* field_;
+    QAction* find_;
+};
+
+}  // namespace noonmark

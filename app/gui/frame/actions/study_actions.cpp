@@ -1,0 +1,116 @@
+#include "app/gui/frame/actions/study_actions.h"
+
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/results/result_display.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/docks/weights/weights_dock.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/mode_switch.h"
+#include "app/gui/view/panel/view_panel.h"
+
+namespace noonmark {
+
+StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultDisplay& display,
+                           ViewPanel& panel)
+    : workbench_(workbench),
+      mode_(mode),
+      display_(display),
+      panel_(panel),
+      run_(makeAction(this, tr("&Run"), QKeySequence(tr("Ctrl+R")), tr("Compute the shadow in the region"),
+                      "run")),
+      cancel_(makeAction(this, tr("&Cancel"), QKeySequence(tr("Ctrl+.")),
+                         tr("Stop the study that is running"), "cancel")),
+      gross_(makeAction(this, tr("Show &gross shadow"), QKeySequence(tr("Ctrl+1")),
+                        tr("Minutes in shadow per day"))),
+      continuous_(makeAction(this, tr("Show c&ontinuous shadow"), QKeySequence(tr("Ctrl+2")),
+                             tr("Longest unbroken run in shadow"))) {
+    connect(run_, &QAction::triggered, &workbench_, &Workbench::run);
+    connect(cancel_, &QAction::triggered, &workbench_.running(), &JobSlot::cancel);
+    connect(gross_, &QAction::triggered, this, [this] { panel_.legend().setMeasure(ShadowMeasure::gross); });
+    connect(continuous_, &QAction::triggered, this,
+            [this] { panel_.legend().setMeasure(ShadowMeasure::continuous); });
+    for (auto done : {&Workbench::studyDone, &Workbench::elementsDone})
+        connect(&workbench_, done, &panel_.messages(), &MessageBar::dismiss);
+    connect(&workbench_, &Workbench::studyStopped, this, &StudyActions::showStopped);
+    connect(&workbench_, &Workbench::longRun, this, &StudyActions::announceLongRun);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &StudyActions::compare);
+}
+
+void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights) {
+    connect(&study, &StudyDock::runRequested, &workbench_, &Workbench::run);
+    connect(&weights, &WeightsDock::scoreRequested, &workbench_, &Workbench::runScore);
+    connect(&tree, &ProjectDock::periodChosen, this, &StudyActions::setPeriod);
+    connect(&tree, &ProjectDock::keepPeriodRequested, this, &StudyActions::savePeriod);
+}
+
+void StudyActions::setPeriod(const Period& period) {
+    StudySettings settings = workbench_.document().settings();
+    settings.period = period;
+    workbench_.document().change(settings, tr("period"));
+}
+
+void StudyActions::savePeriod() {
+    Project next = workbench_.session().project();
+    const Period& period = workbench_.document().settings().period;
+    const std::string name = freeName(next, ProjectPart::period, formatText(period.start));
+    next.periods.push_back({name, period});
+    workbench_.session().change(std::move(next), tr("save period %1").arg(QString::fromStdString(name)));
+}
+
+void StudyActions::compare() {
+    if (workbench_.comparing()) workbench_.run();
+}
+
+void StudyActions::runAgainIfQuick() {
+    if (!display_.anyShown() || mode_.mode() == ViewMode::exploration) return;
+    if (workbench_.comparing()          ? workbench_.comparison() != nullptr
+        : workbench_.measuresElements() ? workbench_.elements() != nullptr
+                                        : workbench_.study() != nullptr)
+        return;
+    if (workbench_.saved() || workbench_.reading().busy()) return;
+    if (workbench_.running().busy()) return;  // the running study already uses the change
+    if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
+}
+
+// The project file holds no results except saved ones. A quick result is recomputed at once; for a slow one
+// the results dock says how to compute it again.
+void StudyActions::repeatSaved() {
+    const ViewState& view = workbench_.openedView();
+    display_.setHint({});
+    if (view.answer.empty()) return;
+    if (view.mode != ViewMode::exploration && view.answerSeconds < quickSeconds) return workbench_.run();
+    display_.setHint(
+        view.answer == "comparison"
+            ? tr("%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, "
+                 "in %3.")
+                  .arg(QString::fromStdString(view.scenario), QString::fromStdString(view.baseline),
+                       describeAbout(view.answerSeconds))
+            : tr("A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.")
+                  .arg(describeAbout(view.answerSeconds)));
+}
+
+void StudyActions::announceLongRun(const RunEstimate& estimate) {
+    MessageBar& bar = panel_.messages();
+    if (estimate.quickerSeconds < estimate.seconds / 2) {
+        bar.showHelp(
+            tr("This study takes %1 (%2). The accuracy Quick takes %3 and measures its error against "
+               "rays.")
+                .arg(describeAbout(estimate.seconds), estimate.engine,
+                     describeAbout(estimate.quickerSeconds)));
+        bar.offer(tr("Run quickly"), [this] { workbench_.runQuicker(); });
+        bar.offerToo(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
+        return;
+    }
+    bar.showHelp(tr("This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.")
+                     .arg(describeAbout(estimate.seconds), estimate.engine));
+    bar.offer(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
+}
+
+void StudyActions::showStopped(bool cancelled) {
+    if (!cancelled) return;
+    panel_.messages().showNote(workbench_.study() ? tr("Cancelled. The previous study is shown.")
+                                                  : tr("Cancelled. No study yet."));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/gui/session/study/run_estimate.h"
+#include "core/sun/period.h"
+
+class QAction;
+
+namespace noonmark {
+
+class ModeSwitch;
+class ProjectDock;
+class ResultDisplay;
+class StudyDock;
+class ViewPanel;
+class WeightsDock;
+class Workbench;
+
+/// Runs and cancels studies, changes their period, and chooses the measure shown. A result that was quick is
+/// computed again without asking after an edit, or when its project is opened.
+class StudyActions final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultDisplay& display, ViewPanel& panel);
+
+    void listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights);
+
+    [[nodiscard]] QList<QAction*> runActions() const { return {run_, cancel_}; }
+    [[nodiscard]] QList<QAction*> measureActions() const { return {gross_, continuous_}; }
+
+    /// A result that took at most this many seconds is recomputed without asking.
+    static constexpr double quickSeconds = 10;
+
+    void runAgainIfQuick();  ///< the displayed kind of result, after an edit or a change of scenario
+    void repeatSaved();      ///< the result displayed when the opened project was saved, or says how to
+
+private:
+    void setPeriod(const Period& period);
+    void savePeriod();
+    void compare();
+    void announceLongRun(const RunEstimate& estimate);
+    void showStopped(bool cancelled);
+
+    Workbench& workbench_;
+    const ModeSwitch& mode_;
+    ResultDisplay& display_;
+    ViewPanel& panel_;
+    QAction* run_;
+    QAction* cancel_;
+    QAction* gross_;
+    QAction* continuous_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,425 @@
+#include "app/gui/frame/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScreen>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolBar>
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/looks/theme_menu.h"
+#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/docks/elements/elements_dock.h"
+#include "app/gui/docks/point/point_dock.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/results/warnings_dock.h"
+#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/scenarios/scenario_bar.h"
+#include "app/gui/docks/scenarios/scenarios_dock.h"
+#include "app/gui/docks/search/search_field.h"
+#include "app/gui/docks/sheets/page_settings.h"
+#include "app/gui/docks/study_form/accuracy_choice.h"
+#include "app/gui/docks/study_form/element_form.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/docks/weights/weights_dock.h"
+#include "app/gui/docks/weights/weights_model.h"
+#include "app/gui/frame/window_menus.h"
+#include "app/gui/frame/window_toolbar.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/input/find_element_parts.h"
+#include "render/view/software_drawing.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
+constexpr int layoutVersion = 9;
+constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
+constexpr int frameHeight = 40;
+constexpr int hintMs = 10000;
+constexpr int cameraRestMs = 150;
+
+QString unsavedFolder(const QSettings& settings) {
+    const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return settings.value(QStringLiteral("unsavedFolder"), usual).toString();
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QSettings& settings)
+    : settings_(settings),
+      review_(workbench_),
+      windowReview_(workbench_, review_),
+      panel_(new ViewPanel),
+      tools_(*panel_, horizons_),
+      points_(workbench_, *panel_),
+      docks_{new ProjectDock(workbench_.session()),
+             new StudyDock(workbench_.document()),
+             new ResultsDock,
+             new ScenariosDock(workbench_.session(), settings),
+             new WeightsDock(workbench_.session()),
+             new WarningsDock,
+             new ReviewDock(review_, windowReview_, workbench_.session()),
+             new PointDock(points_),
+             new ElementsDock,
+             tools_.dock(),
+             tools_.massingDock()},
+      progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
+      hover_(new QLabel),
+      mode_(workbench_.document()),
+      view_(workbench_, *panel_, mode_, review_),
+      store_(unsavedFolder(settings)),
+      saving_(
+          workbench_, store_, [this] { return viewToSave(); }, panel_->messages(), *this),
+      opening_(workbench_, saving_, settings, panel_->messages(), *this),
+      recovery_(workbench_, store_, saving_, panel_->messages()),
+      links_(*docks_.elements, *panel_),
+      verdicts_(docks_.review->windowPanel(), windowReview_, review_, workbench_, *panel_),
+      picking_(workbench_, *panel_),
+      display_(workbench_, mode_, tools_.context().preview,
+               {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
+                docks_.scenarios->table()}),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, windowReview_, *this),
+      copying_(results_, *docks_.results, *panel_),
+      movies_(workbench_, *panel_, *this),
+      study_(workbench_, mode_, display_, *panel_),
+      region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
+      places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
+      photograph_(workbench_, panel_->messages(), *this),
+      reviews_(workbench_, review_, windowReview_, *docks_.review, tools_.context().preview, places_, *panel_,
+               settings, *this),
+      answers_({workbench_, review_, windowReview_, docks_.weights->model()}, docks_.scenarios->table()),
+      scenarios_(workbench_, answers_, *docks_.project, *docks_.scenarios),
+      edits_(workbench_, tools_, mode_, *panel_),
+      towers_(settings_, tools_),
+      camera_(workbench_, *panel_, exploration_, *docks_.project),
+      search_(workbench_, tools_, *panel_),
+      help_(opening_, settings_, *this),
+      time_(workbench_, mode_, *panel_, horizons_),
+      dome_(settings_, workbench_, *panel_, time_, points_),
+      presets_(*panel_, time_),
+      comparing_(workbench_, *panel_, time_),
+      preferences_(settings_, panel_->messages(), *this),
+      tours_(opening_, {*this, workbench_, review_, *panel_}),
+      savedViews_(workbench_.session(), *panel_, *docks_.project, *this),
+      context_(workbench_, tools_, region_, places_, points_, *panel_) {
+    setWindowTitle(QStringLiteral("Noonmark"));
+    resize(1360, 860);
+    setCentralWidget(panel_);
+    fillMenus(placeDocks(*this, docks_));
+    makeStatusBar();
+    connectJobs();
+    connectWorkbench();
+    connectDocks();
+    connectModes();
+    connectPreferences();
+    restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
+    restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
+    fitScreen();
+}
+
+MainWindow::~MainWindow() = default;
+
+// Limits the window to the available screen at any scale factor, and leaves room for the window frame.
+void MainWindow::fitScreen() {
+    const QSize room = screen()->availableGeometry().size() - QSize(frameWidth, frameHeight);
+    if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room));
+}
+
+void MainWindow::fillMenus(const QList<QAction*>& docks) {
+    const WindowActions actions{opening_,
+                                saving_,
+                                results_,
+                                movies_,
+                                copying_,
+                                edits_,
+                                scenarios_,
+                                study_,
+                                region_,
+                                places_,
+                                photograph_,
+                                reviews_,
+                                camera_,
+                                presets_,
+                                savedViews_,
+                                search_,
+                                preferences_,
+                                help_,
+                                tours_,
+                                towers_,
+                                new ThemeMenu(settings_, this),
+                                comparing_.actions(),
+                                mode_.actions(),
+                                docks,
+                                time_.actions(),
+                                dome_.action()};
+    QAction* quit = noonmark::fillMenus(*menuBar(), actions);
+    makeToolBars(actions);
+    menuBar()->setCornerWidget(search_.field());
+    connect(quit, &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::makeStatusBar() {
+    hover_->setObjectName(QStringLiteral("hover"));
+    statusBar()->addWidget(hover_, 1);
+    statusBar()->addPermanentWidget(progress_);
+    // A fixed height: the view must not move under the cursor when the progress bar appears.
+    statusBar()->setMinimumHeight(progress_->sizeHint().height() + 4);
+    connect(panel_, &ViewPanel::hovered, hover_, &QLabel::setText);
+    // Hidden explicitly while a status tip is shown: QStatusBar hides only widgets that are already visible
+    // when the tip arrives.
+    connect(statusBar(), &QStatusBar::messageChanged, hover_,
+            [this](const QString& tip) { hover_->setVisible(tip.isEmpty()); });
+    // In the status bar, since the message bar would move the view under the cursor.
+    connect(&tools_, &EditTools::hinted, this,
+            [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
+}
+
+void MainWindow::makeToolBars(const WindowActions& actions) {
+    // First, so that a narrow window shows it whole and moves tools into the menu at the end.
+    QToolBar* bar = addToolBar(tr("Mode"));
+    bar->setObjectName(QStringLiteral("modeBar"));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->addActions(mode_.actions());
+    bar->addWidget(new ScenarioBar(workbench_.session()));
+    QToolBar* tools = addToolBar(tr("Tools"));
+    tools->setObjectName(QStringLiteral("toolBar"));
+    fillToolBar(*tools, actions);
+}
+
+void MainWindow::connectJobs() {
+    progress_->follow(workbench_.opening());
+    // Not cancellable: the view would show a scenario other than the one selected in the tree.
+    progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
+    for (JobSlot* slot : {&comparing_.other().preparing(), &workbench_.reading(), &workbench_.writing(),
+                          &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing(),
+                          &answers_.scoring(), &review_.runningAll(), &windowReview_.runningAll()})
+        progress_->follow(*slot);
+    connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
+        photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
+    });
+    connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
+    connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
+        const BuildingEditing& building = tools_.building();
+        docks_.review->setSelectedBuilding(building.selected() ? QString::fromStdString(building.id())
+                                                               : QString());
+    });
+    connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
+    for (JobSlot* slot :
+         {&workbench_.keeping(), &tools_.context().preview.working(),
+          &tools_.context().preview.measuringFacades(), &time_.looking().working(), &points_.working()})
+        progress_->follow(*slot, ProgressStrip::Jobs::often);
+    docks_.study->progress().follow(workbench_.running());
+    connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
+        docks_.study->setRunning(true);
+        mode_.showStudies();
+    });
+    connect(&workbench_.running(), &JobSlot::ended, docks_.study,
+            [this] { docks_.study->setRunning(false); });
+}
+
+void MainWindow::connectWorkbench() {
+    connect(&workbench_, &Workbench::cityShown, this, &MainWindow::showCity);
+    connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
+    connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&answers_, &LatestAnswers::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
+    connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);
+}
+
+void MainWindow::connectDocks() {
+    study_.listenTo(*docks_.study, *docks_.project, *docks_.weights);
+    edits_.listenTo(*docks_.project, *docks_.warnings);
+    connect(docks_.project, &ProjectDock::weightsChosen, this, [this](const std::string& table) {
+        docks_.weights->choose(table);
+        raiseDock(docks_.weights);
+    });
+    connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
+    connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
+    connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
+    connectStudyForm();
+    connectElementForms();
+    connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
+    connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
+    connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+void MainWindow::connectStudyForm() {
+    StudyDock& form = *docks_.study;
+    form.setRules(review_.library().rules());
+    connect(&form, &StudyDock::kindChosen, this, &MainWindow::chooseKind);
+    connect(&form, &StudyDock::paperRequested, this, [this] {
+        camera_.exploreByMaps()->setChecked(true);
+        workbench_.document().change(asInPaper(workbench_.document().settings()), tr("as in the paper"));
+    });
+    BuildingEditing& building = tools_.building();
+    connect(&building, &BuildingEditing::selectionChanged, &form, [&form, &building] {
+        form.setBuilding(building.selected() ? QString::fromStdString(building.id()) : QString());
+    });
+    connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
+        if (building.selected()) region_.takeSurroundings(*building.selected());
+    });
+    connect(&workbench_.session(), &ProjectSession::changed, &form,
+            [this, &form] { form.setComparing(workbench_.comparing()); });
+}
+
+// Of a study at points and of a review of windows.
+void MainWindow::connectElementForms() {
+    docks_.study->setElementFinder([this](const ElementSettings& elements) {
+        ProjectSession& session = workbench_.session();
+        return findElementParts(elements, session.project(), *session.city()).value_or(elements);
+    });
+    for (ElementForm* form : {&docks_.study->elements(), &docks_.review->elements()}) {
+        picking_.serve(*form);
+        connect(&workbench_.session(), &ProjectSession::changed, form, [this, form] {
+            QStringList lots, places;
+            const Project& project = workbench_.session().project();
+            for (const NamedLot& lot : project.lots) lots << QString::fromStdString(lot.name);
+            for (const Place& place : project.places) places << QString::fromStdString(place.name);
+            places.sort(Qt::CaseInsensitive);
+            form->setNames(lots, places);
+        });
+    }
+}
+
+// The panels that a kind of study needs, or the baseline of a comparison.
+void MainWindow::chooseKind(StudyKind kind) {
+    ProjectSession& session = workbench_.session();
+    if (kind == StudyKind::review) return showDock(docks_.review);
+    if (kind == StudyKind::score) return raiseDock(docks_.weights);
+    if (kind == StudyKind::shadow) return session.compareWith({});
+    if (session.scenario() != existingCity) return session.compareWith(existingCity);
+    panel_->messages().showNote(tr(
+        "Choose a scenario at the top first. A change to a building begins one: click a building, and drag "
+        "its arrow or replace it by a tower (Ctrl+T)."));
+}
+
+void MainWindow::connectModes() {
+    connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
+        panel_->results().setMode(mode);
+        activateExploration();
+    });
+    connect(&time_, &TimeDisplay::momentChanged, this, &MainWindow::activateExploration);
+    connect(&exploration_, &Exploration::changed, this,
+            [this] { panel_->results().setExplored(exploration_.answer()); });
+    connect(&exploration_, &Exploration::failed, &panel_->messages(), &MessageBar::showError);
+    // Where the processor draws, a moving camera leaves no time to explore.
+    auto* rest = new QTimer(this);
+    rest->setSingleShot(true);
+    rest->setInterval(drawsInSoftware() ? cameraRestMs : 0);
+    connect(rest, &QTimer::timeout, this, &MainWindow::explore);
+    for (auto signal : {&CityView::poseChanged, &CityView::sectionChanged})
+        connect(&panel_->view(), signal, rest, qOverload<>(&QTimer::start));
+    panel_->results().setMode(mode_.mode());
+    activateExploration();
+}
+
+void MainWindow::connectPreferences() {
+    const auto usePaper = [this] { results_.usePaper(readPageSetup(settings_)); };
+    connect(&help_, &HelpActions::tourWanted, &tours_, &TourActions::start);
+    connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
+    usePaper();
+}
+
+void MainWindow::explore() {
+    ViewLens lens = panel_->view().lens();
+    lens.widthPx *= panel_->view().devicePixelRatio();
+    lens.heightPx *= panel_->view().devicePixelRatio();
+    exploration_.look(panel_->view().pose(), lens, panel_->view().section());
+}
+
+// A moment has its own shadows, which cost nothing while the camera moves.
+void MainWindow::activateExploration() {
+    exploration_.setActive(mode_.mode() == ViewMode::exploration && !time_.showsMoment());
+}
+
+// Raises the dock among its tabs. A dock that the user closed stays closed.
+void MainWindow::raiseDock(const QWidget* content) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(content)) dock->raise();
+}
+
+// Also a dock that the user closed.
+void MainWindow::showDock(const QWidget* content) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+        if (!dock->isAncestorOf(content)) continue;
+        dock->show();
+        dock->raise();
+    }
+}
+
+void MainWindow::savePoint() {
+    const QString file = askForSky(this);
+    const auto saved = docks_.point->save(file, workbench_.exportRules());
+    if (!saved) return panel_->messages().showError(saved.error());
+    if (!file.isEmpty()) panel_->messages().showNote(tr("Saved as %1").arg(file));
+}
+
+// The camera stays: the city may be another scenario of the same project.
+void MainWindow::showCity() {
+    const CameraPose pose = panel_->view().pose();
+    panel_->showCity(workbench_.city());
+    panel_->view().setPose(pose);
+    edits_.showCity();
+    exploration_.setCity(workbench_.city());
+    docks_.study->setCity(workbench_.session().city());
+    display_.showCity();
+    time_.offer();
+    showDocument();
+    study_.runAgainIfQuick();
+}
+
+// The state of the view, and what the docks show beside it.
+std::map<std::string, std::string> MainWindow::viewToSave() {
+    auto view = view_.toSave();
+    view[chosenWeightsKey] = docks_.weights->model().table().name;
+    if (std::string figures = answers_.figuresToSave(); !figures.empty())
+        view[viewFiguresKey] = std::move(figures);
+    return view;
+}
+
+// The last message stays: recovery comes before what was assumed of the files.
+void MainWindow::showProject() {
+    panel_->messages().hide();
+    horizons_->forget();
+    saving_.takeProject();
+    display_.forget();
+    view_.restore();
+    const auto& saved = workbench_.session().project().view;
+    if (const auto weights = saved.find(chosenWeightsKey); weights != saved.end())
+        docks_.weights->choose(weights->second);
+    opening_.takeProject();
+    showTitle();
+    opening_.showGuesses();
+    study_.repeatSaved();
+    recovery_.offer();
+}
+
+void MainWindow::showDocument() {
+    const StudySettings& settings = workbench_.document().settings();
+    panel_->showRegion(settings.region);
+    if (workbench_.city())
+        exploration_.setPeriod(settings.period, makeObserver(workbench_.city()->city(), settings));
+}
+
+void MainWindow::showTitle() {
+    if (!workbench_.city()) return;
+    setWindowTitle(tr("%1[*] - Noonmark").arg(workbench_.projectName()));
+    setWindowModified(workbench_.session().hasUnsavedWork());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!saving_.maySafely([this] { close(); })) return event->ignore();
+    settings_.setValue(QStringLiteral("geometry"), saveGeometry());
+    settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
+    QMainWindow::closeEvent(event);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,81 @@
+#include "app/gui/frame/window_docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+
+#include "app/gui/docks/elements/elements_dock.h"
+#include "app/gui/docks/point/point_dock.h"
+#include "app/gui/docks/project/project_dock.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/results/warnings_dock.h"
+#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/scenarios/scenarios_dock.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/docks/weights/weights_dock.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int sideWidth = 270;
+constexpr int narrowWidth = 190;
+constexpr int scrollBarWidth = 22;
+constexpr int reviewHeight = 300;
+
+// Wraps the content in a scroll area, so that a dock can be smaller than its content.
+QScrollArea* scrolled(QWidget* content, int leastWidth) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    content->setMinimumWidth(leastWidth - scrollBarWidth);
+    scroll->setMinimumWidth(narrowWidth);  // on a small screen it also scrolls horizontally
+    return scroll;
+}
+
+QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QString::fromLatin1(name));  // the saved layout identifies docks by object name
+    dock->setWidget(content);
+    return dock;
+}
+
+}  // namespace
+
+QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
+    const int studyWidth = docks.study->sizeHint().width() + 22;
+    QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", docks.study);
+    QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
+    QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
+    QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
+    QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
+    QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", docks.weights);
+    QDockWidget* building =
+        dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
+    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
+    QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
+    QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
+    QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
+    window.addDockWidget(Qt::BottomDockWidgetArea, review);
+    for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
+    for (QDockWidget* dock : {review, point, elements}) dock->hide();  // they take much of the view's height
+    window.addDockWidget(Qt::LeftDockWidgetArea, study);
+    for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
+    study->raise();
+    window.addDockWidget(Qt::RightDockWidgetArea, project);
+    window.addDockWidget(Qt::RightDockWidgetArea, results);
+    for (QDockWidget* beside : {scenarios, weights}) window.tabifyDockWidget(results, beside);
+    window.addDockWidget(Qt::RightDockWidgetArea, warnings);
+    results->raise();
+    window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
+    window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
+    QList<QAction*> toggles;
+    window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
+    for (QDockWidget* dock :
+         {project, study, results, scenarios, weights, review, point, elements, building, tower, warnings})
+        toggles << dock->toggleViewAction();
+    return toggles;
+}
+
+}  // namespace noonmark

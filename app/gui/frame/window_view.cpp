@@ -1,0 +1,46 @@
+#include "app/gui/frame/window_view.h"
+
+#include "app/gui/docks/review/review_session.h"
+#include "app/gui/frame/actions/view_actions.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/mode_switch.h"
+#include "app/gui/view/panel/view_panel.h"
+
+namespace noonmark {
+
+ProjectSaving::View WindowView::toSave() const {
+    const ProjectSession& session = workbench_.session();
+    ViewState state{.camera = panel_.view().pose(),
+                    .section = panel_.view().section(),
+                    .mode = mode_.mode(),
+                    .measure = panel_.legend().measure(),
+                    .changeScale = panel_.legend().changeScale(),
+                    .scenario = session.scenario(),
+                    .baseline = session.baseline(),
+                    .study = workbench_.document().settings(),
+                    .elements = workbench_.document().elements(),
+                    .review = formatText(review_.choice())};
+    if (workbench_.shown() == Workbench::Shown::comparison) state.answer = "comparison";
+    if (workbench_.shown() == Workbench::Shown::elements) state.answer = "study";
+    if (workbench_.shown() == Workbench::Shown::study) state.answer = "study";
+    if (!state.answer.empty()) state.answerSeconds = workbench_.answerSeconds();
+    return textsOf(state);
+}
+
+void WindowView::restore() {
+    const ViewState& view = workbench_.openedView();
+    review_.restore(view.review);
+    mode_.setAnalysisEngine(StudySettings().engine);
+    if (workbench_.session().file()) {
+        mode_.setMode(view.mode);
+        panel_.legend().setMeasure(view.measure);
+    }
+    panel_.legend().setChangeScale(view.changeScale);
+    panel_.section().set(view.section);
+    if (view.camera)
+        panel_.view().setPose(*view.camera);
+    else
+        panel_.navigator().showSlanting(boxAround(workbench_.document().settings().region));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,106 @@
+#include "app/gui/session/answers/result_rows.h"
+
+#include <QObject>
+
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/answers/figure_row.h"
+#include "app/report/maps/shadow_measure.h"
+#include "app/report/sheets/study_words.h"
+#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
+
+namespace noonmark {
+
+namespace {
+
+double accumulateSeconds(const Study& study) {
+    const auto found = study.seconds.find("accumulate");
+    return found == study.seconds.end() ? 0 : found->second;
+}
+
+ResultRow minutes(std::string_view key, double value) {
+    return figureRow(shadowFigures().rows(), key, formatAmount(value) + QStringLiteral(" min"));
+}
+
+std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
+    const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
+    std::vector<ResultRow> rows{
+        figureRow(shadowFigures().rows(), "shadow_area_m2", describeSmallArea(s.shadowAreaM2)),
+        {QObject::tr("Share of ground"), formatAmount(share) + QStringLiteral(" %"),
+         QObject::tr("Shadow area over the area of all receivers")}};
+    if (instant) return rows;
+    rows.push_back(minutes("mean_gross_min", s.meanGrossMin));
+    if (!hasRuns(s)) {
+        rows.push_back({QObject::tr("Continuous"), QObject::tr("not counted"),
+                        QObject::tr("The engine computed gross shadow only")});
+        return rows;
+    }
+    rows.push_back(minutes("mean_continuous_min", s.meanContinuousMin));
+    rows.push_back(minutes("max_continuous_min", s.maxContinuousMin));
+    return rows;
+}
+
+void addErrorRows(std::vector<ResultRow>& rows, const std::vector<ErrorLine>& errors) {
+    for (const ErrorLine& line : errors)
+        rows.push_back(
+            {QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
+             localiseNumbers(QString::fromStdString(line.value)),
+             QObject::tr("Against the ray reference, on a sample of the receivers over the same steps")});
+}
+
+void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
+    const double megaRays = figures.seconds > 0 ? double(figures.rays) / figures.seconds * 1e-6 : 0;
+    if (figures.rays > 0)
+        rows.push_back(
+            {QObject::tr("Speed"), formatAmount(megaRays) + QObject::tr(" M rays/s"),
+             QObject::tr("%1 occlusion ray(s) divided by the engine's time", "", pluralNumber(figures.rays))
+                 .arg(formatCount(figures.rays))});
+    rows.push_back({QObject::tr("Time"), formatAmount(figures.seconds, 2) + QStringLiteral(" s"),
+                    QObject::tr("Time taken by the engine")});
+}
+
+StudyFigures figuresOfStudy(const Study& study) {
+    return {study.statistics,
+            isInstant(study.field),
+            study.sun.steps.size(),
+            study.sun.belowHorizon,
+            study.field.sunlitMinutesPerDay,
+            study.field.cost.rays,
+            accumulateSeconds(study),
+            formatText(study.settings.period),
+            makeErrorLines(study),
+            study.field.engine};
+}
+
+}  // namespace
+
+void addWaterRow(std::vector<ResultRow>& rows, double waterM2) {
+    if (waterM2 > 0) rows.push_back(figureRow(shadowFigures().rows(), "water_m2", describeArea(waterM2)));
+}
+
+QString describeSteps(std::uint64_t belowHorizon) {
+    return QObject::tr("Positions of the sun above the horizon; %1 below it was/were left out", "",
+                       pluralNumber(belowHorizon))
+        .arg(formatCount(belowHorizon));
+}
+
+std::vector<ResultRow> makeRows(const StudyFigures& figures) {
+    std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
+    rows.push_back({QObject::tr("Receivers"), formatCount(figures.statistics.receivers),
+                    QObject::tr("Cells in which shadow is measured")});
+    addWaterRow(rows, figures.statistics.waterM2);
+    rows.push_back(
+        {QObject::tr("Steps of the sun"), formatCount(figures.steps), describeSteps(figures.belowHorizon)});
+    rows.push_back({QObject::tr("Sunlit time"),
+                    formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
+                    QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
+    addTimeRows(rows, figures);
+    rows.push_back({QObject::tr("Period"), QString::fromStdString(figures.period), {}});
+    addErrorRows(rows, figures.errors);
+    rows.push_back({QObject::tr("Engine"), QString::fromStdString(figures.engine), {}});
+    return rows;
+}
+
+std::vector<ResultRow> makeResultRows(const Study& study) { return makeRows(figuresOfStudy(study)); }
+
+}  // namespace noonmark

@@ -1,0 +1,167 @@
+#include "app/gui/session/project/project_saving.h"
+
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+#include "app/gui/session/project/project_session.h"
+#include "app/input/output_rules.h"
+
+namespace noonmark {
+
+namespace fs = std::filesystem;
+
+/// A recovery file that one thread writes and another may discard; nothing is written after that. Discarding
+/// does not wait for a write: the file is removed when the write ends.
+class RecoveredWork {
+public:
+    explicit RecoveredWork(const fs::path& file) : autosave_(file) {
+        std::error_code none;
+        movedAside_ = fs::exists(recoveryPath(file), none);
+        if (movedAside_) moveProject(recoveryPath(file), ProjectSaving::olderRecovery(file));
+    }
+
+    /// Whether there was a recovery file of an earlier run; it has been moved to olderRecovery().
+    [[nodiscard]] bool movedAside() const { return movedAside_; }
+
+    Result<void> keep(const Project& project) {
+        Result<void> saved = keepUnlessGone(project);
+        if (gone_) removeUnlessWritten();
+        return saved;
+    }
+
+    void discard() {
+        gone_ = true;
+        removeUnlessWritten();
+    }
+
+private:
+    Result<void> keepUnlessGone(const Project& project) {
+        const std::scoped_lock lock(mutex_);
+        return gone_ ? Result<void>() : autosave_.keep(project);
+    }
+
+    void removeUnlessWritten() {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (lock) autosave_.discard();
+    }
+
+    std::mutex mutex_;
+    Autosave autosave_;
+    std::atomic<bool> gone_ = false;
+    bool movedAside_ = false;
+};
+
+ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view, fs::path unsavedFile,
+                             QObject* parent)
+    : QObject(parent), session_(session), view_(std::move(view)), unsavedFile_(std::move(unsavedFile)) {
+    timer_.setSingleShot(true);
+    timer_.setInterval(autosaveMs);
+    connect(&timer_, &QTimer::timeout, this, &ProjectSaving::keepUnsaved);
+    connect(&session_, &ProjectSession::unsavedChanged, this, [this] {
+        if (session_.hasUnsavedWork() && !timer_.isActive()) timer_.start();
+    });
+}
+
+// The later save waits: concurrent saves would each see the other as a change of the file by another program.
+void ProjectSaving::save() {
+    if (!session_.file()) return;
+    if (writing_.busy()) return void(next_ = [this] { save(); });
+    write(session_.file()->path(),
+          [file = *session_.file(), project = session_.withView(view_())]() mutable -> Result<ProjectFile> {
+              return file.save(project).map([&] { return std::move(file); });
+          });
+}
+
+void ProjectSaving::saveAs(const fs::path& file) {
+    if (writing_.busy()) return void(next_ = [this, file] { saveAs(file); });
+    write(file, [file, project = session_.withView(view_())]() -> Result<ProjectFile> {
+        return checkOutput(file, OutputKind::project, outputRules({}, project.inputs, true)).and_then([&] {
+            return ProjectFile::create(file, project, ProjectFile::IfThere::replace);
+        });
+    });
+}
+
+void ProjectSaving::write(const fs::path& file, Write work) {
+    writing_.start<ProjectFile>(
+        tr("Saving %1").arg(QString::fromStdString(file.filename().string())),
+        [work = std::move(work)](Progress&, std::stop_token) mutable { return work(); },
+        [this, version = session_.version()](Result<ProjectFile> written) {
+            take(std::move(written), version);
+        });
+}
+
+void ProjectSaving::take(Result<ProjectFile> written, int version) {
+    if (!written) {
+        next_ = nullptr;
+        return Q_EMIT failed(written.error());
+    }
+    forgetUnsaved();
+    takenUp_.clear();
+    session_.setSaved(*std::move(written), version);
+    removeProject(olderRecovery(session_.file()->path()));  // superseded by this save
+    Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
+    if (const auto next = std::exchange(next_, nullptr)) next();
+}
+
+fs::path ProjectSaving::savedBeside() const {
+    return session_.file() ? session_.file()->path() : unsavedFile_;
+}
+
+fs::path ProjectSaving::olderRecovery(const fs::path& file) {
+    return recoveryPath(file).replace_filename(recoveryPath(file).filename().string() + ".older" +
+                                               projectEnding);
+}
+
+void ProjectSaving::keepUnsaved() {
+    if (!session_.hasUnsavedWork() || savedBeside().empty()) return;
+    if (keeping_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
+    if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
+    keeping_.start<bool>(
+        tr("Saving recovery file"),
+        [saved = saved_, project = session_.withView(view_())](Progress&, std::stop_token) {
+            return saved->keep(project).map([] { return true; });
+        },
+        [this](const Result<bool>& saved) {
+            if (!saved) Q_EMIT notSaved(saved.error());
+        });
+}
+
+void ProjectSaving::forgetUnsaved() {
+    if (saved_) {
+        saved_->discard();
+        leaving_ = saved_;
+    }
+    startOver();
+}
+
+void ProjectSaving::discardUnsaved() {
+    if (!takenUp_.empty() && session_.file()) forgetTakenUp();
+    takenUp_.clear();
+    forgetUnsaved();
+}
+
+// If this run has written a recovery file, the newer of the earlier files was moved over the older one.
+void ProjectSaving::forgetTakenUp() {
+    const fs::path recovery = recoveryPath(session_.file()->path());
+    const fs::path older = olderRecovery(session_.file()->path());
+    const bool moved = saved_ && saved_->movedAside();
+    if (takenUp_ == recovery) removeProject(moved ? older : recovery);
+    if (takenUp_ == older && !moved) removeProject(older);
+}
+
+void ProjectSaving::projectReplaced() {
+    next_ = nullptr;
+    takenUp_.clear();
+    writing_.drop();
+    startOver();
+    if (session_.hasUnsavedWork()) timer_.start();
+}
+
+void ProjectSaving::startOver() {
+    timer_.stop();
+    keeping_.drop();
+    saved_.reset();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "scenarios/project/recovery_file.h"
+
+namespace noonmark {
+
+class RecoveredWork;
+class ProjectSession;
+
+/// Saves the session's project: into its file on request, and unsaved changes at intervals into the recovery
+/// file beside it. Works in jobs, one save after the other.
+class ProjectSaving final : public QObject {
+    Q_OBJECT
+public:
+    using View = std::map<std::string, std::string>;
+    /// `view` returns the window's state to save. `unsavedFile`: the recovery file of a project without a
+    /// file is written beside this path; empty: it is not written. `session` must outlive this object.
+    ProjectSaving(ProjectSession& session, std::function<View()> view, std::filesystem::path unsavedFile,
+                  QObject* parent = nullptr);
+
+    void save();                                     ///< only if the session has a file
+    void saveAs(const std::filesystem::path& file);  ///< replaces a project file, never another file
+    /// Writes unsaved changes to the recovery file now; the timer calls it `autosaveMs` after a change. A
+    /// recovery file of an earlier run is moved aside, not overwritten.
+    void keepUnsaved();
+    /// Nothing is unsaved any more: removes this run's recovery file.
+    void forgetUnsaved();
+    /// Reports that the session contains the work of this recovery file of an earlier run.
+    void takeUp(const std::filesystem::path& recovery) { takenUp_ = recovery; }
+    /// The user discards unsaved work: removes this run's recovery file, and the one that the work was
+    /// recovered from. A recovery file that was offered and not used stays.
+    void discardUnsaved();
+    /// Another project was opened: the previous project's recovery file stays. A save of it in progress
+    /// completes silently; one that was waiting is dropped.
+    void projectReplaced();
+
+    [[nodiscard]] JobSlot& writing() { return writing_; }
+
+    /// The path to which an earlier recovery file is moved before a new one is written; see keepUnsaved().
+    /// One per project, replacing an older one. The next save removes it, and so does discardUnsaved() after
+    /// takeUp() of it.
+    [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);
+
+    static constexpr int autosaveMs = 15000;
+
+Q_SIGNALS:
+    void saved(QString file);
+    void failed(noonmark::Error error);
+    void notSaved(noonmark::Error error);  ///< the recovery file could not be written
+
+private:
+    using Write = std::function<Result<ProjectFile>()>;
+    void write(const std::filesystem::path& file, Write work);
+    void take(Result<ProjectFile> written, int version);
+    void startOver();
+    [[nodiscard]] std::filesystem::path savedBeside() const;
+
+    ProjectSession& session_;
+    std::function<View()> view_;
+    std::filesystem::path unsavedFile_;
+    std::shared_ptr<RecoveredWork> saved_;  // null: no recovery file written since the last save
+    std::weak_ptr<RecoveredWork> leaving_;  // still being written when discarded
+    std::function<void()> next_;            // a save requested while another was in progress
+    void forgetTakenUp();
+
+    std::filesystem::path takenUp_;  // the recovery file whose work was taken up; empty: none
+    QTimer timer_;
+    JobSlot writing_;
+    JobSlot keeping_;
+};
+
+}  // namespace noonmark

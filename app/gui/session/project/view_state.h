@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/gui/session/project/view_mode.h"
+#include "app/report/maps/change_scale.h"
+#include "app/report/maps/shadow_measure.h"
+#include "core/study/elements/place_elements.h"
+#include "render/view/camera_pose.h"
+#include "render/view/section_box.h"
+#include "scenarios/scenario.h"
+
+namespace noonmark {
+
+/// The window's state that is saved in Project::view and restored when the project is opened.
+struct ViewState {
+    std::optional<CameraPose> camera;
+    std::optional<SectionBox> section{};
+    ViewMode mode = ViewMode::exploration;
+    ShadowMeasure measure = ShadowMeasure::gross;
+    ChangeScale changeScale;
+    std::string scenario = existingCity;
+    std::string baseline;                     ///< empty: none
+    std::string answer;                       ///< "study" or "comparison" was displayed; empty: neither
+    double answerSeconds = 0;                 ///< time to compute it
+    std::optional<StudySettings> study;       ///< region, cells, period, engine
+    std::optional<ElementSettings> elements;  ///< where the study has points
+    std::string review;                       ///< what is reviewed: JSON, as review_choice.h writes it
+};
+
+/// Keys: "camera", "section", "mode", "measure", "change_scale", "scenario", "baseline", "answer",
+/// "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights", the
+/// chosen table, and "figures" (saved_figures.h).
+std::map<std::string, std::string> textsOf(const ViewState& state);
+
+/// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from
+/// anywhere.
+ViewState parseViewState(const std::map<std::string, std::string>& texts);
+
+}  // namespace noonmark

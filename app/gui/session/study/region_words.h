@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+
+#include "core/receivers/place.h"
+#include "core/receivers/region.h"
+
+namespace noonmark {
+
+/// "park", "school grounds", ...: the kind of a place in the window.
+QString describeKind(PlaceKind kind);
+
+/// Describes a region: name, size in metres, area, and the approximate number of cells in its bounding box.
+QString describeRegion(const Region& region, double cellM);
+
+}  // namespace noonmark

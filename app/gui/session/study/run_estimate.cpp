@@ -1,0 +1,136 @@
+#include "app/gui/session/study/run_estimate.h"
+
+#include <QLocale>
+#include <QObject>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/study/engine_words.h"
+#include "app/input/all_engines.h"
+#include "core/engines/auto_engine.h"
+#include "core/receivers/roof_receivers.h"
+#include "core/study/elements/element_forecast.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double worthComparing = 60;  // seconds of rays from which their time is stated
+constexpr double graphEdges = 295;     // of a year of 2,190 hours at 5 deg
+constexpr double fewRays = 5e10;       // less than a minute by all engines but rays
+
+// How many times as fast as rays an engine is over one hour, as measured in docs/benchmarks.md.
+double speedOverRays(std::string_view engine) {
+    if (engine == "iam") return 6.5;
+    if (engine == "sam") return 6;
+    return 1;
+}
+
+// Hours that look alike are computed once.
+double viaGraph(std::string_view engine, double raySeconds, double hours) {
+    return raySeconds * std::min(1.0, graphEdges / std::max(hours, 1.0)) / speedOverRays(engine);
+}
+
+QString nameOfEngine(std::string_view key) {
+    const EngineEntry* entry = findEngine(allEngines(), key);
+    if (!entry) return {};
+    return translateEngineWord(entry->info.name);
+}
+
+QString describeCells(double cells) {
+    if (cells < 1e6) return QLocale().toString(std::round(cells), 'f', 0);
+    return QObject::tr("%1 million").arg(QLocale().toString(cells / 1e6, 'f', 1));
+}
+
+QString describeSize(const RunEstimate& estimate) {
+    const int form = pluralNumber(quint64(estimate.receivers));
+    const QString receivers =
+        estimate.points ? QObject::tr("%1 point(s)", "", form) : QObject::tr("%1 cell(s)", "", form);
+    const QString steps = QObject::tr("%1 position(s) of the sun", "", pluralNumber(quint64(estimate.steps)));
+    return QStringLiteral("%1, %2.").arg(receivers.arg(describeCells(estimate.receivers)),
+                                         steps.arg(describeCells(estimate.steps)));
+}
+
+}  // namespace
+
+Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
+                                const std::stop_token& stop) {
+    const auto receivers = placeReceivers(city, settings.region, settings.receivers, stop);
+    if (!receivers) return tl::make_unexpected(receivers.error());
+    const auto sun = computeSunSteps(settings.period, makeObserver(city, settings), stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const std::array cities{&city};
+    const EngineLoad load = measureEngineLoad(cities, *receivers, *sun, HorizonSweepSettings());
+    const EstimatedSeconds seconds = estimateSeconds(load);
+    const auto chosen = AutoEngine().choose(cities, *receivers, *sun);
+    const std::map<std::string_view, double> known{
+        {referenceEngine, seconds.ray}, {"projected", seconds.projected}, {"horizon", seconds.horizon}};
+    RunEstimate estimate{.receivers = double(load.receivers),
+                         .steps = double(load.steps),
+                         .raySeconds = seconds.ray,
+                         .quickerSeconds = chosen ? known.at(chosen->key) : seconds.ray};
+    const std::string_view engine =
+        settings.engine == "auto" && chosen ? chosen->key : std::string_view(settings.engine);
+    const auto time = known.find(engine);
+    estimate.seconds =
+        time != known.end() ? time->second : viaGraph(engine, seconds.ray, sun->sunlitMinutes() / 60);
+    estimate.engine = nameOfEngine(engine);
+    return estimate;
+}
+
+Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
+                                const ElementSettings& elements, Progress& progress,
+                                const std::stop_token& stop) {
+    const auto forecast = forecastElementStudy(city, settings, elements, progress, stop);
+    if (!forecast) return tl::make_unexpected(forecast.error());
+    RunEstimate estimate{.receivers = double(forecast->points),
+                         .points = true,
+                         .steps = double(forecast->steps),
+                         .raySeconds = forecast->raySeconds,
+                         .quickerSeconds = forecast->horizonSeconds};
+    const bool rays = settings.engine == referenceEngine;
+    estimate.seconds = rays ? estimate.raySeconds : estimate.quickerSeconds;
+    estimate.engine = rays ? nameOfEngine(referenceEngine) : QObject::tr("Horizons of the points");
+    return estimate;
+}
+
+bool measuresPoints(const StudySettings& settings) {
+    return settings.engineSettings.empty() &&
+           (settings.engine == "auto" || settings.engine == "horizon" || settings.engine == referenceEngine);
+}
+
+bool mayBeLong(const StudySettings& settings) {
+    if (settings.engine == referenceEngine) return true;
+    double areaM2 = 0;
+    for (const Footprint& polygon : settings.region.polygons) areaM2 += area(polygon);
+    const double hours = settings.period.window ? 24 : std::max(settings.period.hours, 1.0);
+    const double steps = settings.period.days * hours * 60 / settings.period.stepMinutes;
+    return areaM2 / (settings.receivers.cellM * settings.receivers.cellM) * steps > fewRays;
+}
+
+QString describe(const RunEstimate& estimate) {
+    const QString size = describeSize(estimate);
+    const QString run = QObject::tr("%1: %2.").arg(estimate.engine, describeAbout(estimate.seconds));
+    if (estimate.raySeconds < std::max(worthComparing, 2 * estimate.seconds))
+        return size + QLatin1Char(' ') + run;
+    return QObject::tr("%1 %2 Rays would take %3.").arg(size, run, describeAbout(estimate.raySeconds));
+}
+
+QString describeAbout(double seconds) {
+    struct Unit {
+        double seconds;
+        QString words;
+    };
+    const Unit units[] = {{86400, QObject::tr("days")},
+                          {3600, QObject::tr("h")},
+                          {60, QObject::tr("min")},
+                          {1, QObject::tr("s")}};
+    for (const Unit& unit : units)
+        if (seconds >= 2 * unit.seconds)
+            return QObject::tr("about %1 %2").arg(std::round(seconds / unit.seconds)).arg(unit.words);
+    return QObject::tr("about a second");
+}
+
+}  // namespace noonmark

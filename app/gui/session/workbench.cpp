@@ -1,0 +1,162 @@
+#include "app/gui/session/workbench.h"
+
+#include <QFileInfo>
+#include <limits>
+
+#include "app/gui/session/project/recent_files.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<std::string> textsOf(const QStringList& files) {
+    std::vector<std::string> texts;
+    for (const QString& file : files) texts.push_back(file.toStdString());
+    return texts;
+}
+
+}  // namespace
+
+Workbench::Workbench(QObject* parent) : QObject(parent) {
+    connect(&running_, &JobSlot::started, this,
+            [this](const Job& job) { connect(&job, &Job::partial, this, &Workbench::studyPartial); });
+    connect(&session_, &ProjectSession::cityChanged, this, &Workbench::follow);
+    connect(&session_, &ProjectSession::baselineChanged, this, [this] {
+        comparison_.reset();
+        past_.comparison.reset();
+    });
+    connect(&session_, &ProjectSession::renamed, this, &Workbench::rename);
+    connect(&session_, &ProjectSession::changed, this, &Workbench::nameAnswers);
+    connect(&session_, &ProjectSession::changed, this, &Workbench::reweigh);
+    connect(&session_, &ProjectSession::refused, this, &Workbench::tell);
+}
+
+void Workbench::open(const QStringList& files, const ReadSettings& reading) {
+    if (files.isEmpty()) return;
+    source_ = {files, reading};
+    running_.cancel();
+    opening_.start<OpenProject>(
+        tr("Opening %1").arg(QFileInfo(files.front()).fileName()),
+        [files = textsOf(files), reading](Progress& progress, const std::stop_token& stop) {
+            return openProject(files, reading, progress, stop);
+        },
+        [this, version = session_.version()](Result<OpenProject> opened) {
+            takeProject(std::move(opened), version);
+        });
+}
+
+// Refuses to replace changes made since `version`: the user was not asked about them.
+void Workbench::takeProject(Result<OpenProject> opened, int version) {
+    if (opened && session_.version() != version && session_.hasUnsavedWork())
+        opened = failure("The file was not opened: the project was changed while it was read", {},
+                         "Save or undo the change, then open the file again");
+    if (!opened) return Q_EMIT openFailed(opened.error());
+    city_ = std::make_shared<const OpenCity>(std::move(opened->city));
+    openedView_ = std::move(opened->view);
+    zone_ = std::move(opened->zone);
+    placeWarnings_ = std::move(opened->placeWarnings);
+    forgetAnswers();
+    past_ = {};
+    known_.clear();
+    keeping_.drop();
+    answerSeconds_ = std::numeric_limits<double>::infinity();  // not known for this city yet
+    session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
+                  openedView_.baseline);
+    following_.drop();  // opened->city is already the session's city
+    document_.reset(openedView_.study.value_or(firstQuestion()), openedView_.elements);
+    if (opened->recovered) session_.setRecovered();
+    Q_EMIT cityShown();
+    Q_EMIT projectOpened();
+}
+
+// The initial settings for a project without window state: its first region, if it has one.
+StudySettings Workbench::firstQuestion() const {
+    StudySettings settings = firstSettings(city_->loaded, zone_);
+    const auto& regions = session_.project().regions;
+    if (!regions.empty()) settings.region = regions.front();
+    return settings;
+}
+
+void Workbench::recover(const std::filesystem::path& recovery) {
+    opening_.start<ProjectFile>(
+        tr("Recovering"), [recovery](Progress&, std::stop_token) { return ProjectFile::open(recovery); },
+        [this](Result<ProjectFile> saved) { takeRecovered(std::move(saved)); });
+}
+
+void Workbench::takeRecovered(Result<ProjectFile> saved) {
+    if (!saved) return tell(saved.error());
+    const ViewState view = parseViewState(saved->project().view);
+    if (!session_.change(saved->project(), tr("recover unsaved changes"), view.scenario)) return;
+    Q_EMIT tookUp(saved->path());
+    Q_EMIT noted(tr("Unsaved changes recovered. Save keeps them, Undo discards them."));
+}
+
+void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
+    source_ = {};
+    opening_.start<OpenProject>(
+        tr("Recovering"),
+        [file = recovery.string()](Progress& progress, const std::stop_token& stop) {
+            return openProject({file}, {}, progress, stop).map([](OpenProject opened) {
+                opened.file.reset();
+                opened.recovered = true;
+                return opened;
+            });
+        },
+        [this, version = session_.version()](Result<OpenProject> opened) {
+            takeProject(std::move(opened), version);
+        });
+}
+
+// Results of the scenario's previous buildings are no longer valid.
+void Workbench::forgetAnswers() {
+    running_.drop();
+    reading_.drop();
+    study_.reset();
+    comparison_.reset();
+    score_.reset();
+    elements_.reset();
+    saved_.reset();
+}
+
+// The results are reset at once: a run started before the city is displayed already uses the new city.
+void Workbench::follow() {
+    if (study_ || comparison_ || score_ || elements_) past_ = {study_, comparison_, score_, elements_};
+    forgetAnswers();
+    if (!city_) return;
+    following_.start<OpenCity>(
+        tr("Showing %1").arg(QString::fromStdString(session_.scenario())),
+        [shown = city_, city = session_.city()](Progress& progress, const std::stop_token& stop) {
+            return shownCity(withCity(shown->loaded, *city), shown->arrays, progress, stop);
+        },
+        [this](Result<OpenCity> city) { takeCity(std::move(city)); });
+}
+
+void Workbench::takeCity(Result<OpenCity> city) {
+    if (!city) return tell(city.error());
+    city_ = std::make_shared<const OpenCity>(*std::move(city));
+    takeKnown();
+    Q_EMIT cityShown();
+}
+
+QString Workbench::projectName() const {
+    const auto& file = session_.file();
+    QString name = file ? QString::fromStdString(file->path().filename().string())
+                        : RecentFiles::nameOf(source_.files.join(QLatin1Char('\n')));
+    name.remove(QStringLiteral("sample:"));
+    name.remove(QLatin1String(projectEnding));
+    return name.isEmpty() ? tr("Untitled") : name;
+}
+
+Workbench::Shown Workbench::shown() const {
+    if (saved_) return Shown::savedResult;
+    if (score_) return Shown::score;
+    if (elements_) return Shown::elements;
+    if (comparison_) return Shown::comparison;
+    return study_ ? Shown::study : Shown::nothing;
+}
+
+void Workbench::tell(const Error& error) {
+    if (!isCancelled(error)) Q_EMIT failed(error);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,486 @@
+#include "app/gui/tools/editing/edit_tools.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/looks/icons.h"
+#include "app/gui/tools/editing/placing_panel.h"
+#include "app/gui/tools/editing/selection_panel.h"
+#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/tools/massing/massing_panel.h"
+#include "app/gui/tools/massing/storey_lines.h"
+#include "app/gui/view/panel/ground_lines.h"
+#include "core/city/terrain/building_ground.h"
+#include "scenarios/massing/copy_massing.h"
+
+namespace noonmark {
+
+EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
+    : QObject(parent),
+      selection_(new SelectionPanel),
+      placing_(new PlacingPanel),
+      massing_(new MassingPanel),
+      dock_(new QWidget),
+      context_(view, std::move(horizons)),
+      building_(context_, *selection_),
+      tower_(context_, *massing_),
+      mesh_(context_, *placing_),
+      lotEditing_(context_),
+      box_(view.view()) {
+    auto* column = new QVBoxLayout(dock_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(placing_);
+    column->addWidget(selection_, 1);
+    placing_->hide();
+    makeActions();
+    connectView();
+    connectTools();
+    connectLots();
+    enableActions();
+}
+
+// Panels that were not placed in a dock are still owned here.
+EditTools::~EditTools() {
+    for (QWidget* dock : {dock_.data(), static_cast<QWidget*>(massing_.data())})
+        if (dock && !dock->parent()) delete dock;
+}
+
+QWidget* EditTools::dock() const { return dock_; }
+
+QWidget* EditTools::massingDock() const { return massing_; }
+
+QAction* EditTools::action(const QString& text, const QKeySequence& keys, const QString& tip) {
+    auto* made = new QAction(text, this);
+    made->setShortcut(keys);
+    made->setToolTip(tip);
+    made->setStatusTip(tip);
+    actions_.push_back(made);
+    return made;
+}
+
+void EditTools::makeActions() {
+    const auto draw =
+        action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
+               tr("Click corners on the ground, or type the length of a side; Shift: right angles, Ctrl: no "
+                  "snapping; Enter finishes, Esc cancels"));
+    editLot_ =
+        action(tr("Edit lot &shape"), QKeySequence(tr("Ctrl+Shift+L")),
+               tr("Drag the corners and sides of the lot that is chosen in the dock Tower, or that the "
+                  "selected building stands on"));
+    demolish_ =
+        action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building, or all of several"));
+    const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
+                                tr("Replaces the selected building by a tower on its lot or footprint"));
+    const auto move =
+        action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
+    const auto lot =
+        action(tr("Lot from foot&print"), {}, tr("Creates a lot from the selected building's outline"));
+    const auto mesh =
+        action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
+    ofBuilding_ = {replace, move, lot};
+    draw->setIcon(makeIcon(QStringLiteral("lot")));
+    demolish_->setIcon(makeIcon(QStringLiteral("delete")));
+    replace->setIcon(makeIcon(QStringLiteral("tower")));
+    connect(draw, &QAction::triggered, this, &EditTools::drawLot);
+    connect(editLot_, &QAction::triggered, this, &EditTools::editChosenLot);
+    connect(demolish_, &QAction::triggered, &building_, &BuildingEditing::demolish);
+    connect(replace, &QAction::triggered, this, &EditTools::replace);
+    connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
+    connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
+    connect(mesh, &QAction::triggered, this, &EditTools::importMesh);
+    makeLiveActions();
+}
+
+void EditTools::makeLiveActions() {
+    facades_ = action(tr("Li&ve facades"), QKeySequence(tr("Shift+F")),
+                      tr("Shows the sunlight of a building's facades while it is designed or changed"));
+    change_ = action(tr("Live change"), QKeySequence(tr("Shift+L")),
+                     tr("Shows what a building changes while it is designed or changed, compared with the "
+                        "baseline, instead of the shadow with it"));
+    for (QAction* one : {facades_, change_}) one->setCheckable(true);
+    facades_->setChecked(true);
+    connect(facades_, &QAction::toggled, this, [this](bool on) {
+        if (on) change_->setChecked(false);
+        context_.preview.showFacades(on);
+    });
+    connect(change_, &QAction::toggled, this, [this](bool on) {
+        if (on) facades_->setChecked(false);
+        context_.preview.showChange(on);
+    });
+    connect(facades_, &QAction::toggled, massing_, &MassingPanel::setFacadesShown);
+    connect(change_, &QAction::toggled, massing_, &MassingPanel::setChangeShown);
+    connect(massing_, &MassingPanel::facadesShownChosen, facades_, &QAction::setChecked);
+    connect(massing_, &MassingPanel::changeShownChosen, change_, &QAction::setChecked);
+}
+
+void EditTools::connectView() {
+    ViewNavigator& navigator = context_.panel.navigator();
+    connect(&navigator, &ViewNavigator::clicked, this, &EditTools::click);
+    connect(&navigator, &ViewNavigator::boxDragged, this, &EditTools::dragBox);
+    connect(&navigator, &ViewNavigator::boxDropped, this, &EditTools::dropBox);
+    connect(&navigator, &ViewNavigator::hovered, this, &EditTools::hover);
+    connect(&navigator, &ViewNavigator::left, this, [this] { building_.hover(std::nullopt); });
+    connect(&context_.panel, &ViewPanel::keyPressed, this, &EditTools::key);
+    connect(&context_.panel.lotTool(), &PolygonTool::finished, this, &EditTools::takeLot);
+    connect(&context_.handle, &ExtrudeHandle::dragged, this, &EditTools::extrude);
+    connect(&context_.handle, &ExtrudeHandle::dropped, this, &EditTools::extruded);
+}
+
+void EditTools::connectTools() {
+    const auto made = [this](const std::vector<Edit>& edits, const QString& what, const std::string& id) {
+        building_.selectNext(id);
+        Q_EMIT editsMade(edits, what);
+    };
+    connect(&building_, &BuildingEditing::editsMade, this, &EditTools::editsMade);
+    connect(&building_, &BuildingEditing::selectionChanged, this, &EditTools::enableActions);
+    connect(&building_.moveTool(), &MoveTool::began, this,
+            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends the tool.")); });
+    connect(selection_, &SelectionPanel::replaceRequested, this, &EditTools::replace);
+    connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
+    connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
+    connect(massing_, &MassingPanel::drawRequested, this, &EditTools::drawLot);
+    connect(massing_, &MassingPanel::designRequested, this, [this](const NamedLot& lot) {
+        tower_.begin(lot, {});
+        tellOfDesign();
+    });
+    connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
+    connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
+    connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
+    connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
+    connect(&tower_, &TowerEditing::editsMade, this, made);
+    connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
+    connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
+    connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
+    connect(&mesh_, &MeshPlacing::editsMade, this, made);
+    connect(&mesh_, &MeshPlacing::failed, this, &EditTools::failed);
+    connect(&mesh_, &MeshPlacing::began, &tower_, &TowerEditing::cancel);
+    const auto place = [this](bool placing) {
+        placing_->setVisible(placing);
+        selection_->setVisible(!placing);
+        if (placing) Q_EMIT selectionMade();  // both panels share a dock
+    };
+    connect(&mesh_, &MeshPlacing::began, this, [place] { place(true); });
+    connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
+}
+
+void EditTools::connectLots() {
+    ViewPanel& panel = context_.panel;
+    connect(massing_, &MassingPanel::editRequested, this, &EditTools::editLot);
+    connect(&lotEditing_, &LotEditing::changed, this, &EditTools::lotChanged);
+    connect(&lotEditing_, &LotEditing::failed, this, &EditTools::failed);
+    connect(&lotEditing_, &LotEditing::shapeChanged, this, &EditTools::showLots);
+    connect(&tower_, &TowerEditing::began, &lotEditing_, &LotEditing::end);
+    connect(&mesh_, &MeshPlacing::began, &lotEditing_, &LotEditing::end);
+    connect(&building_.moveTool(), &MoveTool::began, &lotEditing_, &LotEditing::end);
+    connect(&building_, &BuildingEditing::selectionChanged, this, [this] {
+        if (!building_.all().empty()) lotEditing_.end();
+    });
+    for (PolygonTool* tool : {&panel.regionTool(), &panel.lotTool(), &panel.placeTool()})
+        connect(tool, &PolygonTool::activeChanged, this, [this](bool on) {
+            if (on) lotEditing_.end();
+        });
+    connect(&panel.measureTool(), &MeasureTool::activeChanged, this, [this](bool on) {
+        if (on) lotEditing_.end();
+    });
+}
+
+void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
+    const bool another = !context_.city || context_.city->arrays != city->arrays;
+    context_.city = city;
+    context_.preview.setCity(std::move(city));
+    building_.cityChanged();
+    if (another) {
+        lotEditing_.end();
+        tower_.cancel();
+        mesh_.cancel();
+    } else {
+        tower_.show();
+        mesh_.show();
+    }
+    showLots();
+    showStoreys();
+}
+
+void EditTools::setTowers(std::map<std::string, ProposedTower> towers) {
+    tower_.setTowers(std::move(towers));
+    showStoreys();
+}
+
+void EditTools::setStoreyLines(bool on) {
+    storeyLines_ = on;
+    showStoreys();
+}
+
+void EditTools::heightReferenceChanged() {
+    tower_.show();
+    building_.show();
+}
+
+// Those of the towers in the city, and those of what the preview adds.
+void EditTools::showStoreys() {
+    if (!context_.city) return;
+    std::vector<std::vector<glm::vec3>> lines;
+    const City& city = context_.city->city();
+    const auto add = [&](const Building& building, double storeyHeightM) {
+        for (auto& ring : makeStoreyLines(building, double(findGroundUnder(building, city)), storeyHeightM))
+            lines.push_back(std::move(ring));
+    };
+    const CityChanges& preview = context_.preview.changes();
+    for (const auto& building : city.buildings) {
+        if (!storeyLines_ || tower_.towers().empty()) break;
+        const auto tower = tower_.towers().find(building->sourceId);
+        const bool goes = std::ranges::find(preview.removed, building) != preview.removed.end();
+        if (tower != tower_.towers().end() && tower->second.storeyHeightM > 0 && !goes)
+            add(*building, tower->second.storeyHeightM);
+    }
+    for (const auto& building : preview.added)
+        if (const auto height = previewedStoreyHeight(*building); storeyLines_ && height)
+            add(*building, *height);
+    context_.panel.view().overlay().showFloors(lines);
+}
+
+std::optional<double> EditTools::previewedStoreyHeight(const Building& building) const {
+    if (tower_.draft()) return tower_.draft()->settings.storeyHeightM;
+    if (mesh_.active()) return mesh_.storeyHeightM();
+    const auto tower = tower_.towers().find(building.sourceId);
+    if (tower == tower_.towers().end() || tower->second.storeyHeightM == 0) return std::nullopt;
+    return tower->second.storeyHeightM;
+}
+
+void EditTools::setLots(const std::vector<NamedLot>& lots) {
+    context_.lots = lots;
+    massing_->setLots(lots);
+    editLot_->setEnabled(!lots.empty());
+    lotEditing_.lotsChanged();
+    showLots();
+}
+
+void EditTools::setQuestion(const LiveQuestion& question) { context_.preview.setQuestion(question); }
+
+void EditTools::setBaseline(std::shared_ptr<const City> city, const std::string& scenario) {
+    context_.preview.setBaseline(std::move(city), scenario);
+}
+
+// Beside the cursor that drags, and in both docks for edits that are typed.
+void EditTools::showEffect(const QString& words) {
+    context_.panel.cursorLabel().setLinesBelow(words);
+    selection_->showEffect(words);
+    massing_->showEffect(words);
+}
+
+void EditTools::setFacades(const FacadeSettings& facades) { context_.preview.setFacades(facades); }
+
+void EditTools::showLots() {
+    if (!context_.city) return;
+    Region all;
+    const auto& edited = lotEditing_.lot();
+    for (const NamedLot& lot : context_.lots)
+        all.polygons.push_back(edited && edited->name == lot.name ? edited->outline : lot.outline);
+    context_.panel.view().overlay().showLines(makeGroundLines(all, context_.city->city()));
+}
+
+void EditTools::enableActions() {
+    for (QAction* one : ofBuilding_) one->setEnabled(building_.selected().has_value());
+    demolish_->setEnabled(!building_.all().empty());
+    if (!building_.all().empty()) Q_EMIT selectionMade();
+}
+
+void EditTools::click(QPointF pixel) {
+    if (!context_.city || context_.panel.drawing() || lotEditing_.active()) return;
+    if (tower_.active()) return clickNeighbour(pixel);
+    const ViewNavigator& navigator = context_.panel.navigator();
+    if (mesh_.active()) {
+        if (const auto ground = navigator.groundAt(pixel)) mesh_.placeAt({ground->x, ground->y});
+        return;
+    }
+    const auto pick = navigator.pickAt(pixel);
+    const auto building = pick ? pick->building : std::nullopt;
+    if (!navigator.clickModifiers().testFlag(Qt::ControlModifier)) return building_.select(building);
+    if (building) building_.toggle(*building);
+}
+
+bool EditTools::isBusy() const {
+    return !context_.city || context_.panel.drawing() || tower_.active() || mesh_.active() ||
+           lotEditing_.active();
+}
+
+void EditTools::dragBox(const QRectF& pixels) {
+    if (!isBusy()) box_.show(pixels.translated(context_.panel.navigator().pictureLeft(), 0));
+}
+
+void EditTools::dropBox(const QRectF& pixels) {
+    box_.hide();
+    if (isBusy()) return;
+    const CityView& view = context_.panel.view();
+    building_.selectAll(
+        findBuildingsIn(pixels, context_.city->city(), view.pose(), view.lens(), view.section()));
+}
+
+void EditTools::clickNeighbour(QPointF pixel) {
+    const auto pick = context_.panel.navigator().pickAt(pixel);
+    if (!pick || !pick->building || !facades_->isChecked()) return;
+    const auto& buildings = context_.city->city().buildings;
+    if (*pick->building < buildings.size()) context_.preview.toggleNeighbour(buildings[*pick->building]);
+}
+
+void EditTools::hover(QPointF pixel) {
+    lotEditing_.hover(pixel);
+    if (isBusy()) return building_.hover(std::nullopt);
+    const auto pick = context_.panel.navigator().pickAt(pixel);
+    building_.hover(pick ? pick->building : std::nullopt);
+}
+
+void EditTools::key(int key) {
+    if (lotEditing_.key(key) || context_.handle.key(key)) return;
+    if (key == Qt::Key_Escape) cancel();
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (enter && tower_.active()) tower_.build();
+    if (enter && mesh_.active()) mesh_.build();
+}
+
+void EditTools::takeBack() {
+    context_.preview.clear();
+    building_.show();
+}
+
+void EditTools::cancel() {
+    if (lotEditing_.active()) return lotEditing_.end();
+    if (tower_.active()) return tower_.cancel();
+    if (mesh_.active()) return mesh_.cancel();
+    if (context_.city) building_.endTool();
+}
+
+void EditTools::extrude(double heightM) {
+    if (tower_.active())
+        tower_.setHeight(heightM);
+    else
+        building_.previewHeight(heightM);
+}
+
+void EditTools::extruded(double heightM) {
+    if (!tower_.active()) building_.takeHeight(heightM);
+}
+
+void EditTools::drawLot() {
+    if (!context_.city) return;
+    cancel();
+    context_.panel.lotTool().begin();
+    context_.panel.view().requestActivate();  // the view receives the keys that finish or cancel the lot
+    Q_EMIT hinted(
+        tr("Click the lot's corners, or type the length of a side. Shift: at right angles to the last side. "
+           "Ctrl: no snapping. Double click or Enter finishes."));
+}
+
+void EditTools::editLot(const NamedLot& lot) {
+    if (!context_.city) return;
+    standBackForLot();
+    lotEditing_.begin(lot);
+    context_.panel.view().requestActivate();  // the view receives Delete and Esc
+    const QString name = QString::fromStdString(lot.name);
+    const QString how =
+        tr("Drag a corner or a side of %1; Ctrl: no snapping. A click on the middle of a side adds a corner, "
+           "Delete removes the selected one, Esc ends.")
+            .arg(name);
+    Q_EMIT hinted(hasTowerOn(lot)
+                      ? how + QLatin1Char(' ') + tr("Towers that were designed on it stay as they are.")
+                      : how);
+}
+
+void EditTools::standBackForLot() {
+    ViewPanel& panel = context_.panel;
+    for (PolygonTool* tool : {&panel.regionTool(), &panel.lotTool(), &panel.placeTool()}) tool->cancel();
+    panel.measureTool().end();
+    tower_.cancel();
+    mesh_.cancel();
+    building_.select(std::nullopt);
+}
+
+bool EditTools::hasTowerOn(const NamedLot& lot) const {
+    return std::ranges::any_of(tower_.towers(), [&](const auto& tower) {
+        return tower.second.design && tower.second.design->lotName == lot.name;
+    });
+}
+
+void EditTools::editChosenLot() {
+    const auto under = building_.lot();
+    const auto drawn =
+        under ? std::ranges::find(context_.lots, under->name, &NamedLot::name) : context_.lots.end();
+    const auto lot = drawn != context_.lots.end() ? std::optional(*drawn) : massing_->chosenLot();
+    if (lot) editLot(*lot);
+}
+
+void EditTools::takeLot(const std::vector<Footprint>& pieces) {
+    if (pieces.size() > 1)
+        return Q_EMIT failed(
+            {"The sides of the lot cross each other", {}, "Draw the corners in order around the lot"});
+    const NamedLot lot{freeLotName(context_.lots), pieces.front()};
+    Q_EMIT lotDrawn(lot);
+    tower_.begin(lot, {});
+    tellOfDesign();
+}
+
+void EditTools::lotFromFootprint() {
+    if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
+}
+
+// A tower built here is redesigned; any other building is replaced by a new tower of the same height.
+void EditTools::replace() {
+    const auto lot = building_.lot();
+    if (!lot) return;
+    if (const auto design = tower_.designOf(*context_.city->city().buildings[*building_.selected()]))
+        tower_.resume(*design);
+    else
+        tower_.begin(*lot, building_.id(), std::clamp(building_.storeys(), 1, 500));
+    tellOfDesign();
+}
+
+void EditTools::copyTower(const NamedLot& lot) {
+    if (!context_.city) return;
+    auto design = tower_.draft();
+    if (!design && building_.selected())
+        design = tower_.designToCopy(*context_.city->city().buildings[*building_.selected()]);
+    if (!design)
+        return Q_EMIT failed(
+            {"No tower is selected whose massing is known",
+             {},
+             "Select a tower that was designed on a lot; imported meshes and towers of older "
+             "project files have no massing to copy"});
+    if (design->lot.outline == lot.outline)
+        return Q_EMIT failed({"The tower stands on this lot already", lot.name, "Choose another lot"});
+    const auto copy = copyMassing(design->lot.outline, design->settings, lot.outline);
+    if (!copy) return Q_EMIT failed(copy.error());
+    tower_.cancel();
+    tower_.resume({lot, copy->settings, freeTowerName(context_.city->city()), {}});
+    tellOfDesign();
+    if (const QString changes = describeCopy(*copy); !changes.isEmpty()) Q_EMIT hinted(changes);
+}
+
+void EditTools::tellOfDesign() {
+    context_.panel.view().requestActivate();  // the view receives a typed height
+    Q_EMIT designBegan();
+    Q_EMIT hinted(
+        tr("Drag the arrow or type a height. Shift: do not snap to storeys. Enter builds, Esc "
+           "cancels."));
+}
+
+void EditTools::placeMesh(const QString& file, std::optional<glm::dvec2> ground) {
+    if (!context_.city) return;
+    cancel();
+    const auto lot = std::ranges::find_if(
+        context_.lots, [&ground](const NamedLot& one) { return ground && contains(one.outline, *ground); });
+    if (lot != context_.lots.end()) {
+        Building outline;
+        outline.parts.push_back({.footprint = lot->outline});
+        ground = findMiddle(outline);
+    }
+    mesh_.begin(file, ground);
+}
+
+void EditTools::importMesh() {
+    const QString file = context_.city ? askForMesh(dock_) : QString();
+    if (!file.isEmpty()) mesh_.begin(file);
+}
+
+}  // namespace noonmark

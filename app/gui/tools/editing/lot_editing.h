@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+
+#include "app/gui/tools/editing/lot_handles.h"
+#include "app/gui/tools/preview/edit_context.h"
+
+namespace noonmark {
+
+/// Changes the outline of one lot: corners and edges are dragged, a click on an edge's middle adds a corner,
+/// Delete removes the selected one. Knows no project: each change is emitted, and the lot comes back by
+/// lotsChanged().
+class LotEditing final : public QObject, public DragTarget {
+    Q_OBJECT
+public:
+    explicit LotEditing(EditContext& context, QObject* parent = nullptr);  ///< `context` must outlive it
+    ~LotEditing() override;
+
+    void begin(const NamedLot& lot);
+    void end();
+    [[nodiscard]] bool active() const { return lot_.has_value(); }
+    /// The lot as it is shown, with what is being dragged; empty: none is edited.
+    [[nodiscard]] const std::optional<NamedLot>& lot() const { return lot_; }
+    [[nodiscard]] std::optional<std::size_t> selectedCorner() const { return selected_; }
+
+    /// The lots of the context are others: shows the edited one as it is now, or ends if it is gone.
+    void lotsChanged();
+
+    bool grab(QPointF pixel) override;
+    void dragTo(QPointF pixel) override;
+    void drop() override;
+    void hover(QPointF pixel);
+    bool key(int key);  ///< true if the tool used it
+
+Q_SIGNALS:
+    void shapeChanged();  ///< what lot() shows
+    void changed(noonmark::NamedLot lot, QString what);
+    void failed(noonmark::Error error);
+
+private:
+    /// A drag of a handle: the lot before, where it was grabbed, and the error where it may not be dropped.
+    struct Drag {
+        LotHandle handle;
+        NamedLot before;
+        QPointF fromPx;
+        glm::dvec2 from{0};
+        bool moved = false;
+        std::optional<Error> error;
+    };
+    void follow();
+    [[nodiscard]] Result<Footprint> dragged(const Drag& drag, glm::dvec2 to, bool snapped) const;
+    void take(Result<Footprint> outline, const QString& what);
+    void release(const Drag& drag);
+    void takeBack();
+    void removeSelected();
+    void show();
+    [[nodiscard]] std::optional<LotHandle> handleAt(QPointF pixel) const;
+    void tell(const std::optional<Snap>& snap);
+
+    EditContext& context_;
+    std::optional<NamedLot> lot_;
+    std::optional<std::size_t> selected_;  ///< corner
+    std::optional<Drag> drag_;
+    QPointF pixel_;
+    QTimer next_;  ///< combines several mouse moves into one frame
+    ShortcutClaim claim_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,267 @@
+#include "app/gui/tools/editing/selection_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+#include "app/gui/base/looks/height_reference.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/height_words.h"
+#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/session/study/region_words.h"
+#include "app/gui/tools/massing/figure_words.h"
+#include "scenarios/massing/lot_edits.h"
+#include "scenarios/massing/same_floor_area.h"
+
+namespace noonmark {
+
+namespace {
+
+QString describeEstimate(int storeys) {
+    if (storeys == 0) return {};
+    return QObject::tr("; mesh is open: %1 estimated").arg(describeStoreys(storeys));
+}
+
+QString row(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
+}
+
+QString makeRows(const GroupFacts& facts) {
+    QString floors = describeSmallArea(facts.grossFloorM2) +
+                     QObject::tr(", storeys of %1").arg(describeLength(defaultStoreyM));
+    if (facts.unmeasured > 0)
+        floors += QObject::tr("; %1 without a storey on the ground").arg(facts.unmeasured);
+    const QString selected = QObject::tr("%1 building(s) selected", "", pluralNumber(facts.buildings))
+                                 .arg(formatCount(facts.buildings));
+    return QStringLiteral("<b>%1</b><table>").arg(selected) + row(QObject::tr("Floor area"), floors) +
+           QStringLiteral("</table>");
+}
+
+QString makeRows(const BuildingFacts& facts) {
+    const QString storeys =
+        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeAssumedStoreys(facts.storeys);
+    return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
+           (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
+           row(QObject::tr("Height"),
+               QStringLiteral("%1 (%2)").arg(describeHeight(facts.heightM, facts.groundElevationM),
+                                             facts.heightSource)) +
+           row(QObject::tr("Parts"), QString::number(facts.parts)) +
+           row(QObject::tr("Plan"), describeArea(facts.planM2)) +
+           row(QObject::tr("Floor area"), describeSmallArea(facts.grossFloorM2) + storeys +
+                                              QObject::tr(" of %1").arg(describeLength(defaultStoreyM)) +
+                                              describeEstimate(facts.estimatedStoreys)) +
+           QStringLiteral("</table>");
+}
+
+}  // namespace
+
+SelectionPanel::SelectionPanel(QWidget* parent)
+    : QWidget(parent),
+      facts_(new QLabel),
+      tools_(new QWidget),
+      demolishAll_(pushButton(tr("Demolish all"), "demolishAll",
+                              tr("Removes the selected buildings, as one step of undo (Delete)"))),
+      height_(lengthField(0.1, 2000, 1, 3.5)),
+      heightLabel_(new QLabel),
+      east_(lengthField(-10000, 10000, 1, 1)),
+      north_(lengthField(-10000, 10000, 1, 1)),
+      turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      effect_(new QLabel),
+      error_(new QLabel) {
+    facts_->setWordWrap(true);
+    facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    effect_->setWordWrap(true);
+    effect_->setTextFormat(Qt::PlainText);
+    effect_->setObjectName(QStringLiteral("editEffect"));
+    effect_->hide();
+    error_->setWordWrap(true);
+    showAsError(*error_);
+    auto* inside = new QVBoxLayout(tools_);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addWidget(makeButtons());
+    inside->addWidget(makeFields());
+    inside->addWidget(makeVariants());
+    auto* import = pushButton(
+        tr("Import mesh..."), "importMesh",
+        tr("Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(facts_);
+    column->addWidget(tools_);
+    column->addWidget(demolishAll_);
+    column->addWidget(effect_);
+    column->addWidget(error_);
+    column->addWidget(import);
+    column->addStretch(1);
+    connect(demolishAll_, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
+    connect(import, &QPushButton::clicked, this, &SelectionPanel::importRequested);
+    connectFields();
+    show(std::nullopt);
+}
+
+QWidget* SelectionPanel::makeButtons() {
+    auto* demolish = pushButton(tr("Demolish"), "demolish", tr("Removes the building (Delete)"));
+    auto* replace = pushButton(tr("Replace by tower"), "replace",
+                               tr("Replaces it by a tower on its lot or, if it has none, on its footprint"));
+    auto* lot = pushButton(tr("Lot from footprint"), "lotFromFootprint",
+                           tr("Creates a lot from its outline on the ground"));
+    moveTool_ =
+        pushButton(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends the tool"));
+    moveTool_->setCheckable(true);
+    connect(demolish, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
+    connect(replace, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
+    connect(lot, &QPushButton::clicked, this, &SelectionPanel::lotRequested);
+    connect(moveTool_, &QPushButton::toggled, this, &SelectionPanel::moveToolRequested);
+    auto* buttons = new QWidget;
+    auto* grid = new QGridLayout(buttons);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(demolish, 0, 0);
+    grid->addWidget(replace, 0, 1);
+    grid->addWidget(moveTool_, 1, 0);
+    grid->addWidget(lot, 1, 1);
+    return buttons;
+}
+
+QWidget* SelectionPanel::makeFields() {
+    height_->setObjectName(QStringLiteral("buildingHeight"));
+    turn_->setObjectName(QStringLiteral("buildingTurn"));
+    east_->setObjectName(QStringLiteral("moveEast"));
+    north_->setObjectName(QStringLiteral("moveNorth"));
+    height_->setToolTip(
+        tr("0.1 to 2000 m above the ground; View > Heights above datum shows it as an elevation. Or drag the "
+           "arrow on the building. Press Enter to apply"));
+    turn_->setToolTip(tr("Clockwise about its middle. Press Enter to apply"));
+    for (QDoubleSpinBox* field : {east_, north_})
+        field->setToolTip(tr("Negative: west, south. Press Enter to apply"));
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(heightLabel_, height_);
+    form->addRow(tr("Move east"), east_);
+    form->addRow(tr("Move north"), north_);
+    form->addRow(tr("Rotate"), turn_);
+    return fields;
+}
+
+QWidget* SelectionPanel::makeVariants() {
+    auto* group = new QWidget;
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->addWidget(new QLabel(tr("Same floor area on its lot:")));
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
+    const auto variant = [&](const QString& text, double factor, const QString& tip) {
+        auto* made = pushButton(text, "variant", tip);
+        connect(made, &QPushButton::clicked, this, [this, factor] { Q_EMIT variantRequested(factor); });
+        row->addWidget(made);
+    };
+    variant(tr("Wider"), 2, tr("Shorter, on a floor plate twice as large"));
+    variant(tr("Widest"), largestPlate, tr("As short as the lot allows"));
+    variant(tr("Slimmer"), 0.5, tr("Taller, on half the floor plate"));
+    return group;
+}
+
+glm::dvec2 SelectionPanel::move() const { return {east_->value(), north_->value()}; }
+
+void SelectionPanel::connectFields() {
+    const auto changed = [this](auto* field, auto tell) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this, tell] {
+            if (!showing_) tell();
+        });
+    };
+    changed(height_, [this] { Q_EMIT heightChanged(height_->value()); });
+    changed(turn_, [this] { Q_EMIT turnChanged(turn_->value()); });
+    for (QDoubleSpinBox* field : {east_, north_}) {
+        changed(field, [this] { Q_EMIT moveChanged(move()); });
+        onEnter(*field, &SelectionPanel::takeMove);
+    }
+    onEnter(*height_, &SelectionPanel::takeHeight);
+    onEnter(*turn_, &SelectionPanel::takeTurn);
+}
+
+// Not editingFinished, which is also emitted when the field loses focus.
+void SelectionPanel::onEnter(const QDoubleSpinBox& field, void (SelectionPanel::*take)()) {
+    connect(field.findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, take);
+}
+
+// The fields are reset after an edit: a second Enter before the changed city arrives must not repeat it.
+void SelectionPanel::takeMove() {
+    const glm::dvec2 byM = move();
+    showMove({0, 0});
+    if (byM != glm::dvec2(0)) Q_EMIT moveTaken(byM);
+}
+
+void SelectionPanel::takeHeight() {
+    const double before = std::exchange(heightM_, height_->value());
+    if (std::abs(heightM_ - before) > 0.05) Q_EMIT heightTaken(heightM_);
+}
+
+void SelectionPanel::takeTurn() {
+    const double degrees = turn_->value();
+    const QSignalBlocker block(turn_);
+    turn_->setValue(0);
+    if (degrees != 0) Q_EMIT turnTaken(degrees);
+}
+
+void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
+    showing_ = true;
+    facts_->setText(facts ? makeRows(*facts)
+                          : tr("Click a building in the view to select it. Ctrl+click selects another too, a "
+                               "drag with Ctrl+Shift all in a rectangle."));
+    tools_->setVisible(facts.has_value());
+    demolishAll_->hide();
+    heightM_ = facts ? facts->heightM : 0;
+    const bool datum = heightReferenceInUse() == HeightReference::datum;
+    heightLabel_->setText(datum ? tr("Top above datum") : tr("Height above ground"));
+    height_->setZero(heightZeroM(facts ? facts->groundElevationM : 0));
+    height_->setValue(heightM_);
+    for (QDoubleSpinBox* field : {east_, north_, turn_}) field->setValue(0);
+    showing_ = false;
+    showError({});
+}
+
+void SelectionPanel::showGroup(const GroupFacts& facts) {
+    show(std::nullopt);
+    facts_->setText(makeRows(facts));
+    demolishAll_->show();
+}
+
+void SelectionPanel::showHeight(double heightM) {
+    const QSignalBlocker block(height_);
+    height_->setValue(heightM);
+}
+
+void SelectionPanel::showMove(glm::dvec2 byM) {
+    const QSignalBlocker blockEast(east_), blockNorth(north_);
+    east_->setValue(byM.x);
+    north_->setValue(byM.y);
+}
+
+void SelectionPanel::setMoving(bool moving) {
+    const QSignalBlocker block(moveTool_);
+    moveTool_->setChecked(moving);
+}
+
+void SelectionPanel::showEffect(const QString& words) {
+    effect_->setText(words);
+    effect_->setVisible(!words.isEmpty());
+}
+
+void SelectionPanel::showError(const QString& text) {
+    error_->setText(text);
+    error_->setVisible(!text.isEmpty());
+}
+
+QString SelectionPanel::message() const { return error_->text(); }
+
+}  // namespace noonmark

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/session/study/shared_horizon_cache.h"
+#include "app/gui/tools/live/facade_sunlight.h"
+
+namespace noonmark {
+
+/// Keeps the sunlight of facades up to date while the user edits a building: coarsely while it moves, in
+/// about a budget of time; every bay and storey when it rests. One question is computed at a time, in a job;
+/// when it is ready, the newest of those that arrived meanwhile is next.
+class LiveFacades final : public QObject {
+    Q_OBJECT
+public:
+    static constexpr double budgetSeconds = 0.2;
+
+    explicit LiveFacades(QObject* parent = nullptr);
+
+    /// Ends what was followed before. `rest`: the city without the buildings that the edit replaces.
+    void begin(City rest, const SunQuestion& sun, const FacadeSettings& facades);
+    /// The edited buildings with their own storeys, and those of the city whose facades are shown too. Does
+    /// nothing before begin().
+    void follow(const FacadeQuestion::Buildings& shape, const FacadeQuestion::Buildings& neighbours,
+                const OwnStoreys& storeys = {});
+    void end();
+
+    /// The latest answer since begin(); null if there is none yet.
+    [[nodiscard]] std::shared_ptr<const FacadeAnswer> answer() const { return answer_; }
+    [[nodiscard]] JobSlot& working() { return slot_; }
+
+Q_SIGNALS:
+    void changed();  ///< a new answer
+    /// Also if cancelled. Nothing is computed until the next begin().
+    void failed(noonmark::Error error);
+
+private:
+    struct Followed {
+        std::shared_ptr<const SunSteps> sun;
+        FacadeAnswer answer;
+    };
+    void ask(bool coarse);
+    void take(Result<Followed> followed);
+    void fitBudget(const FacadeAnswer& answer);
+
+    std::optional<FacadeQuestion> question_;  // none: not active. Without the sun until it is computed
+    SunQuestion sun_;
+    std::shared_ptr<const FacadeAnswer> answer_;
+    bool newer_ = false;  // the question has changed since the running job was asked
+    bool coarse_ = true;  // of the running job
+    std::size_t points_;  // that fit into the budget
+    QTimer rest_;
+    JobSlot slot_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+#include "app/gui/session/study/shared_horizon_cache.h"
+#include "app/gui/tools/live/live_change.h"
+#include "app/gui/tools/live/live_receivers.h"
+#include "app/gui/tools/live/live_rule.h"
+#include "core/base/progress.h"
+#include "core/engines/projected/shadow_cache.h"
+#include "scenarios/edits/apply_edits.h"
+
+namespace noonmark {
+
+/// The settings of the live shadow, as those of a study.
+struct LiveQuestion {
+    SunQuestion sun;
+    Region region;
+    ReceiverSettings receivers;
+    /// On the region's cells if possible; else in a square around the shape.
+    bool onRegion = false;
+    /// Where the change is measured too.
+    std::vector<Place> places{};
+    bool operator==(const LiveQuestion&) const = default;
+};
+
+/// The place where a shape is edited.
+struct LivePlace {
+    City rest;             ///< the city without the buildings that the shape replaces
+    ChangedVolume volume;  ///< around the buildings removed and added first; not empty
+    double halfM = 200;    ///< half width of the square
+    /// The city that the shape is compared with; null: none.
+    std::shared_ptr<const City> baseline{};
+};
+
+/// The shadow with a shape, and how it was computed.
+struct LiveAnswer {
+    ShadowField field;  ///< NaN in continuousMin if `runs` is false
+    Receivers receivers;
+    LiveEngine engine = LiveEngine::shadows;
+    std::size_t counted = 0;  ///< steps computed
+    std::size_t steps = 0;    ///< steps of the period
+    bool runs = true;
+    /// Against the baseline; none: there is none, or receivers are on roofs only.
+    std::optional<LiveChange> change{};
+};
+
+/// The shadow around a place while a shape is edited there. The shadow of the rest of the city is computed
+/// once and cached, so that each new shape costs only what it changes. Uses the first of liveEngines() that
+/// succeeds.
+class LiveShadow {
+public:
+    /// Uses the region's cells if the question says so, they are not too many and a shadow from the place can
+    /// reach them; else a square of 400 x 400 cells. The baseline's shadow is computed too. Error: the
+    /// sun never rises, no method succeeds, cancelled(). Polygons take about 0.2 s for 43,000 buildings;
+    /// horizons of a year up to some seconds.
+    static Result<std::shared_ptr<LiveShadow>> at(LivePlace place, const LiveQuestion& question,
+                                                  std::shared_ptr<SharedHorizonCache> horizons,
+                                                  Progress& progress, const std::stop_token& stop);
+
+    /// The shadow of the city with these buildings instead of those before. `counts` applies to horizons
+    /// only: polygons always include continuous shadow, moments never do. Error: too little memory, too many
+    /// overhangs for horizons, cancelled(). With polygons, call it from one thread at a time; with horizons,
+    /// a cancelled call may still run beside the next one.
+    [[nodiscard]] Result<LiveAnswer> with(const LiveReceivers::Shape& shape, ShadowCounts counts,
+                                          Progress& progress, const std::stop_token& stop);
+
+    [[nodiscard]] const Receivers& receivers() const { return receivers_.base(); }
+    [[nodiscard]] LiveEngine engine() const { return engine_; }
+
+private:
+    /// What each shape is compared with.
+    struct Baseline {
+        City city;
+        Receivers receivers;
+        std::shared_ptr<const ShadowField> field{};
+    };
+    LiveShadow(City city, LiveReceivers receivers, const LiveQuestion& question,
+               std::shared_ptr<SharedHorizonCache> horizons)
+        : city_(std::move(city)),
+          receivers_(std::move(receivers)),
+          sun_(question.sun),
+          places_(question.receivers.places),
+          horizons_(std::move(horizons)) {}
+    Result<void> begin(const SunSteps& sun, Progress& progress, const std::stop_token& stop);
+    Result<void> begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
+                       const std::stop_token& stop);
+    Result<void> addBaseline(Baseline baseline, const SunSteps& sun, Progress& progress,
+                             const std::stop_token& stop);
+    Result<void> compare(ShadowCounts counts, LiveAnswer& answer, Progress& progress,
+                         const std::stop_token& stop);
+    Result<std::shared_ptr<const ShadowField>> baselineField(ShadowCounts counts, Progress& progress,
+                                                             const std::stop_token& stop);
+    Result<ShadowField> fieldOf(const City& city, const Receivers& receivers, ShadowCounts counts,
+                                Progress& progress, const std::stop_token& stop);
+    void spreadMoments(ShadowField& field) const;
+    void leaveGroundOut(LiveAnswer& answer) const;
+
+    City city_;
+    LiveReceivers receivers_;
+    SunQuestion sun_;
+    ReceiverPlaces places_;
+    std::shared_ptr<SharedHorizonCache> horizons_;
+    std::optional<Baseline> baseline_;
+    std::mutex baselineField_;  // of its field, which the next call may read while a cancelled one ends
+    std::vector<PlaceCells> placeCells_;
+    std::optional<ShadowCache> shadows_;  // if the method caches polygons
+    LiveEngine engine_ = LiveEngine::shadows;
+    std::size_t counted_ = 0;
+    std::size_t steps_ = 0;
+    double sunlitMinutesPerDay_ = 0;
+};
+
+}  // namespace noonmark

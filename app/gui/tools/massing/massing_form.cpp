@@ -1,0 +1,164 @@
+#include "app/gui/tools/massing/massing_form.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/gui/base/looks/height_reference.h"
+#include "app/gui/base/widgets/height_words.h"
+#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/tools/massing/plate_field.h"
+#include "app/gui/tools/massing/setback_table.h"
+#include "app/gui/tools/massing/tower_draft.h"
+#include "app/gui/tools/massing/use_table.h"
+#include "app/gui/tools/massing/wall_field.h"
+#include "core/city/plausible_heights.h"
+
+namespace noonmark {
+
+MassingForm::MassingForm(QWidget* parent)
+    : QWidget(parent),
+      storeys_(wholeField(1, 500, {})),
+      storeyHeight_(lengthField(2, 10, 2, 0.1)),
+      height_(lengthField(2, tallestBuildingM, 1, 3.5)),
+      heightLabel_(new QLabel),
+      plate_(new PlateField),
+      turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      walls_(new WallField),
+      podium_(new QGroupBox(tr("Podium"))),
+      podiumStoreys_(wholeField(1, 499, {})),
+      podiumPlate_(new PlateField),
+      podiumWalls_(new WallField),
+      setbacks_(new SetbackTable),
+      uses_(new UseTable) {
+    settings_.storeys = 10;
+    makeFields();
+    connectFields();
+    show(settings_);
+}
+
+void MassingForm::makeFields() {
+    storeys_->setObjectName(QStringLiteral("storeys"));
+    height_->setObjectName(QStringLiteral("totalHeight"));
+    walls_->setObjectName(QStringLiteral("towerWalls"));
+    podiumWalls_->setObjectName(QStringLiteral("podiumWalls"));
+    storeys_->setToolTip(tr("All storeys, including the podium: 1 to 500"));
+    storeyHeight_->setToolTip(tr("Floor to floor: 2 to 10 m"));
+    height_->setToolTip(
+        tr("One storey to 2000 m; or drag the arrow on the tower, or type a number over the view"));
+    turn_->setToolTip(tr("Rotation clockwise about the tower's middle; it must stay on the lot"));
+    podiumStoreys_->setToolTip(tr("Fewer than all storeys"));
+    podium_->setCheckable(true);
+    podium_->setChecked(false);
+    auto* podium = new QFormLayout(podium_);
+    podium->addRow(tr("Storeys"), podiumStoreys_);
+    podium->addRow(tr("Plate"), podiumPlate_);
+    podium->addRow(tr("Taper, twist"), podiumWalls_);
+    auto* form = new QFormLayout;
+    form->addRow(tr("Storeys"), storeys_);
+    form->addRow(tr("Storey height"), storeyHeight_);
+    form->addRow(heightLabel_, height_);
+    form->addRow(tr("Floor plate"), plate_);
+    form->addRow(tr("Rotation"), turn_);
+    form->addRow(tr("Taper, twist"), walls_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(form);
+    column->addWidget(podium_);
+    column->addWidget(setbacks_);
+    column->addWidget(uses_);
+    setGround(0);
+}
+
+void MassingForm::setGround(double groundElevationM) {
+    const bool datum = heightReferenceInUse() == HeightReference::datum;
+    heightLabel_->setText(datum ? tr("Top above datum") : tr("Height above ground"));
+    height_->setZero(heightZeroM(groundElevationM));
+    setbacks_->setZero(heightZeroM(groundElevationM));
+}
+
+void MassingForm::connectFields() {
+    // What show() writes into one field is not an entry that decides about the others.
+    connect(storeys_, &QSpinBox::valueChanged, this, [this](int storeys) {
+        if (showing_) return;
+        settings_.storeys = storeys;
+        settings_.heightM = 0;
+        takeHeight();
+    });
+    connect(storeyHeight_, &QDoubleSpinBox::valueChanged, this, [this](double height) {
+        if (showing_) return;
+        settings_.storeyHeightM = height;
+        takeHeight();
+    });
+    connect(height_, &QDoubleSpinBox::valueChanged, this, [this](double height) {
+        if (showing_) return;
+        settings_ = withHeight(settings_, height);
+        takeHeight();
+    });
+    connect(turn_, &QDoubleSpinBox::valueChanged, this, &MassingForm::takeRest);
+    connect(plate_, &PlateField::edited, this, &MassingForm::takeRest);
+    for (WallField* field : {walls_, podiumWalls_})
+        connect(field, &WallField::edited, this, &MassingForm::takeRest);
+    connect(uses_, &UseTable::edited, this, &MassingForm::takeRest);
+    connect(podium_, &QGroupBox::toggled, this, &MassingForm::takeRest);
+    connect(podiumStoreys_, &QSpinBox::valueChanged, this, &MassingForm::takeRest);
+    connect(podiumPlate_, &PlateField::edited, this, &MassingForm::takeRest);
+    connect(setbacks_, &SetbackTable::edited, this, &MassingForm::takeRest);
+    connect(setbacks_, &SetbackTable::addRequested, this, &MassingForm::addSetback);
+}
+
+// One of storeys, storey height and total height was changed: the others follow.
+void MassingForm::takeHeight() {
+    show(settings_);
+    Q_EMIT edited();
+}
+
+void MassingForm::takeRest() {
+    if (showing_) return;
+    settings_.clockwiseDeg = turn_->value();
+    settings_.plate = plate_->plate();
+    settings_.podium.reset();
+    if (podium_->isChecked())
+        settings_.podium = Podium{podiumStoreys_->value(), podiumPlate_->plate(), podiumWalls_->walls()};
+    settings_.walls = walls_->walls();
+    settings_.setbacks = setbacks_->setbacks();
+    settings_.uses = uses_->uses();
+    Q_EMIT edited();
+}
+
+// Adds a setback half way between the last one and the top.
+void MassingForm::addSetback() {
+    const double top = heightOf(settings_);
+    double from = settings_.podium ? settings_.podium->storeys * settings_.storeyHeightM : 0;
+    if (!settings_.setbacks.empty()) from = settings_.setbacks.back().aboveM;
+    settings_.setbacks.push_back({.aboveM = (from + top) / 2, .insetM = 3});
+    show(settings_);
+    Q_EMIT edited();
+}
+
+void MassingForm::show(const MassingSettings& settings) {
+    settings_ = settings;
+    showing_ = true;
+    const double height = heightOf(settings);
+    storeys_->setValue(settings.storeys > 0 ? settings.storeys : int(height / settings.storeyHeightM + 1e-6));
+    storeyHeight_->setValue(settings.storeyHeightM);
+    height_->setValue(height);
+    plate_->show(settings.plate);
+    turn_->setValue(settings.clockwiseDeg);
+    walls_->show(settings.walls);
+    podium_->setChecked(settings.podium.has_value());
+    if (settings.podium) {
+        podiumStoreys_->setValue(settings.podium->storeys);
+        podiumPlate_->show(settings.podium->plate);
+        podiumWalls_->show(settings.podium->walls);
+    }
+    setbacks_->show(settings.setbacks);
+    uses_->show(settings.uses);
+    showing_ = false;
+}
+
+}  // namespace noonmark

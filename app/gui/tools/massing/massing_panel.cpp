@@ -1,0 +1,244 @@
+#include "app/gui/tools/massing/massing_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/height_words.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/session/study/region_words.h"
+#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/tools/massing/massing_form.h"
+
+namespace noonmark {
+
+namespace {
+
+QString makeUseRows(const std::vector<UseArea>& uses) {
+    QString rows;
+    for (const UseArea& area : uses) {
+        const QString use =
+            area.use.empty() ? QObject::tr("Use not stated") : QString::fromStdString(area.use);
+        rows += QStringLiteral("<tr><td>%1, %2&nbsp;&nbsp;</td><td align='right'>%3</td></tr>")
+                    .arg(use.toHtmlEscaped(), describeStoreys(area.storeys),
+                         describeSmallArea(area.grossFloorM2));
+    }
+    return rows;
+}
+
+QString makeRows(const MassingFigures& figures, std::size_t demolished, double groundElevationM) {
+    const auto row = [](const QString& name, const QString& value) {
+        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
+            .arg(name, value);
+    };
+    return QStringLiteral("<table>") +
+           row(QObject::tr("Gross floor area"), describeSmallArea(figures.grossFloorM2)) +
+           makeUseRows(figures.uses) +
+           row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
+           row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
+           row(QObject::tr("Height"), describeHeight(figures.heightM, groundElevationM)) +
+           row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
+           row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
+           row(QObject::tr("Buildings demolished"), QString::number(demolished)) + QStringLiteral("</table>");
+}
+
+}  // namespace
+
+MassingPanel::MassingPanel(QWidget* parent)
+    : QWidget(parent), body_(new QWidget), on_(new QLabel), name_(new QLineEdit), form_(new MassingForm) {
+    name_->setMaxLength(80);
+    name_->setToolTip(tr("Name and id of the new building"));
+    auto* names = new QFormLayout;
+    names->addRow(tr("On"), on_);
+    names->addRow(tr("Name"), name_);
+    auto* inside = new QVBoxLayout(body_);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addLayout(names);
+    inside->addWidget(form_);
+    inside->addWidget(makeLiveChoices());
+    inside->addWidget(makeFigures());
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(makeLotRow());
+    column->addWidget(body_);
+    column->addStretch(1);
+    connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
+    connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
+    setLots({});
+    showNone();
+}
+
+QWidget* MassingPanel::makeLotRow() {
+    lot_ = new QComboBox;
+    lot_->setObjectName(QStringLiteral("lot"));
+    lot_->setToolTip(tr("The project's lots"));
+    design_ = pushButton(tr("Design tower"), "designTower",
+                         tr("Designs a tower on this lot; building it demolishes the buildings on the lot"));
+    copy_ =
+        pushButton(tr("Copy tower here"), "copyTower",
+                   tr("Sets the tower that is selected or being designed on this lot too, with its storeys, "
+                      "plate areas and setbacks, turned as the lot is"));
+    edit_ = pushButton(tr("Edit lot"), "editLot",
+                       tr("Shows the lot's corners and sides as handles that are dragged.\nA click on the "
+                          "middle of a side adds a corner, Delete removes the selected one."));
+    auto* draw =
+        pushButton(tr("Draw lot"), "drawLot",
+                   tr("Click corners on the ground (Shift: at right angles to the last side; Ctrl: without "
+                      "snapping),\nor type the length of a side and press Enter.\nDouble click, Enter or "
+                      "right click finishes, Backspace removes the last corner."));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(draw);
+    buttons->addWidget(edit_);
+    auto* row = new QWidget;
+    auto* column = new QVBoxLayout(row);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(lot_);
+    column->addLayout(buttons);
+    column->addWidget(design_);
+    column->addWidget(copy_);
+    connect(draw, &QPushButton::clicked, this, &MassingPanel::drawRequested);
+    connect(edit_, &QPushButton::clicked, this, [this] {
+        if (const auto lot = chosenLot()) Q_EMIT editRequested(*lot);
+    });
+    connect(design_, &QPushButton::clicked, this, [this] {
+        if (const auto lot = chosenLot()) Q_EMIT designRequested(*lot);
+    });
+    connect(copy_, &QPushButton::clicked, this, [this] {
+        if (const auto lot = chosenLot()) Q_EMIT copyRequested(*lot);
+    });
+    return row;
+}
+
+std::optional<NamedLot> MassingPanel::chosenLot() const {
+    const int chosen = lot_->currentIndex();
+    if (chosen < 0 || std::size_t(chosen) >= lots_.size()) return std::nullopt;
+    return lots_[std::size_t(chosen)];
+}
+
+// One or the other, or the shadow with the tower on the ground alone.
+QWidget* MassingPanel::makeLiveChoices() {
+    change_ = new QCheckBox(tr("Change of shadow"));
+    change_->setObjectName(QStringLiteral("liveChange"));
+    change_->setToolTip(
+        tr("Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with "
+           "it. A pin marks the worst spot."));
+    facades_ = new QCheckBox(tr("Sunlight of its facades"));
+    facades_->setObjectName(QStringLiteral("liveFacades"));
+    facades_->setChecked(true);
+    facades_->setToolTip(tr(
+        "Shows the hours of shadow on the tower's facades, coarsely while it changes. Click other buildings "
+        "in the view to see their facades too. Bays and storeys are those of the study's form."));
+    connect(change_, &QCheckBox::clicked, this, &MassingPanel::changeShownChosen);
+    connect(facades_, &QCheckBox::clicked, this, &MassingPanel::facadesShownChosen);
+    auto* choices = new QWidget;
+    auto* column = new QVBoxLayout(choices);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(change_);
+    column->addWidget(facades_);
+    return choices;
+}
+
+void MassingPanel::setFacadesShown(bool shown) { facades_->setChecked(shown); }
+
+void MassingPanel::setChangeShown(bool shown) { change_->setChecked(shown); }
+
+void MassingPanel::showEffect(const QString& words) {
+    effect_->setText(words);
+    effect_->setVisible(!words.isEmpty());
+}
+
+QWidget* MassingPanel::makeFigures() {
+    figures_ = new QLabel;
+    figures_->setTextFormat(Qt::RichText);
+    figures_->setObjectName(QStringLiteral("figures"));
+    effect_ = new QLabel;
+    effect_->setTextFormat(Qt::PlainText);
+    effect_->setWordWrap(true);
+    effect_->setObjectName(QStringLiteral("towerEffect"));
+    effect_->hide();
+    error_ = new QLabel;
+    error_->setWordWrap(true);
+    error_->setObjectName(QStringLiteral("massingError"));
+    showAsError(*error_);
+    apply_ = pushButton(tr("Build"), "applyMassing",
+                        tr("Adds the tower to the scenario, as one undo step (Enter over the view)"));
+    auto* cancel =
+        pushButton(tr("Cancel"), "cancelMassing", tr("Leaves the scenario unchanged (Esc over the view)"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(apply_);
+    buttons->addWidget(cancel);
+    auto* group = new QWidget;
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(figures_);
+    column->addWidget(effect_);
+    column->addWidget(error_);
+    column->addLayout(buttons);
+    connect(apply_, &QPushButton::clicked, this, &MassingPanel::applied);
+    connect(cancel, &QPushButton::clicked, this, &MassingPanel::cancelled);
+    return group;
+}
+
+void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
+    const QString chosen = lot_->currentText();
+    lots_ = lots;
+    lot_->clear();
+    for (const NamedLot& lot : lots) lot_->addItem(QString::fromStdString(lot.name));
+    if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
+    lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
+    lot_->setEnabled(!lots.empty());
+    for (QPushButton* button : {edit_, design_, copy_}) button->setEnabled(!lots.empty());
+}
+
+void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); }
+
+void MassingPanel::showDraft(const TowerDraft& draft) {
+    draft_ = draft;
+    const QString lot = QString::fromStdString(draft.lot.name), size = describeArea(area(draft.lot.outline));
+    on_->setText(lot.isEmpty() ? size : QStringLiteral("%1, %2").arg(lot, size));
+    const QString name = QString::fromStdString(draft.tower);
+    if (name_->text() != name) name_->setText(name);
+    lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(draft.lot.name))));
+    form_->show(draft.settings);
+    setDesigning(true);
+}
+
+void MassingPanel::showNone() {
+    draft_ = {};
+    setDesigning(false);
+}
+
+TowerDraft MassingPanel::draft() const {
+    TowerDraft draft = draft_;
+    draft.tower = name_->text().trimmed().toStdString();
+    draft.settings = form_->settings();
+    return draft;
+}
+
+void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished,
+                               double groundElevationM) {
+    form_->setGround(groundElevationM);
+    figures_->setText(makeRows(figures, demolished, groundElevationM));
+    error_->clear();
+    error_->hide();
+    apply_->setEnabled(true);
+}
+
+// The last figures stay: they describe the tower still in the view.
+void MassingPanel::showError(const Error& error) {
+    error_->setText(describeError(error));
+    error_->show();
+    apply_->setEnabled(false);
+}
+
+QString MassingPanel::message() const { return error_->text(); }
+
+}  // namespace noonmark

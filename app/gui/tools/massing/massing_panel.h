@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/gui/tools/massing/tower_draft.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace noonmark {
+
+class MassingForm;
+
+/// The dock for designing a tower on a lot: choice of lot, name, shape and resulting figures. Shows a draft
+/// and emits its changes; figures or errors of the draft are passed in.
+class MassingPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit MassingPanel(QWidget* parent = nullptr);
+
+    void setLots(const std::vector<NamedLot>& lots);
+    void showDraft(const TowerDraft& draft);  ///< without a signal
+    void showNone();                          ///< no tower is being designed
+    [[nodiscard]] std::optional<NamedLot> chosenLot() const;
+    [[nodiscard]] TowerDraft draft() const;
+
+    /// `groundElevationM`: of the ground under the tower, above the datum.
+    void showFigures(const MassingFigures& figures, std::size_t demolished, double groundElevationM);
+    void setFacadesShown(bool shown);  ///< without a signal
+    void setChangeShown(bool shown);   ///< likewise
+    /// What the tower changes, in lines; empty: not known.
+    void showEffect(const QString& words);
+    void showError(const Error& error);
+    [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
+
+Q_SIGNALS:
+    void drawRequested();
+    void editRequested(noonmark::NamedLot lot);    ///< to change its outline
+    void designRequested(noonmark::NamedLot lot);  ///< a tower on an existing lot
+    void copyRequested(noonmark::NamedLot lot);    ///< the tower selected or designed, on this lot
+    void edited();
+    void facadesShownChosen(bool shown);
+    void changeShownChosen(bool shown);
+    void applied();
+    void cancelled();
+
+private:
+    QWidget* makeLotRow();
+    QWidget* makeLiveChoices();
+    QWidget* makeFigures();
+    void setDesigning(bool designing);
+
+    std::vector<NamedLot> lots_;
+    TowerDraft draft_;
+    QComboBox* lot_;
+    QPushButton* edit_;
+    QPushButton* design_;
+    QPushButton* copy_;
+    QWidget* body_;
+    QLabel* on_;
+    QLineEdit* name_;
+    MassingForm* form_;
+    QCheckBox* facades_;
+    QCheckBox* change_;
+    QLabel* figures_;
+    QLabel* effect_;
+    QLabel* error_;
+    QPushButton* apply_;
+};
+
+}  // namespace noonmark

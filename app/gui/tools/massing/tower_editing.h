@@ -1,0 +1,62 @@
+#pragma once
+
+// The design of a tower on a lot. TowerDraft is the tower with its settings, TowerEditing the tool that shows
+// it in the view; MassingPanel, its form, fields and table only show and change values.
+
+#include <QObject>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/tools/massing/tower_draft.h"
+#include "app/gui/tools/preview/edit_context.h"
+#include "scenarios/massing/tower_design.h"
+
+namespace noonmark {
+
+class MassingPanel;
+
+/// A tower being designed; form, handle and preview show the same draft. Building it emits one list of edits.
+/// A built tower can be redesigned, and copied, from the design that the project saved with its edit.
+class TowerEditing final : public QObject {
+    Q_OBJECT
+public:
+    TowerEditing(EditContext& context, MassingPanel& panel,
+                 QObject* parent = nullptr);  ///< both outlive it
+
+    /// `replaces`: id of the building that the tower replaces; empty: none.
+    void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
+    /// The towers of the shown scenario.
+    void setTowers(std::map<std::string, ProposedTower> towers) { towers_ = std::move(towers); }
+    [[nodiscard]] const std::map<std::string, ProposedTower>& towers() const { return towers_; }
+    /// The draft that a designed tower was built from; nothing for any other building, nor where it was
+    /// changed since.
+    [[nodiscard]] std::optional<TowerDraft> designOf(const Building& building) const;
+    /// The same also where the tower was moved, turned or changed in height since: for a copy.
+    [[nodiscard]] std::optional<TowerDraft> designToCopy(const Building& building) const;
+    void resume(TowerDraft draft);
+    [[nodiscard]] const std::optional<TowerDraft>& draft() const { return draft_; }
+    [[nodiscard]] bool active() const { return draft_.has_value(); }
+
+    void setHeight(double heightM);  ///< from the handle
+    void build();                    ///< does nothing while the draft is invalid
+    void show();                     ///< again, in the current city
+    void cancel();
+
+Q_SIGNALS:
+    void began();
+    void editsMade(std::vector<noonmark::Edit> edits, QString what, std::string tower);
+    void ended();
+
+private:
+    void take();
+
+    EditContext& context_;
+    MassingPanel& panel_;
+    std::optional<TowerDraft> draft_;
+    std::vector<Edit> edits_;  ///< of the draft; empty while it is invalid
+    std::map<std::string, ProposedTower> towers_;
+};
+
+}  // namespace noonmark

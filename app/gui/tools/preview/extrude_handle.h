@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+
+#include "app/gui/view/panel/shortcut_claim.h"
+#include "app/gui/view/panel/typed_length.h"
+#include "core/city/storeys.h"
+#include "render/view/view_navigator.h"
+
+namespace noonmark {
+
+class ViewPanel;
+
+/// The arrow on top of a tower. Dragging it up or down sets the height, snapped to whole storeys, or free
+/// with Shift. A height typed over the view, from the reference in use (looks/height_reference.h), "40",
+/// "131' 3\"" or "40 m", followed by Enter, sets it too.
+class ExtrudeHandle final : public QObject, public DragTarget {
+    Q_OBJECT
+public:
+    explicit ExtrudeHandle(ViewPanel& panel, QObject* parent = nullptr);  ///< `panel` must outlive it
+    ~ExtrudeHandle() override;
+
+    struct Tower {
+        glm::dvec3 foot{0};  ///< on the ground, under the handle
+        double heightM = 0;
+        double storeyM = defaultStoreyM;
+        double groundElevationM = 0;  ///< of the foot, above the datum: heights may be typed from there
+    };
+    void stand(const Tower& tower);
+    void hide();
+    [[nodiscard]] bool shown() const { return tower_.has_value(); }
+    [[nodiscard]] bool dragging() const { return grabbedM_.has_value(); }
+
+    /// Text beside the cursor during a drag.
+    void tell(const QString& figures);
+
+    bool grab(QPointF pixel) override;
+    void dragTo(QPointF pixel) override;
+    void drop() override;
+
+    /// True if the key was part of a typed number, or ended one.
+    bool key(int key);
+
+Q_SIGNALS:
+    void dragged(double heightM);  ///< at most once per frame
+    void dropped(double heightM);  ///< the drag or the typing has ended
+
+private:
+    [[nodiscard]] std::optional<double> heightAt(QPointF pixel) const;
+    [[nodiscard]] double metresUp(QPointF pixel) const;
+    [[nodiscard]] bool isAt(QPointF pixel) const;
+    void follow();
+    void takeTyped();
+    void showTyped();
+
+    ViewPanel& panel_;
+    std::optional<Tower> tower_;
+    std::optional<double> grabbedM_;  // from the handle to where it was grabbed
+    bool fromAbove_ = false;          // seen from above: the drag is measured in pixels
+    QPointF pixel_;
+    QTimer next_;  // combines several mouse moves into one frame
+    TypedLength typed_;
+    ShortcutClaim claim_;
+};
+
+}  // namespace noonmark

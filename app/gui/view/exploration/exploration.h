@@ -1,0 +1,58 @@
+#pragma once
+
+// The explored view: the shadow on all visible surfaces, refined step by step. Exploration runs the jobs,
+// view_refinement decides what comes next, view_turn how much of it at a time, and explored_picture colours
+// the answer.
+
+#include <QObject>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/view/exploration/view_refinement.h"
+
+namespace noonmark {
+
+/// Keeps the shadow of the visible surfaces up to date: a coarse picture while the camera moves, finer ones
+/// when it rests. Works in jobs; a new view, period or city replaces the work before. While the camera moves,
+/// the coarsest picture of a view is always finished once begun, so that there is something to see.
+class Exploration final : public QObject {
+    Q_OBJECT
+public:
+    explicit Exploration(QObject* parent = nullptr);
+
+    void setCity(std::shared_ptr<const OpenCity> city);
+    void setPeriod(const Period& period,
+                   const Observer& observer);  ///< does nothing if both are unchanged
+    /// `lens` in device pixels.
+    void look(const CameraPose& pose, const ViewLens& lens, const std::optional<SectionBox>& section = {});
+    /// Uses shadow accrual maps, as in the paper, or rays, which are exact and on a CPU as fast.
+    void setByMaps(bool maps);
+    void setActive(bool active);  ///< starts or stops; the last answer stays until something changes
+
+    [[nodiscard]] bool working() const { return slot_.busy(); }
+    /// The latest answer, including the partial result of the running job; null: none yet.
+    [[nodiscard]] std::shared_ptr<const ViewAnswer> answer() const { return running_ ? running_ : answer_; }
+
+Q_SIGNALS:
+    void changed();  ///< a new answer, or none any more
+    void failed(noonmark::Error error);
+
+private:
+    void makeEngine();
+    void ask();     // again, from the coarsest level
+    void refine();  // one step further
+    void take(Result<ViewAnswer> answer);
+    void takeRunning(const PartialField& running);
+    [[nodiscard]] bool canAsk() const;
+
+    ViewQuestion question_;
+    ViewEngine engine_;
+    bool byMaps_ = false;
+    std::shared_ptr<const ViewAnswer> answer_;
+    std::shared_ptr<const ViewAnswer> running_;
+    JobSlot slot_;
+    bool active_ = false;
+    bool fresh_ = false;    // the running job computes the coarsest picture of a view
+    bool waiting_ = false;  // the view has changed meanwhile
+};
+
+}  // namespace noonmark

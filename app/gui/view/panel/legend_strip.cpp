@@ -1,0 +1,247 @@
+#include "app/gui/view/panel/legend_strip.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <cmath>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/view/panel/legend_words.h"
+#include "app/report/maps/map_furniture.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int stripHeight = 58;
+constexpr int legendRowHeight = 46;  // if the strip is narrow
+constexpr int leastWidth = 784;      // minimum for a single row, with a scale bar and a note of a few words
+constexpr int leastLegendWidth = 250;
+constexpr int mostLegendWidth = 640;
+constexpr int measureWidth = 190;
+constexpr int margin = 10;
+constexpr int needleRoom = 56;
+constexpr int scaleRoom = 104;       // of the scale bar left of the needle
+constexpr int leastWithScale = 560;  // a narrower strip has no scale bar
+constexpr int longestBarPx = 72;
+constexpr QColor partColour{0xff, 0xd5, 0x8a};
+
+void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
+    const double tip = north ? -17 : 17;
+    QPainterPath half;
+    half.moveTo(0, tip);
+    half.lineTo(5, 0);
+    half.lineTo(-5, 0);
+    half.closeSubpath();
+    painter.fillPath(half, colour);
+}
+
+void paintCompass(const Canvas& canvas, QPointF centre, double headingDeg) {
+    QPainter& painter = canvas.painter;
+    painter.save();
+    painter.translate(centre);
+    painter.rotate(-headingDeg);
+    paintNeedle(painter, canvas.inks.line, false);
+    paintNeedle(painter, canvas.inks.text, true);
+    painter.setPen(canvas.inks.text);
+    painter.setFont(textFont(canvas, 10, QFont::Bold));
+    painter.drawText(QRectF(-8, -29, 16, 12), Qt::AlignCenter, QStringLiteral("N"));
+    painter.restore();
+}
+
+int compassWidth(int stripWidth) { return needleRoom + (stripWidth < leastWithScale ? 0 : scaleRoom); }
+
+QSizeF sizeOf(const QString& words, const QFont& font, double width) {
+    return QFontMetricsF(font).boundingRect({0, 0, width, 1e4}, Qt::TextWordWrap, words).size();
+}
+
+QSpinBox* changeScaleField() {
+    auto* field = new QSpinBox;
+    field->setObjectName(QStringLiteral("changeScale"));
+    field->setRange(0, int(ChangeScale::mostMin));
+    field->setSingleStep(15);
+    field->setKeyboardTracking(false);
+    field->setPrefix(QStringLiteral("±"));
+    field->setSuffix(LegendStrip::tr(" min"));
+    field->setSpecialValueText(LegendStrip::tr("Scale: automatic"));
+    field->setToolTip(
+        LegendStrip::tr("The ends of the colour scale of a difference.\nLock it to compare pictures of "
+                        "several proposals; 0: automatic, fitted to each difference."));
+    return field;
+}
+
+// The note, shortened to its first words if it does not fit.
+QString elideNote(const QString& note, const QFont& font, const QSizeF& room) {
+    const auto fits = [&](const QString& words) {
+        const QSizeF size = sizeOf(words, font, room.width());
+        return size.width() <= room.width() && size.height() <= room.height();
+    };
+    if (fits(note)) return note;
+    QStringList words = note.split(QLatin1Char(' '));
+    const auto some = [&words] { return words.join(QLatin1Char(' ')) + QChar(0x2026); };
+    while (words.size() > 1 && !fits(some())) words.removeLast();
+    return some();
+}
+
+}  // namespace
+
+LegendStrip::LegendStrip(QWidget* parent)
+    : QWidget(parent), measure_(new QComboBox), scale_(changeScaleField()) {
+    setFixedHeight(stripHeight);
+    measure_->setObjectName(QStringLiteral("measure"));
+    measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::gross)));
+    measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::continuous)));
+    measure_->setToolTip(
+        tr("What is displayed.\nGross shadow: minutes in shadow per day, mean over the days.\nContinuous "
+           "shadow: longest unbroken run in shadow on any day, minutes."));
+    measure_->setFixedWidth(measureWidth - 24);
+    connect(measure_, &QComboBox::currentIndexChanged, this, &LegendStrip::measureChanged);
+    scale_->setFixedWidth(measureWidth - 24);
+    scale_->hide();
+    setChangeScale({});
+    connect(scale_, &QSpinBox::valueChanged, this, [this](int minutes) {
+        changeScale_.lockedMin = minutes > 0 ? std::optional<double>(minutes) : std::nullopt;
+        Q_EMIT changeScaleChanged();
+    });
+    auto* fields = new QWidget;
+    fields->setFixedHeight(stripHeight);
+    auto* column = new QVBoxLayout(fields);
+    column->setContentsMargins(0, 3, 0, 1);
+    column->setSpacing(1);
+    for (QWidget* field : std::initializer_list<QWidget*>{measure_, scale_}) column->addWidget(field);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 0, 12, 0);
+    row->addWidget(fields, 0, Qt::AlignTop);
+    row->addStretch(1);
+}
+
+// A fractional scale from the command line is rounded in the field only; the value itself stays.
+void LegendStrip::setChangeScale(const ChangeScale& scale) {
+    const QSignalBlocker block(scale_);
+    scale_->setValue(scale.lockedMin ? std::max(1, int(std::lround(*scale.lockedMin))) : 0);
+    if (changeScale_ == scale) return;
+    changeScale_ = scale;
+    Q_EMIT changeScaleChanged();
+}
+
+void LegendStrip::setLegend(std::optional<Legend> legend) {
+    legend_ = std::move(legend);
+    scale_->setVisible(legend_ && legend_->change && !legend_->wanted && !legend_->instant);
+    update();
+}
+
+void LegendStrip::setHint(const QString& hint) {
+    hint_ = hint;
+    update();
+}
+
+void LegendStrip::setNote(const QString& note, bool partial) {
+    note_ = note;
+    partial_ = partial;
+    placeNote();
+    update();
+}
+
+void LegendStrip::setHeading(double degrees) {
+    headingDeg_ = degrees;
+    update();
+}
+
+void LegendStrip::setScale(double pixelsPerM) {
+    pixelsPerM_ = pixelsPerM;
+    update();
+}
+
+// Distances in a slanting view shrink with depth; the bar holds for its middle.
+void LegendStrip::paintScale(const Canvas& canvas) const {
+    if (pixelsPerM_ <= 0 || width() < leastWithScale) return;
+    const QRectF area(width() - compassWidth(width()) + 8.0, 16, scaleRoom - 8.0, stripHeight - 24.0);
+    paintScaleBar(canvas, area, scaleBarWithin(longestBarPx / pixelsPerM_), pixelsPerM_);
+}
+
+ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->currentIndex()); }
+
+void LegendStrip::setMeasure(ShadowMeasure measure) { measure_->setCurrentIndex(int(measure)); }
+
+bool LegendStrip::narrow() const { return width() < leastWidth; }
+
+QFont LegendStrip::noteFont() const {
+    QFont font = this->font();
+    font.setPointSizeF(std::max(7.0, font.pointSizeF() - 1));
+    font.setBold(partial_);
+    return font;
+}
+
+// The room between measure and compass, without that of a legend beside the note.
+QSizeF LegendStrip::noteRoom() const {
+    const double between = width() - measureWidth - compassWidth(width()) - 4 * margin;
+    const double most = narrow() ? between : std::min(between / 2, between - leastLegendWidth);
+    return {std::max(0.0, most), stripHeight - 12.0};
+}
+
+QString LegendStrip::paintedNote() const {
+    return note_.isEmpty() ? QString() : elideNote(note_, noteFont(), noteRoom());
+}
+
+// A tooltip shows the whole note if it was shortened.
+void LegendStrip::placeNote() { setToolTip(paintedNote() == note_ ? QString() : note_); }
+
+// The note is left of the compass.
+QRectF LegendStrip::noteArea() const {
+    if (note_.isEmpty()) return {};
+    const QSizeF room = noteRoom(), words = sizeOf(paintedNote(), noteFont(), room.width());
+    const double wide = std::min(words.width(), room.width()) + 16,
+                 high = std::min(words.height(), room.height()) + 8;
+    return {width() - compassWidth(width()) - wide, (stripHeight - high) / 2, wide, high};
+}
+
+QRectF LegendStrip::legendArea() const {
+    if (narrow()) return {12, stripHeight - 2.0, width() - 24.0, legendRowHeight - 2.0};
+    const double right = note_.isEmpty() ? width() - compassWidth(width()) : noteArea().left();
+    const double left = measureWidth + margin;
+    return {left, 8, std::min(double(mostLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
+}
+
+// On amber if the result is partial.
+void LegendStrip::paintNote(const Canvas& canvas) const {
+    const QRectF chip = noteArea();
+    if (chip.isEmpty()) return;
+    QPainter& painter = canvas.painter;
+    if (partial_) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(partColour);
+        painter.drawRoundedRect(chip, 4, 4);
+    }
+    painter.setFont(noteFont());
+    painter.setPen(partial_ ? ink::text : canvas.inks.quiet);
+    painter.drawText(chip.adjusted(8, 0, -8, 0), Qt::AlignCenter | Qt::TextWordWrap, paintedNote());
+}
+
+void LegendStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    setFixedHeight(narrow() ? stripHeight + legendRowHeight : stripHeight);
+    placeNote();
+}
+
+void LegendStrip::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Canvas canvas{painter, 1, inksOf(themeInUse())};
+    painter.fillRect(rect(), canvas.inks.paper);
+    painter.fillRect(QRect(0, 0, width(), 1), canvas.inks.line);
+    paintCompass(canvas, {width() - needleRoom / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
+    paintScale(canvas);
+    paintNote(canvas);
+    const QRectF area = legendArea();
+    if (legend_)
+        return paintLegend({painter, area.height() / legendHeightPt, canvas.inks}, area,
+                           translateLegend(*legend_));
+    painter.setPen(canvas.inks.quiet);
+    painter.setFont(font());
+    painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, hint_);
+}
+
+}  // namespace noonmark

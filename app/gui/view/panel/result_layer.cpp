@@ -1,0 +1,282 @@
+#include "app/gui/view/panel/result_layer.h"
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/gui/base/layers/field_picture.h"
+#include "app/gui/base/layers/hover_text.h"
+#include "app/gui/view/exploration/explored_picture.h"
+
+namespace noonmark {
+
+namespace {
+
+// Cached horizons give no continuous shadow here.
+GroundAnswer makeTimeAnswer(const std::shared_ptr<const TimeAnswer>& time) {
+    return {std::shared_ptr<const ShadowField>(time, &time->field),
+            std::shared_ptr<const Receivers>(time, &time->study->receivers), describe(time->look), false,
+            true};
+}
+
+QString makeNote(const ViewAnswer& answer, double distanceM) {
+    const QString words = describeDetail(answer.view, distanceM);
+    if (isSoFar(answer.view)) return QObject::tr("So far: %1").arg(words);
+    return !isFinest(answer) ? QObject::tr("Refining: %1").arg(words) : words;
+}
+
+QString hintOf(ViewMode mode) {
+    if (mode == ViewMode::exploration) return QObject::tr("Computing the shadow in the view...");
+    return QObject::tr("No study yet: choose a period and a region, then press Run (Ctrl+R)");
+}
+
+}  // namespace
+
+ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), strip_(legend) {
+    view_.surfaces().setPalette(shadowPalette());
+    showNothing();
+}
+
+void ResultLayer::forget() {
+    study_.reset();
+    inFront_.reset();
+    elements_.reset();
+    partial_.reset();
+    time_.reset();
+    explored_.reset();
+    show();
+}
+
+void ResultLayer::setMode(ViewMode mode) {
+    mode_ = mode;
+    show();
+}
+
+void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
+    study_ = study ? std::optional(makeGroundAnswer(study)) : std::nullopt;
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setInFront(std::optional<GroundAnswer> answer) {
+    if (!answer && !inFront_) return;
+    inFront_ = std::move(answer);
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setElements(std::optional<ElementView> elements) {
+    if (!elements && !elements_) return;
+    elements_ = std::move(elements);
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setTiles(std::shared_ptr<const TileView> tiles) {
+    if (tiles == tiles_) return;
+    tiles_ = std::move(tiles);
+    show();
+}
+
+void ResultLayer::noteTiles(const QString& note, bool marked) {
+    if (note == tileNote_ && marked == tileNoteMarked_) return;
+    tileNote_ = note;
+    tileNoteMarked_ = marked;
+    if (showsTiles()) strip_.setNote(tileNote_, tileNoteMarked_);
+}
+
+void ResultLayer::setPartial(std::shared_ptr<const PartialField> partial) {
+    if (!partial && !partial_) return;
+    partial_ = partial ? std::optional(makeGroundAnswer(partial)) : std::nullopt;
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setTime(const std::shared_ptr<const TimeAnswer>& answer) {
+    if (!answer && !time_) return;
+    time_ = answer ? std::optional(makeTimeAnswer(answer)) : std::nullopt;
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setMoment(const QString& words) {
+    if (words == moment_) return;
+    moment_ = words;
+    show();
+}
+
+void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
+    explored_ = std::move(answer);
+    if (mode_ == ViewMode::exploration) show();
+}
+
+void ResultLayer::setLive(std::optional<GroundAnswer> answer) {
+    if (!answer && !live_) return;
+    live_ = std::move(answer);
+    show();
+}
+
+void ResultLayer::setLiveFacades(std::optional<ElementView> facades) {
+    if (!facades && !facades_) return;
+    facades_ = std::move(facades);
+    show();
+}
+
+void ResultLayer::noteLive(const QString& note) {
+    if (live_) strip_.setNote(note, true);
+}
+
+bool ResultLayer::showsExplored() const {
+    return mode_ == ViewMode::exploration && moment_.isEmpty() && !live_ && !showsTiles() && explored_;
+}
+
+bool ResultLayer::showsStudy() const {
+    const bool ground = mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles();
+    return ground && !showsElements() && study_ && this->ground() == &*study_;
+}
+
+double ResultLayer::studyTop() const {
+    return makeLegend(*study_, strip_.measure(), strip_.changeScale()).scale.top;
+}
+
+void ResultLayer::show() {
+    showWhatIsWanted();
+    if (whenShown_) whenShown_();
+}
+
+void ResultLayer::showWhatIsWanted() {
+    if (showsTiles()) return showTiles();
+    painted_.reset();
+    if (shownElements() == nullptr) view_.tiles().clear();
+    if (!moment_.isEmpty() && !live_ && !(time_ && mode_ != ViewMode::exploration)) return showMoment();
+    if (mode_ == ViewMode::exploration && !live_) {
+        view_.clearPicture();
+        return explored_ ? showExplored() : showNothing();
+    }
+    view_.surfaces().clear();
+    if (showsElements()) return showElements();
+    ground() ? showGround() : showNothing();
+}
+
+// Null: none. Facades of an edited building come with its live shadow.
+const ElementMap* ResultLayer::shownElements() const {
+    if (live_) return facades_ ? facades_->map.get() : nullptr;
+    return showsElements() ? elements_->map.get() : nullptr;
+}
+
+bool ResultLayer::showsElements() const {
+    return elements_ && !showsTiles() && !live_ && !partial_ && mode_ != ViewMode::exploration &&
+           moment_.isEmpty();
+}
+
+void ResultLayer::showElements() {
+    view_.clearPicture();
+    const Legend legend = makeLegend(*elements_->map, strip_.measure());
+    view_.tiles().show(makeTiles(*elements_->map, strip_.measure(), legend.scale.top));
+    strip_.setLegend(legend);
+    const bool ofRuns = strip_.measure() == ShadowMeasure::continuous && !elements_->runNote.isEmpty();
+    strip_.setNote(ofRuns ? elements_->runNote : elements_->note, elements_->marked);
+}
+
+bool ResultLayer::showsTiles() const { return tiles_ && !live_ && moment_.isEmpty(); }
+
+void ResultLayer::showTiles() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    if (std::exchange(painted_, tiles_) != tiles_) view_.tiles().show(tiles_->tiles);
+    strip_.setLegend(tiles_->legend);
+    strip_.setNote(tileNote_, tileNoteMarked_);
+}
+
+std::optional<std::size_t> ResultLayer::elementAt(const glm::dvec3& place) const {
+    return showsElements() ? paintedTileAt(place) : std::nullopt;
+}
+
+std::optional<std::size_t> ResultLayer::tileAt(const glm::dvec3& place) const {
+    return showsTiles() ? paintedTileAt(place) : std::nullopt;
+}
+
+std::optional<std::size_t> ResultLayer::paintedTileAt(const glm::dvec3& place) const {
+    constexpr double behindM = 0.5;  // a tile may lie a little behind the surface under the cursor
+    const CameraPose& pose = view_.pose();
+    const glm::dvec3 forward = computeForward(pose);
+    glm::dvec3 eye = computeEye(pose);
+    if (pose.isParallel()) eye = place - glm::dot(place - eye, forward) * forward;
+    const double distance = glm::distance(eye, place);
+    if (distance == 0) return std::nullopt;
+    return view_.tiles().tileAt({eye, (place - eye) / distance}, distance + behindM);
+}
+
+// The result with the highest precedence; null: none yet.
+const GroundAnswer* ResultLayer::ground() const {
+    for (const auto* answer : {&live_, &partial_, &inFront_, &time_, &study_})
+        if (*answer) return &**answer;
+    return nullptr;
+}
+
+void ResultLayer::showExplored() {
+    const Legend legend = makeLegend(explored_->view, strip_.measure());
+    view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), legend.scale.top));
+    strip_.setLegend(legend);
+    const double distance = glm::length(explored_->view.camera.eye - view_.pose().target);
+    strip_.setNote(makeNote(*explored_, distance), isSoFar(explored_->view));
+}
+
+void ResultLayer::showGround() {
+    const GroundAnswer& answer = *ground();
+    const Legend legend = makeLegend(answer, strip_.measure(), strip_.changeScale());
+    view_.showPicture(makePicture(answer, strip_.measure(), legend.scale.top),
+                      !live_ && partial_.has_value());
+    if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
+        view_.showRoofPicture(*roofs);
+    strip_.setLegend(legend);
+    strip_.setNote(makeNote(answer, strip_.measure()), answer.marked);
+    if (live_ && facades_) showFacades();
+}
+
+// One legend for ground and facades, since both are minutes of shadow.
+void ResultLayer::showFacades() {
+    const ShadowMeasure measure = live_->grossOnly ? ShadowMeasure::gross : strip_.measure();
+    const Legend legend = makeLegend(*live_, measure, strip_.changeScale());
+    view_.tiles().show(makeTiles(*facades_->map, measure, legend.scale.top));
+    strip_.setNote(QObject::tr("%1. %2").arg(makeNote(*live_, strip_.measure()), facades_->note),
+                   live_->marked);
+}
+
+void ResultLayer::showNothing() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    strip_.setHint(hintOf(mode_));
+    strip_.setLegend(std::nullopt);
+    strip_.setNote({}, false);
+}
+
+void ResultLayer::showMoment() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    strip_.setHint(moment_);
+    strip_.setLegend(std::nullopt);
+    strip_.setNote({}, false);
+}
+
+QString ResultLayer::minutesAt(const Pick& pick) const {
+    if (!moment_.isEmpty() && !live_ && !time_) return {};
+    if (showsTiles()) {
+        const auto tile = tileAt(pick.position);
+        return tile ? tiles_->describe(*tile) : QString();
+    }
+    if (mode_ == ViewMode::exploration && !live_) {
+        const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
+        if (!point) return {};
+        const SurfaceShadow& shadow = explored_->view.shadow;
+        return formatMinutes(shadow.grossMin[*point], shadow.continuousMin[*point],
+                             makeLegend(explored_->view, ShadowMeasure::gross).instant);
+    }
+    if (const ElementMap* map = shownElements()) {
+        const auto element = elementAt(pick.position);
+        if (element) return describe(map->elements[*element]);
+        if (!live_) return {};
+    }
+    const glm::dvec2 place{pick.position.x, pick.position.y};
+    if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
+    return textAt(*ground(), place);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/gui/base/layers/element_picture.h"
+#include "app/gui/base/layers/ground_answer.h"
+#include "app/gui/base/layers/tile_view.h"
+#include "app/gui/session/project/view_mode.h"
+#include "app/gui/view/exploration/view_refinement.h"
+#include "app/gui/view/panel/legend_strip.h"
+#include "app/gui/view/time/time_looking.h"
+#include "render/view/city_view.h"
+#include "render/view/scene_picker.h"
+
+namespace noonmark {
+
+/// The result on the surfaces of the view, with its legend: the explored view, a study, another result
+/// displayed instead of it, or the partial result of a running study, which is marked as such. Results stay
+/// stored while another mode is shown.
+class ResultLayer {
+public:
+    ResultLayer(CityView& view, LegendStrip& legend);  ///< both must outlive it
+
+    void forget();  ///< another city
+    void setMode(ViewMode mode);
+    void setStudy(std::shared_ptr<const Study> study);  ///< null: none; removes a partial result
+    /// Displayed instead of the study: a comparison, a score or a saved result. None: shows the study again.
+    void setInFront(std::optional<GroundAnswer> answer);
+    /// What was measured at points, displayed instead of what is on the ground; none: shows that again.
+    void setElements(std::optional<ElementView> elements);
+    /// The element that the view shows at a place of the scene, as the camera sees it.
+    [[nodiscard]] std::optional<std::size_t> elementAt(const glm::dvec3& place) const;
+    /// Tiles displayed instead of the result of any mode, but for a live shadow and a moment; none: shows
+    /// that again. They stay when the city changes.
+    void setTiles(std::shared_ptr<const TileView> tiles);
+    /// Another note beside the legend, while the tiles are shown.
+    void noteTiles(const QString& note, bool marked);
+    /// One of setTiles() at a place of the scene, as the camera sees it.
+    [[nodiscard]] std::optional<std::size_t> tileAt(const glm::dvec3& place) const;
+    [[nodiscard]] bool showsElements() const;
+    [[nodiscard]] bool showsTiles() const;
+    /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
+    /// before again.
+    void setPartial(std::shared_ptr<const PartialField> partial);
+    /// A day or moment of the study, displayed instead of it; null: none, shows the study again.
+    void setTime(const std::shared_ptr<const TimeAnswer>& answer);
+    /// Sun and shadow of a moment are shown, in these words: only a study's cells of that moment are shown
+    /// with them. Empty: no moment is shown.
+    void setMoment(const QString& words);
+    void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
+
+    /// The live shadow, displayed in any mode until it is none.
+    void setLive(std::optional<GroundAnswer> answer);
+    /// The sunlight of facades in the colours of the live shadow, until it is none.
+    void setLiveFacades(std::optional<ElementView> facades);
+    /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
+    void noteLive(const QString& note);
+
+    /// Whether surfaces show what was explored.
+    [[nodiscard]] bool showsExplored() const;
+    /// Whether the ground shows a study of one scenario.
+    [[nodiscard]] bool showsStudy() const;
+    [[nodiscard]] double studyTop() const;  ///< minutes of its last colour; only while showsStudy()
+    /// Called after something else is shown.
+    void whenShown(std::function<void()> called) { whenShown_ = std::move(called); }
+
+    void show();  ///< again, for instance after the measure has changed
+
+    [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< text; empty if not known
+
+private:
+    void showWhatIsWanted();
+    void showExplored();
+    void showGround();
+    void showElements();
+    void showTiles();
+    [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
+    void showFacades();
+    [[nodiscard]] const ElementMap* shownElements() const;
+    [[nodiscard]] const GroundAnswer* ground() const;
+    void showNothing();
+    void showMoment();
+
+    std::function<void()> whenShown_;
+    CityView& view_;
+    LegendStrip& strip_;
+    ViewMode mode_ = ViewMode::exploration;
+    std::optional<GroundAnswer> study_;
+    std::optional<GroundAnswer> inFront_;
+    std::optional<ElementView> elements_;
+    std::shared_ptr<const TileView> tiles_, painted_;  ///< to be shown, and in the view
+    QString tileNote_;
+    bool tileNoteMarked_ = false;
+    std::optional<GroundAnswer> partial_;
+    std::optional<GroundAnswer> time_;
+    std::optional<GroundAnswer> live_;
+    std::optional<ElementView> facades_;  ///< with live_
+    QString moment_;
+    std::shared_ptr<const ViewAnswer> explored_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,101 @@
+#include "app/gui/view/panel/section_tool.h"
+
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "app/gui/base/widgets/cursor_label.h"
+#include "app/gui/base/widgets/number_words.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double handleReachPx = 14;
+constexpr double shortestAxisPx = 0.15;  // of a metre seen across; less: the axis points at the eye
+
+glm::dvec2 pixelFrom(QPointF point) { return {point.x(), point.y()}; }
+
+}  // namespace
+
+SectionTool::SectionTool(CityView& view, ViewNavigator& navigator, CursorLabel& label, QObject* parent)
+    : QObject(parent), view_(view), label_(label) {
+    connect(&navigator, &ViewNavigator::hovered, this,
+            [this](QPointF pixel) { view_.sectionMarks().light(handleAt(pixel)); });
+    navigator.addTarget(*this);
+}
+
+// The navigator is a child of the view, which ends before or together with this.
+SectionTool::~SectionTool() = default;
+
+void SectionTool::set(const std::optional<SectionBox>& box) {
+    view_.showSection(box ? repairSection(*box) : box);
+    showMarks();
+    Q_EMIT changed();
+}
+
+void SectionTool::setAroundCity() { set(makeSectionAround(view_.viewBounds())); }
+
+void SectionTool::setAround(const Box2& ground) {
+    SectionBox box = makeSectionAround(view_.viewBounds());
+    for (int axis = 0; axis < 2; ++axis) {
+        box.lowM[axis] = double(ground.low[axis]);
+        box.highM[axis] = double(ground.high[axis]);
+    }
+    set(box);
+}
+
+void SectionTool::showHandles(bool shown) {
+    handlesShown_ = shown;
+    showMarks();
+}
+
+void SectionTool::showMarks() { view_.sectionMarks().show(handlesShown_ ? box() : std::nullopt); }
+
+std::optional<std::size_t> SectionTool::handleAt(QPointF pixel) const {
+    if (!handlesShown_ || !box()) return std::nullopt;
+    std::optional<std::size_t> nearest;
+    double nearestPx = handleReachPx;
+    for (std::size_t side = 0; side < std::size(sectionSides); ++side) {
+        const auto at = pixelOf(view_.pose(), view_.lens(), centreOf(*box(), sectionSides[side]));
+        if (!at || glm::distance(*at, pixelFrom(pixel)) > nearestPx) continue;
+        nearestPx = glm::distance(*at, pixelFrom(pixel));
+        nearest = side;
+    }
+    return nearest;
+}
+
+glm::dvec2 SectionTool::pixelsPerMetre(const glm::dvec3& at, int axis) const {
+    glm::dvec3 step(0);
+    step[axis] = 1;
+    const auto here = pixelOf(view_.pose(), view_.lens(), at);
+    const auto there = pixelOf(view_.pose(), view_.lens(), at + step);
+    return here && there ? *there - *here : glm::dvec2(0);
+}
+
+bool SectionTool::grab(QPointF pixel) {
+    const auto side = handleAt(pixel);
+    if (!side) return false;
+    const glm::dvec3 at = centreOf(*box(), sectionSides[*side]);
+    const glm::dvec2 along = pixelsPerMetre(at, sectionSides[*side].axis);
+    const double across =
+        1 / metresPerPixel(view_.pose(), view_.lens(), glm::distance(computeEye(view_.pose()), at));
+    if (glm::length(along) < shortestAxisPx * across) return false;
+    drag_ = Drag{*side, positionOf(*box(), sectionSides[*side]), pixel, along};
+    return true;
+}
+
+void SectionTool::dragTo(QPointF pixel) {
+    if (!drag_ || !box()) return;
+    const glm::dvec2 moved = pixelFrom(pixel) - pixelFrom(drag_->fromPx);
+    const double byM = glm::dot(moved, drag_->alongPx) / glm::dot(drag_->alongPx, drag_->alongPx);
+    const SectionSide side = sectionSides[drag_->side];
+    set(moveSide(*box(), side, drag_->startM + byM));
+    label_.show(pixel, describeLength(positionOf(*box(), side)));
+}
+
+void SectionTool::drop() {
+    drag_.reset();
+    label_.hide();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,196 @@
+#include "app/gui/view/panel/time_display.h"
+
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/mode_switch.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
+#include "app/report/sheets/study_words.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int movingSize = 1024, restingSize = 4096;  // texels a side
+constexpr int sunRestMs = 250;
+constexpr double lowestSunZ = 0.005;  // a lower sun shades everything but the tops
+constexpr double minutesPerWidth = 720, daysPerHeight = 182;
+
+QString describeShare(const ShadowField& field) {
+    const ShadowStatistics figures = computeStatistics(field);
+    const double share = figures.receiverAreaM2 > 0 ? figures.shadowAreaM2 / figures.receiverAreaM2 : 0;
+    return QObject::tr("%1 % in shadow").arg(formatAmount(100 * share));
+}
+
+}  // namespace
+
+TimeDisplay::TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
+                         std::shared_ptr<SharedHorizonCache> horizons)
+    : workbench_(workbench),
+      mode_(mode),
+      panel_(panel),
+      looking_(std::move(horizons)),
+      rest_(new QTimer(this)) {
+    rest_->setSingleShot(true);
+    rest_->setInterval(sunRestMs);
+    connectWorkbench();
+    connectView();
+    makeActions();
+}
+
+void TimeDisplay::connectWorkbench() {
+    for (auto signal :
+         {&Workbench::studyDone, &Workbench::comparisonDone, &Workbench::scoreDone, &Workbench::savedShown})
+        connect(&workbench_, signal, this, &TimeDisplay::offer);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &TimeDisplay::offer);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::offer);
+    connect(&mode_, &ModeSwitch::changed, this, &TimeDisplay::offer);
+}
+
+void TimeDisplay::connectView() {
+    TimeStrip& strip = panel_.time();
+    connect(&strip, &TimeStrip::lookChanged, this, &TimeDisplay::look);
+    connect(&strip, &TimeStrip::taken, this, &TimeDisplay::study);
+    connect(&looking_, &TimeLooking::changed, this, &TimeDisplay::show);
+    connect(&looking_, &TimeLooking::failed, &strip, [&strip](const TimeLook& look, const Error& error) {
+        strip.setAnswer(look, QString::fromStdString(error.what));
+    });
+    connect(&shadow_, &SunShadow::changed, this, [this] {
+        const auto map = shadow_.map();
+        map ? panel_.view().sun().show(*map) : panel_.view().sun().clear();
+    });
+    connect(&otherShadow_, &SunShadow::changed, this, [this] {
+        const auto map = otherShadow_.map();
+        SunLayer& sun = panel_.view().other().sun();
+        map ? sun.show(*map) : sun.clear();
+    });
+    connect(rest_, &QTimer::timeout, this, &TimeDisplay::drawShadow);
+    connect(&panel_.view(), &CityView::tracedChanged, this, &TimeDisplay::showSun);
+    connect(&panel_.view(), &CityView::poseChanged, this, [this] {
+        if (showsMoment() && !panel_.view().isTraced()) rest_->start();
+    });
+    connect(&panel_.navigator(), &ViewNavigator::sunDragged, this, &TimeDisplay::turnSun);
+}
+
+void TimeDisplay::makeActions() {
+    TimeStrip& strip = panel_.time();
+    const auto add = [this](const QString& text, const QKeySequence& keys, const QString& tip, auto act) {
+        QAction* action = makeAction(this, text, keys, tip);
+        connect(action, &QAction::triggered, this, act);
+        actions_ << action;
+    };
+    add(tr("&Play the sun"), QKeySequence(tr("Shift+Space")), tr("Plays or stops the sun and its shadows"),
+        [&strip] { strip.setPlaying(!strip.playing()); });
+    add(tr("Ten minutes &later"), Qt::Key_Period, tr("The sun ten minutes later"),
+        [&strip] { strip.move(10, 0); });
+    add(tr("Ten minutes &earlier"), Qt::Key_Comma, tr("The sun ten minutes earlier"),
+        [&strip] { strip.move(-10, 0); });
+    add(tr("&Next day"), Qt::Key_BracketRight, tr("The sun at the same time of the next day"),
+        [&strip] { strip.move(0, 1); });
+    add(tr("Previous &day"), Qt::Key_BracketLeft, tr("The sun at the same time of the day before"),
+        [&strip] { strip.move(0, -1); });
+}
+
+bool TimeDisplay::showsMoment() const { return panel_.time().look().span == LookSpan::moment; }
+
+void TimeDisplay::offer() {
+    if (!workbench_.city()) return;
+    const bool other =
+        workbench_.comparison() || workbench_.score() || workbench_.elements() || workbench_.saved();
+    const bool shown = mode_.mode() != ViewMode::exploration && !other;
+    const auto study = shown ? workbench_.study() : nullptr;
+    TimeStrip& strip = panel_.time();
+    strip.setPeriod(study ? study->settings.period : workbench_.document().settings().period);
+    strip.setDayOffered(study != nullptr);
+    looking_.look(strip.look());
+    looking_.setStudy(study);
+    shadow_.setCity({workbench_.city(), &workbench_.city()->city()});
+    showSun();
+}
+
+void TimeDisplay::look(const TimeLook& look) {
+    looking_.look(look);
+    showSun();
+    Q_EMIT momentChanged();
+}
+
+void TimeDisplay::show() {
+    const auto answer = looking_.answer();
+    panel_.results().setTime(answer);
+    if (answer) panel_.time().setAnswer(answer->look, describeShare(answer->field));
+}
+
+// Coarsely while the sun moves.
+void TimeDisplay::showSun() {
+    if (!workbench_.city()) return;
+    TimeStrip& strip = panel_.time();
+    const StudySettings& settings = workbench_.document().settings();
+    const auto sun =
+        computeSunAt(makeObserver(workbench_.city()->city(), settings), settings.period, strip.look());
+    if (!sun) return;
+    sun_ = *sun;
+    strip.setSun(sun_);
+    const bool moment = showsMoment(), visible = moment && sun_.towards.z > lowestSunZ;
+    panel_.results().setMoment(moment ? tr("%1. %2").arg(describe(strip.look()), describe(sun_)) : QString());
+    rest_->stop();
+    CityView& view = panel_.view();
+    Q_EMIT sunChanged();
+    const bool traced = view.isTraced();
+    view.showTracedSun(traced && visible ? std::optional(glm::normalize(sun_.towards)) : std::nullopt);
+    if (!visible || traced) return lookFrom(std::nullopt);
+    lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), movingSize});
+    rest_->start();
+}
+
+void TimeDisplay::drawShadow() {
+    if (showsMoment() && !panel_.time().playing() && sun_.towards.z > lowestSunZ)
+        lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize});
+}
+
+void TimeDisplay::lookFrom(const std::optional<SunView>& view) {
+    shadow_.look(view);
+    otherShadow_.look(otherShown_ ? view : std::nullopt);
+}
+
+void TimeDisplay::setOtherCity(std::shared_ptr<const City> city) {
+    otherShown_ = city != nullptr;
+    otherShadow_.setCity(std::move(city));
+    showSun();
+}
+
+// The ground in sight, so that close views have fine shadows.
+LitSpace TimeDisplay::seenSpace() const {
+    const ViewBounds& city = panel_.view().viewBounds();
+    const Region seen = panel_.visibleGround();
+    Box2 box = seen.polygons.empty() ? city.box : bounds(seen);
+    box.low = glm::max(box.low, city.box.low);
+    box.high = glm::min(box.high, city.box.high);
+    if (box.high.x <= box.low.x || box.high.y <= box.low.y) box = city.box;
+    return {box, city.groundM, city.topM};
+}
+
+void TimeDisplay::turnSun(QPointF byPx) {
+    turned_ += QPointF(byPx.x() * minutesPerWidth / panel_.view().width(),
+                       -byPx.y() * daysPerHeight / panel_.view().height());
+    const QPointF whole(std::trunc(turned_.x()), std::trunc(turned_.y()));
+    turned_ -= whole;
+    if (!whole.isNull()) panel_.time().move(int(whole.x()), int(whole.y()));
+}
+
+void TimeDisplay::study(const TimeLook& look) {
+    StudySettings settings = workbench_.document().settings();
+    settings.period = periodOf(look, settings.period);
+    panel_.time().setLook(firstLook(settings.period));
+    looking_.look(panel_.time().look());
+    workbench_.document().change(settings, tr("period"));
+    workbench_.run();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+
+#include "app/gui/view/time/sun_at_moment.h"
+#include "app/gui/view/time/sun_shadow.h"
+#include "app/gui/view/time/time_looking.h"
+
+class QAction;
+class QTimer;
+
+namespace noonmark {
+
+class ModeSwitch;
+class ViewPanel;
+class Workbench;
+
+/// Connects the time strip with the view. At one moment it shows sun and shadow on everything; for the study
+/// of one scenario also its day or moment, with figures, and a study of just that time runs on request.
+class TimeDisplay final : public QObject {
+    Q_OBJECT
+public:
+    /// `horizons` may be shared. All must outlive this object.
+    TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
+                std::shared_ptr<SharedHorizonCache> horizons);
+
+    void offer();  ///< after another city, period or result is shown
+    [[nodiscard]] bool showsMoment() const;
+    [[nodiscard]] TimeLooking& looking() { return looking_; }
+    [[nodiscard]] const TimeLooking& looking() const { return looking_; }
+    [[nodiscard]] const SunShadow& shadow() const { return shadow_; }
+    [[nodiscard]] const SunAtMoment& sun() const { return sun_; }  ///< at the date and time of the strip
+    /// Another city whose shadows the view shows beside those of the displayed one; null: none.
+    void setOtherCity(std::shared_ptr<const City> city);
+    /// Plays and moves the sun, for a menu.
+    [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
+
+Q_SIGNALS:
+    void momentChanged();  ///< showsMoment() may have changed
+    void sunChanged();     ///< sun(), or what it was computed for
+
+private:
+    void connectWorkbench();
+    void connectView();
+    void makeActions();
+    void look(const TimeLook& look);
+    void show();
+    void showSun();
+    void drawShadow();
+    void lookFrom(const std::optional<SunView>& view);
+    [[nodiscard]] LitSpace seenSpace() const;
+    void turnSun(QPointF byPx);
+    void study(const TimeLook& look);
+
+    Workbench& workbench_;
+    const ModeSwitch& mode_;
+    ViewPanel& panel_;
+    TimeLooking looking_;
+    SunShadow shadow_;
+    SunShadow otherShadow_;  // of CityView::other()
+    bool otherShown_ = false;
+    SunAtMoment sun_;
+    QTimer* rest_;    // then the shadow is drawn finely
+    QPointF turned_;  // minutes and days of a drag that are not whole yet
+    QList<QAction*> actions_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,265 @@
+#include "app/gui/view/panel/view_panel.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QGuiApplication>
+#include <QMimeData>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "app/gui/base/layers/hover_text.h"
+#include "app/gui/session/study/region_words.h"
+#include "app/gui/view/panel/ground_lines.h"
+#include "app/gui/view/panel/view_picture.h"
+#include "app/gui/view/panel/visible_ground.h"
+#include "app/gui/view/time/time_strip.h"
+#include "app/report/sheets/study_words.h"
+#include "core/city/map_context.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double straightDownDeg = 89;
+
+// Some window managers give the keys to the whole window at each click, away from the view inside it.
+void takeKeys(QWindow& view) {
+    if (QGuiApplication::focusWindow() != &view) view.requestActivate();
+}
+
+}  // namespace
+
+ViewPanel::ViewPanel(QWidget* parent)
+    : QWidget(parent),
+      column_(new QVBoxLayout(this)),
+      view_(new CityView),
+      navigator_(new ViewNavigator(*view_)),
+      measureTool_(new MeasureTool(this)),
+      label_(new CursorLabel(*view_, this)),
+      polygons_(new PolygonDrawing(*view_, *navigator_, *label_, this)),
+      section_(new SectionTool(*view_, *navigator_, *label_, this)),
+      messages_(new MessageBar),
+      time_(new TimeStrip),
+      legend_(new LegendStrip),
+      results_(std::make_unique<ResultLayer>(*view_, *legend_)),
+      map_(std::make_unique<MapLayer>(*view_)) {
+    QWidget* container = QWidget::createWindowContainer(view_, this);
+    container->setMinimumSize(240, 160);
+    container->setFocusPolicy(Qt::StrongFocus);
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(0);
+    column_->addWidget(messages_);
+    column_->addWidget(container, 1);
+    column_->addWidget(time_);
+    column_->addWidget(legend_);
+    label_->setLeft([this] { return navigator_->pictureLeft(); });
+    setAcceptDrops(true);
+    view_->installEventFilter(this);  // the native window inside the container receives the drops
+    connect(view_, &CityView::poseChanged, this, [this] {
+        legend_->setHeading(view_->pose().headingDeg);
+        legend_->setScale(1 / metresPerPixel(view_->pose(), view_->lens()));
+    });
+    for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
+        connect(legend_, signal, this, [this] { results_->show(); });
+    connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
+    connect(navigator_, &ViewNavigator::left, this, [this] {
+        label_->hide();
+        Q_EMIT hovered({});
+    });
+    connectDrawing();
+    connectNavigator();
+    connectMeasuring();
+}
+
+void ViewPanel::connectNavigator() {
+    connect(navigator_, &ViewNavigator::rightClicked, this, [this](QPointF pixel) {
+        if (PolygonTool* tool = polygons_->active()) return tool->finish();
+        Q_EMIT menuWanted(pixel);
+    });
+    connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
+}
+
+void ViewPanel::connectDrawing() {
+    connect(polygons_, &PolygonDrawing::lineChanged, this, &ViewPanel::showLines);
+    connect(polygons_, &PolygonDrawing::refused, messages_, &MessageBar::showError);
+    connect(polygons_, &PolygonDrawing::activeChanged, this, [this](bool active) {
+        if (active) measureTool_->end();
+        showCrossCursor(active);
+    });
+}
+
+void ViewPanel::showCrossCursor(bool cross) {
+    if (cross)
+        view_->setCursor(Qt::CrossCursor);
+    else
+        view_->unsetCursor();
+    label_->hide();
+}
+
+bool ViewPanel::drawing() const { return polygons_->active() != nullptr || measureTool_->active(); }
+
+void ViewPanel::connectMeasuring() {
+    connect(measureTool_, &MeasureTool::lineChanged, this, &ViewPanel::showLines);
+    connect(measureTool_, &MeasureTool::activeChanged, this, [this](bool active) {
+        if (active) polygons_->cancel();
+        showCrossCursor(active);
+    });
+    connect(navigator_, &ViewNavigator::clicked, this, [this](QPointF pixel) { measure(pixel, true); });
+    connect(navigator_, &ViewNavigator::doubleClicked, this, [this] {
+        if (measureTool_->active()) finishMeasuring();
+    });
+}
+
+// Points lie on roofs, walls and ground as the view shows them.
+void ViewPanel::measure(QPointF pixel, bool clicked) {
+    const auto pick = measureTool_->active() ? navigator_->pickAt(pixel) : std::nullopt;
+    if (!pick) return;
+    clicked ? measureTool_->addPoint(pick->position) : measureTool_->moveTo(pick->position);
+    label_->show(pixel, describeMeasured());
+}
+
+QString ViewPanel::describeMeasured() const {
+    return describeMeasures(measureLine(measureTool_->line()), units_);
+}
+
+bool ViewPanel::measureKey(int key) {
+    if (!measureTool_->active()) return false;
+    if (key == Qt::Key_Backspace) measureTool_->removeLastPoint();
+    if (key == Qt::Key_Escape) measureTool_->end();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) finishMeasuring();
+    return true;
+}
+
+// The figures stay in the message bar when the line is gone.
+void ViewPanel::finishMeasuring() {
+    const QString words = describeMeasured();
+    measureTool_->end();
+    if (!words.isEmpty()) messages_->showNote(words);
+}
+
+void ViewPanel::toolKey(int key) {
+    if (!measureKey(key) && !polygons_->key(key)) Q_EMIT keyPressed(key);
+}
+
+void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
+    city_ = std::move(city);
+    navigator_->setScene(city_->picker);
+    polygons_->snapping().setCity(city_);
+    if (view_->arrays() != city_->arrays) {
+        polygons_->cancel();
+        measureTool_->end();
+        view_->showCity(city_->arrays);
+    }
+    view_->showChanges(computeDifference(*city_->arrays, city_->city()));
+    if (const auto& rays = city_->picker.scene()) view_->setRays(*rays, city_->city().buildings);
+    results_->forget();
+    map_->showCity(city_->city());
+    markPlaces();
+}
+
+void ViewPanel::showPlaces(const std::vector<Place>& places) {
+    if (places == places_) return;
+    places_ = places;
+    markPlaces();
+}
+
+void ViewPanel::highlightPlace(const std::string& name) {
+    highlighted_ = name;
+    const auto found = std::ranges::find(places_, name, &Place::name);
+    view_->places().highlight(found == places_.end() ? std::nullopt
+                                                     : std::optional(std::size_t(found - places_.begin())));
+}
+
+// A place gets its name at the middle of its largest polygon.
+void ViewPanel::markPlaces() {
+    if (!city_) return;
+    std::vector<PlaceMarks::Mark> marks;
+    for (const Place& place : places_) {
+        const auto largest = std::ranges::max_element(place.polygons, {},
+                                                      [](const Footprint& polygon) { return area(polygon); });
+        const glm::dvec2 at = findMarkPoint(*largest);
+        marks.push_back({QString::fromStdString(place.name),
+                         {at.x, at.y, double(groundAt(city_->city(), at))},
+                         area(*largest),
+                         hasOwnName(place),
+                         makeGroundLines({place.name, place.polygons}, city_->city())});
+    }
+    view_->places().show(std::move(marks));
+    highlightPlace(highlighted_);
+}
+
+void ViewPanel::showRegion(const Region& region) {
+    region_ = region;
+    showLines();
+}
+
+void ViewPanel::showLines() {
+    if (!city_) return;
+    if (measureTool_->active()) {
+        const std::vector<glm::dvec3> line = measureTool_->line();
+        return view_->showLines({GroundLine{{line.begin(), line.end()}, false}});
+    }
+    if (const PolygonTool* tool = polygons_->active())
+        return view_->showLines({makeGroundLine(tool->line(), city_->city(), true)});
+    view_->showLines(makeGroundLines(region_, city_->city()));
+}
+
+void ViewPanel::tellWhatIsAt(QPointF pixel) {
+    if (!city_) return;
+    polygons_->hover(pixel);
+    measure(pixel, false);
+    const auto pick = navigator_->pickAt(pixel);
+    Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
+}
+
+Region ViewPanel::visibleGround() const {
+    return noonmark::visibleGround(view_->pose(), view_->lens(), view_->viewBounds());
+}
+
+void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
+    PictureFrame frame{.title = title, .when = when, .legend = legend_->legend(), .note = legend_->note()};
+    if (city_)
+        frame.credit =
+            describeData(joinAttribution(city_->loaded.read.attribution, city_->city().context.get()));
+    if (!comparison_.isEmpty())
+        frame.note = frame.note.isEmpty() ? comparison_ : tr("%1. %2").arg(comparison_, frame.note);
+    const CameraPose pose = view_->pose();
+    frame.headingDeg = pose.headingDeg;
+    frame.fromAbove = pose.pitchDeg >= straightDownDeg;
+    const double heightM = metresPerPixel(pose, view_->lens()) * view_->lens().heightPx;
+    view_->capture([frame, heightM, done = std::move(done)](const QImage& image) mutable {
+        frame.pixelsPerM = image.height() / heightM;
+        done(viewPicture(image, frame));
+    });
+}
+
+bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
+        dragEnterEvent(static_cast<QDragEnterEvent*>(event));
+        return true;
+    }
+    if (event->type() == QEvent::Drop) {
+        dropEvent(static_cast<QDropEvent*>(event));
+        return true;
+    }
+    if (event->type() == QEvent::MouseButtonRelease) takeKeys(*view_);
+    return QWidget::eventFilter(watched, event);
+}
+
+void ViewPanel::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void ViewPanel::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    event->acceptProposedAction();
+    const QPointF pixel = event->position() - QPointF(view_->sideOffset(event->position()), 0);
+    if (!files.isEmpty()) Q_EMIT filesDropped(files, pixel);
+}
+
+}  // namespace noonmark

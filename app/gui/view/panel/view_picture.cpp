@@ -1,0 +1,111 @@
+#include "app/gui/view/panel/view_picture.h"
+
+#include <QFontMetricsF>
+#include <QObject>
+#include <algorithm>
+
+#include "app/report/maps/map_furniture.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double pointPx = 1.6;
+constexpr double marginPx = 16;
+constexpr double legendWidthPx = 560;
+constexpr double titlePt = 12;
+constexpr double textPt = 7.5;
+constexpr double barWidthPx = 190;
+constexpr double arrowWidthPx = 30;
+constexpr double furniturePx = furnitureHeightPt * pointPx;
+constexpr double scaleNotePx = 14;
+
+struct Line {
+    QString text;
+    double points;
+    QFont::Weight weight;
+    QColor colour;
+};
+
+QFont fontOf(const Canvas& canvas, const Line& line) { return textFont(canvas, line.points, line.weight); }
+
+// The place of a line's text, wrapped to the width so that nothing is cut.
+QRectF placeOf(const Canvas& canvas, const Line& line, double top, double width) {
+    if (line.text.isEmpty()) return {marginPx, top, width, 0};
+    const QRectF room(marginPx, top, width, 1e4);
+    const QRectF needed =
+        QFontMetricsF(fontOf(canvas, line)).boundingRect(room, Qt::TextWordWrap | Qt::AlignLeft, line.text);
+    return {marginPx, top, width, needed.height() + 3};
+}
+
+// Paints the lines, or only measures them without `paint`. Returns the y below them.
+double takeLines(const Canvas& canvas, const std::vector<Line>& lines, double top, double width, bool paint) {
+    for (const Line& line : lines) {
+        const QRectF place = placeOf(canvas, line, top, width);
+        if (paint && !line.text.isEmpty()) {
+            canvas.painter.setFont(fontOf(canvas, line));
+            canvas.painter.setPen(line.colour);
+            canvas.painter.drawText(place, Qt::TextWordWrap | Qt::AlignLeft, line.text);
+        }
+        top = place.bottom();
+    }
+    return top;
+}
+
+void paintTurnedNorth(const Canvas& canvas, const QRectF& area, double headingDeg) {
+    canvas.painter.save();
+    canvas.painter.translate(area.center());
+    canvas.painter.rotate(-headingDeg);
+    paintNorthArrow(canvas, area.translated(-area.center()));
+    canvas.painter.restore();
+}
+
+// North arrow and scale bar at the right. In a slanted view the scale is valid in the middle only, and a
+// label states this.
+void paintFurniture(const Canvas& canvas, const QRectF& foot, const PictureFrame& frame) {
+    const QRectF arrow(foot.right() - arrowWidthPx, foot.top(), arrowWidthPx, furniturePx);
+    paintTurnedNorth(canvas, arrow, frame.headingDeg);
+    const QRectF bar(arrow.left() - barWidthPx - 10, foot.top(), barWidthPx, furniturePx);
+    const double longestM = (barWidthPx - 40) / frame.pixelsPerM;
+    if (!(longestM > 0)) return;
+    paintScaleBar(canvas, bar, scaleBarWithin(longestM), frame.pixelsPerM);
+    if (frame.fromAbove) return;
+    canvas.painter.setFont(textFont(canvas, 6.5));
+    canvas.painter.setPen(ink::quiet);
+    canvas.painter.drawText(QRectF(bar.left(), bar.bottom() - 12, bar.width(), scaleNotePx), Qt::AlignRight,
+                            QObject::tr("in the middle of the picture"));
+}
+
+}  // namespace
+
+QImage viewPicture(const QImage& view, const PictureFrame& frame) {
+    QImage measure(1, 1, QImage::Format_RGB32);
+    QPainter measuring(&measure);
+    const double width = view.width() - 2 * marginPx;
+    const std::vector<Line> head{{frame.title, titlePt, QFont::Bold, ink::text},
+                                 {frame.when, textPt + 1, QFont::Normal, ink::quiet}};
+    const std::vector<Line> words{{frame.note, textPt, QFont::Normal, ink::text},
+                                  {frame.credit, textPt, QFont::Normal, ink::quiet}};
+    const double headPx = takeLines({measuring, pointPx}, head, marginPx, width, false) + marginPx / 2;
+    const double footPx = std::max(furniturePx + scaleNotePx, legendHeightPt * pointPx) + marginPx / 2;
+    const double wordsPx = takeLines({measuring, pointPx}, words, 0, width, false);
+    measuring.end();
+
+    const int top = int(headPx), height = top + view.height() + int(marginPx + footPx + wordsPx + marginPx);
+    QImage picture(view.width(), height, QImage::Format_RGB32);
+    picture.fill(ink::paper);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Canvas canvas{painter, pointPx};
+    takeLines(canvas, head, marginPx, width, true);
+    painter.drawImage(QPointF(0, top), view);
+    const QRectF foot(marginPx, top + view.height() + marginPx, width, footPx);
+    const double legendWidth = std::min(legendWidthPx, width - barWidthPx - arrowWidthPx - 3 * marginPx);
+    if (frame.legend && legendWidth > 0)
+        paintLegend(canvas, {foot.left(), foot.top(), legendWidth, foot.height()}, *frame.legend);
+    paintFurniture(canvas, foot, frame);
+    takeLines(canvas, words, foot.bottom(), width, true);
+    return picture;
+}
+
+}  // namespace noonmark

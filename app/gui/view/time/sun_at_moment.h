@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "app/gui/view/time/time_look.h"
+#include "core/sun/solar_position.h"
+
+namespace noonmark {
+
+/// The sun at the date and time of a look, whatever its span, and sunrise and sunset of that date.
+struct SunAtMoment {
+    glm::dvec3 towards{0, 0, 1};  ///< unit vector in the frame of the geometry
+    double azimuthDeg = 0;        ///< from true north, clockwise
+    double altitudeDeg = 0;       ///< below 0 at night
+    /// Wall clock, minutes since midnight, upper limb; none on polar days and nights.
+    std::optional<int> sunriseMin, sunsetMin;
+    [[nodiscard]] bool isUp() const { return altitudeDeg > 0; }
+};
+
+/// Zone and refraction are those of `period`. Error: an unknown zone. About 0.3 ms.
+Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const TimeLook& look);
+
+/// "Sun 221° SW, 32° high", "Sun below the horizon".
+QString describe(const SunAtMoment& sun);
+
+/// "06:58".
+QString describeClock(int minutes);
+
+}  // namespace noonmark

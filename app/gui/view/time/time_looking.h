@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/session/study/shared_horizon_cache.h"
+#include "app/gui/view/time/time_look.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// The shadow of a day or moment on the receivers of a study.
+struct TimeAnswer {
+    std::shared_ptr<const Study> study;  ///< the study with the receivers
+    TimeLook look;
+    ShadowField field;  ///< without continuous shadow
+};
+
+/// Computes looks at a study's city from cached horizons. The first look sweeps the horizons for its sun
+/// positions; later ones are table look-ups, fast enough to follow a slider. One look is computed at a time;
+/// of those that arrive meanwhile the newest is next.
+class TimeLooking final : public QObject {
+    Q_OBJECT
+public:
+    explicit TimeLooking(
+        std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
+        QObject* parent = nullptr)
+        : QObject(parent), horizons_(std::move(horizons)) {}
+
+    /// Null: none. The look stays and is computed again.
+    void setStudy(std::shared_ptr<const Study> study);
+    void look(const TimeLook& look);  ///< for the whole period there is no answer
+
+    /// The latest answer; it stays until the next one, also if a later look has none.
+    [[nodiscard]] std::shared_ptr<const TimeAnswer> answer() const { return answer_; }
+    [[nodiscard]] JobSlot& working() { return slot_; }
+
+Q_SIGNALS:
+    void changed();  ///< a new answer, or none any more
+    void failed(noonmark::TimeLook look, noonmark::Error error);
+
+private:
+    static Result<TimeAnswer> answered(TimeAnswer question, SharedHorizonCache& horizons, Progress& progress,
+                                       const std::stop_token& stop);
+    void ask();
+    void take(Result<TimeAnswer> answer);
+
+    std::shared_ptr<SharedHorizonCache> horizons_;
+    std::shared_ptr<const Study> study_;
+    TimeLook look_;
+    TimeLook computed_;  // the last one computed or being computed
+    std::shared_ptr<const TimeAnswer> answer_;
+    JobSlot slot_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,269 @@
+#include "app/gui/view/time/time_strip.h"
+
+#include <QComboBox>
+#include <QDateEdit>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QTimeEdit>
+#include <QTimer>
+#include <QToolButton>
+#include <array>
+
+#include "app/gui/base/looks/icons.h"
+#include "app/gui/base/widgets/marked_slider.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/base/widgets/qt_dates.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int minutesADay = 24 * 60;
+constexpr int tickMs = 40;
+constexpr int leastWidth = 256;  // with what cannot be left out
+constexpr int fullWidth = 600;   // narrower strips hide loop, speed and the words about the sun
+constexpr std::array playSpeeds{0.5, 1.5, 4.0};  // hours of the day, or weeks of the year, in a second
+
+MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
+    auto* slider = new MarkedSlider;
+    slider->setObjectName(QString::fromLatin1(name));
+    slider->setToolTip(tip);
+    slider->setRange(0, last);
+    slider->setPageStep(page);
+    return slider;
+}
+
+QDate firstOfYear(CivilDate date) { return {int(date.year()), 1, 1}; }
+
+QTime timeOf(std::chrono::minutes at) { return QTime(0, 0).addSecs(int(at.count()) * 60); }
+
+QComboBox* shortList(const char* name, const QStringList& entries, const QString& tip) {
+    auto* list = new QComboBox;
+    list->setObjectName(QString::fromLatin1(name));
+    list->addItems(entries);
+    list->setToolTip(tip);
+    return list;
+}
+
+}  // namespace
+
+TimeStrip::TimeStrip(QWidget* parent) : QWidget(parent) {
+    makeFields();
+    makePlayer();
+    place();
+    connectFields();
+    showLook();
+}
+
+void TimeStrip::makeFields() {
+    span_ = shortList("lookSpan", {tr("Whole period"), tr("One day"), tr("One moment")},
+                      tr("What is shown: the whole period; one day of a study, from horizons cached in steps "
+                         "of half a degree;\nor sun and shadow at one moment, on everything"));
+    date_ =
+        slider("lookDate",
+               tr("The date, in the year of the period. Arrows: a day; Page Up and Down: a month"), 364, 30);
+    time_ =
+        slider("lookTime",
+               tr("The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour"),
+               minutesADay - 1, 60);
+    dateField_ = new QDateEdit;
+    dateField_->setObjectName(QStringLiteral("lookDateField"));
+    dateField_->setDisplayFormat(shortDay());
+    dateField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    timeField_ = new QTimeEdit;
+    timeField_->setObjectName(QStringLiteral("lookTimeField"));
+    timeField_->setDisplayFormat(QStringLiteral("HH:mm"));
+    timeField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    words_ = new QLabel;
+    words_->setObjectName(QStringLiteral("lookText"));
+    sunWords_ = new QLabel;
+    sunWords_->setObjectName(QStringLiteral("sunText"));
+    sunWords_->setToolTip(tr("Direction of the sun, clockwise from true north, and its altitude"));
+    use_ = pushButton(
+        tr("Set as period"), "lookStudy",
+        tr("Makes this day or moment the period of the study; Run then computes its figures and errors"));
+}
+
+void TimeStrip::makePlayer() {
+    play_ = new QToolButton;
+    play_->setObjectName(QStringLiteral("playSun"));
+    play_->setCheckable(true);
+    play_->setAutoRaise(true);
+    play_->setToolTip(tr("Plays the sun and its shadows (Shift+Space)"));
+    play_->setIcon(makeIcon(QStringLiteral("play")));
+    loop_ = shortList("playLoop", {tr("through the day"), tr("through the year")},
+                      tr("Play from sunrise to sunset of one date, or one time of day through the year"));
+    speed_ =
+        shortList("playSpeed", {tr("slowly"), tr("steadily"), tr("fast")},
+                  tr("Half an hour, an hour and a half or four hours of the day in a second;\nof the year, "
+                     "as many weeks"));
+    speed_->setCurrentIndex(1);
+    ticks_ = new QTimer(this);
+    ticks_->setInterval(tickMs);
+}
+
+void TimeStrip::place() {
+    auto* player = new QHBoxLayout;
+    for (QWidget* widget :
+         {static_cast<QWidget*>(play_), static_cast<QWidget*>(loop_), static_cast<QWidget*>(speed_)})
+        player->addWidget(widget);
+    auto* span = new QHBoxLayout;
+    span->addWidget(span_);
+    span->addWidget(use_);
+    span->addStretch(1);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(12, 2, 12, 2);
+    grid->setVerticalSpacing(0);
+    grid->addLayout(player, 0, 0);
+    grid->addLayout(span, 1, 0);
+    grid->addWidget(dateField_, 0, 1);
+    grid->addWidget(timeField_, 1, 1);
+    grid->addWidget(date_, 0, 2);
+    grid->addWidget(time_, 1, 2);
+    grid->addWidget(sunWords_, 0, 3);
+    grid->addWidget(words_, 1, 3);
+    grid->setColumnStretch(2, 1);
+    grid->setSizeConstraint(QLayout::SetNoConstraint);
+}
+
+QSize TimeStrip::minimumSizeHint() const { return {leastWidth, QWidget::minimumSizeHint().height()}; }
+
+void TimeStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool full = width() >= fullWidth;
+    const int sunWidth = fontMetrics().horizontalAdvance(QStringLiteral("Sun 208° SSW, 88° high "));
+    for (QWidget* widget : std::initializer_list<QWidget*>{loop_, speed_, sunWords_, words_})
+        widget->setVisible(full);
+    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(3, full ? sunWidth : 0);
+}
+
+void TimeStrip::connectFields() {
+    connect(span_, &QComboBox::currentIndexChanged, this, [this](int chosen) {
+        TimeLook look = look_;
+        look.span = LookSpan(chosen);
+        take(look);
+    });
+    connect(date_, &QSlider::valueChanged, this, [this](int day) {
+        TimeLook look = look_;
+        look.date = civilOf(firstOfYear(look_.date).addDays(day));
+        look.span == LookSpan::day ? take(look) : takeMoment(look);
+    });
+    connect(time_, &QSlider::valueChanged, this, [this](int minutes) {
+        TimeLook look = look_;
+        look.at = std::chrono::minutes(minutes);
+        takeMoment(look);
+    });
+    connect(dateField_, &QDateEdit::dateChanged, this,
+            [this](QDate date) { date_->setValue(int(firstOfYear(look_.date).daysTo(date))); });
+    connect(timeField_, &QTimeEdit::timeChanged, this,
+            [this](QTime time) { time_->setValue(time.hour() * 60 + time.minute()); });
+    connect(use_, &QPushButton::clicked, this, [this] { Q_EMIT taken(look_); });
+    connect(play_, &QToolButton::toggled, this, &TimeStrip::setPlaying);
+    connect(ticks_, &QTimer::timeout, this, &TimeStrip::step);
+}
+
+void TimeStrip::setPeriod(const Period& period) {
+    TimeLook look = firstLook(period);
+    if (look.date.year() == look_.date.year()) look = look_;
+    setLook(look);
+}
+
+void TimeStrip::setLook(const TimeLook& look) {
+    look_ = look;
+    showLook();
+}
+
+void TimeStrip::choose(TimeLook look) {
+    look.date = look_.date.year() / look.date.month() / look.date.day();
+    if (!look.date.ok())
+        look.date = look_.date.year() / look.date.month() / std::chrono::last;  // 29 February
+    take(look);
+}
+
+void TimeStrip::setDayOffered(bool offered) {
+    auto* entries = qobject_cast<QStandardItemModel*>(span_->model());
+    entries->item(int(LookSpan::day))->setEnabled(offered);
+    if (offered || look_.span != LookSpan::day) return;
+    TimeLook look = look_;
+    look.span = LookSpan::period;
+    take(look);
+}
+
+void TimeStrip::setSun(const SunAtMoment& sun) {
+    sun_ = sun;
+    sunWords_->setText(describe(sun));
+    std::vector<MarkedSlider::Mark> marks;
+    for (const auto& minutes : {sun.sunriseMin, sun.sunsetMin})
+        if (minutes) marks.push_back({*minutes, describeClock(*minutes)});
+    time_->setMarks(marks);
+    const bool both = sun.sunriseMin && sun.sunsetMin;
+    time_->setBright(both ? *sun.sunriseMin : 0, both ? *sun.sunsetMin : -1);
+}
+
+void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
+    words_->setText(of.span == LookSpan::day ? QStringLiteral("%1: %2").arg(describe(of), words) : words);
+}
+
+void TimeStrip::move(int minutes, int days) { takeMoment(nudge(look_, minutes, days)); }
+
+void TimeStrip::setPlaying(bool playing) {
+    const QSignalBlocker quiet(play_);
+    play_->setChecked(playing);
+    play_->setIcon(makeIcon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+    if (!playing) return ticks_->stop();
+    sinceStep_.start();
+    ticks_->start();
+}
+
+bool TimeStrip::playing() const { return ticks_->isActive(); }
+
+// By the time that has passed, so that a slow machine skips moments and does not slow down.
+void TimeStrip::step() {
+    const double seconds = double(sinceStep_.restart()) / 1000;
+    takeMoment(advance(look_, sun_, SunLoop(loop_->currentIndex()), seconds,
+                       playSpeeds[std::size_t(speed_->currentIndex())]));
+}
+
+void TimeStrip::takeMoment(TimeLook look) {
+    look.span = LookSpan::moment;
+    take(look);
+}
+
+void TimeStrip::take(const TimeLook& look) {
+    if (look == look_) return;
+    look_ = look;
+    showLook();
+    Q_EMIT lookChanged(look_);
+}
+
+void TimeStrip::showLook() {
+    const QSignalBlocker span(span_), date(date_), time(time_), dateField(dateField_), timeField(timeField_);
+    const QDate first = firstOfYear(look_.date);
+    span_->setCurrentIndex(int(look_.span));
+    date_->setMaximum(first.daysInYear() - 1);
+    date_->setValue(int(first.daysTo(dateOf(look_.date))));
+    time_->setValue(int(look_.at.count()));
+    dateField_->setDateRange(first, first.addDays(first.daysInYear() - 1));
+    dateField_->setDate(dateOf(look_.date));
+    timeField_->setTime(timeOf(look_.at));
+    if (look_.span == LookSpan::period) words_->clear();
+    use_->setVisible(look_.span != LookSpan::period);
+    showMarks();
+}
+
+// Solstices and equinoxes to the day, as planners name them.
+void TimeStrip::showMarks() {
+    const QDate first = firstOfYear(look_.date);
+    std::vector<MarkedSlider::Mark> marks;
+    for (const QDate date : {QDate(first.year(), 3, 21), QDate(first.year(), 6, 21),
+                             QDate(first.year(), 9, 22), QDate(first.year(), 12, 21)})
+        marks.push_back({int(first.daysTo(date)), locale().toString(date, tr("d MMM")),
+                         locale().toString(date, QStringLiteral("MMM"))});
+    date_->setMarks(marks);
+}
+
+}  // namespace noonmark
