@@ -1,8 +1,8 @@
 #pragma once
 
-// The folder app/gui/tools/photograph puts an aerial photograph, or any other picture of the ground, under the
-// city: PhotographActions reads it into the project, PhotographDialog is its form. TileFetch fetches tiles
-// from an address that the user states in TileDialog; tile_range.h is their scheme.
+// The folder app/gui/tools/photograph puts an aerial photograph, or any other picture of the ground, under
+// the city: PhotographActions reads it into the project, PhotographDialog is its form. TileFetch fetches
+// tiles from an address that the user states in TileDialog; tile_range.h is their scheme.
 
 #include <QObject>
 #include <QStringList>
