@@ -4,41 +4,29 @@
 #include <ostream>
 #include <string>
 
-#include "app/cli/command.h"
-#include "app/cli/open_project.h"
+#include "app/cli/console.h"
 #include "app/cli/options/measure_options.h"
-#include "scenarios/project/results/save_result.h"
+#include "app/cli/options/sheet_options.h"
+#include "app/questions/question.h"
 
 namespace noonmark::cli {
 
-/// The parts that differ between impact and score. addResult() (save_result.h) must accept an `Answer`.
-template <class Answer>
+/// What a command on a project asks, and how it prints the answer.
 struct Measure {
-    std::function<Result<Answer>(const ProjectFile&)> answer;
-    std::function<Result<void>(const Answer&, const Project&)> writeFiles;
-    std::string (*json)(const Answer&);
+    const Question& question;
+    std::string scenario;
+    std::string baseline{};  ///< of a comparison
+    std::function<Result<void>(const Project&, Asked&)>
+        complete{};  ///< what else it asks for; empty: nothing
+    /// The names of its files: provenance states the region.
+    std::vector<std::string> (*fileNames)(const Provenance&, bool withSheets);
+    std::function<ChangeScale(const Project&)> scale{};  ///< of a comparison's picture
     void (*print)(const Answer&, std::ostream&);
 };
 
-/// Opens the project, measures, writes the files, saves the result in the project if requested, and prints
-/// it. Returns the exit code.
-template <class Answer>
-int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, const Console& console) {
-    auto disk = openProject(options.file, console);
-    if (!disk) return fail(console, disk.error(), exitUsage);
-    const Result<Answer> answer =
-        measure.answer(*disk);  // records the state of the file before --keep changes it
-    if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = measure.writeFiles(*answer, disk->project());
-    if (!written) return fail(console, written.error(), exitFailed);
-    if (!options.keep.empty())
-        if (const auto saved = disk->save(addResult(disk->project(), options.keep, *answer)); !saved)
-            return fail(console, saved.error(), exitFailed);
-    if (options.json)
-        console.out << measure.json(*answer) << '\n';
-    else
-        measure.print(*answer, console.out);
-    return exitOk;
-}
+/// Opens the project, asks, writes the files, saves the answer in the project if requested, and prints it.
+/// Returns the exit code.
+int runMeasure(const MeasureOptions& options, const SheetOptions& sheets, const Measure& measure,
+               const Console& console);
 
 }  // namespace noonmark::cli

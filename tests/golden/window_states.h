@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <QTemporaryDir>
 
-#include "app/window/frame/main_window.h"
+#include "app/gui/frame/main_window.h"
 
 namespace noonmark::golden {
 

@@ -113,28 +113,27 @@ TEST_F(AnswerSourceWindow, AFileThatSomeoneElseSavedRepeatsNothing) {
 TEST_F(AnswerSourceWindow, WarningsOfReadingStayWithEveryAnswer) {
     EXPECT_THAT(firstWarning(), HasSubstr("outline crossed itself"));
     workbench().runScore("default");
-    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
     EXPECT_THAT(firstWarning(), HasSubstr("outline crossed itself"));
     goTo("Tower");
     session().compareWith(existingCity);
     workbench().run();
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     EXPECT_THAT(firstWarning(), HasSubstr("outline crossed itself"));
 }
 
 TEST_F(AnswerSourceWindow, AComparisonAndAScoreNameTheirScenarios) {
     goTo("Tower");
     workbench().runScore("default");
-    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
-    const ScoreAnswer score = AnswerOrigin(session()).stated(*workbench().score());
-    const auto json = nlohmann::json::parse(scoreJson(score));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
+    const auto stated = AnswerOrigin(session()).stated(*workbench().answer());
+    const auto json = nlohmann::json::parse(stated->json());
     EXPECT_THAT(json["repeat"].get<std::string>(),
                 HasSubstr("noonmark-cli score small.noonmark.gpkg --scenario Tower"));
     session().compareWith(existingCity);
     workbench().run();
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    const ImpactAnswer impact = AnswerOrigin(session()).stated(*workbench().comparison());
-    const auto compared = nlohmann::json::parse(impactJson(impact));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    const auto compared = nlohmann::json::parse(AnswerOrigin(session()).stated(*workbench().answer())->json());
     EXPECT_THAT(compared["repeat"].get<std::string>(), HasSubstr("--from Existing --to Tower"));
     EXPECT_EQ(compared["baseline"], "Existing");
     EXPECT_EQ(compared["warnings"][0]["where"][0], "way 7");

@@ -11,6 +11,7 @@
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/questions/saved_question.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 
@@ -57,7 +58,7 @@ struct AnswersWindow : ::testing::Test {
     }
     void keep(const char* name) {
         const auto before = session().project().results.size();
-        workbench().keepAnswer(QString::fromLatin1(name));
+        workbench().saveAnswer(QString::fromLatin1(name));
         EXPECT_EQ(session().project().results.size(), before) << "the city is hashed in a job";
         ASSERT_TRUE(waitFor([&] { return session().project().results.size() == before + 1; }));
     }
@@ -67,7 +68,7 @@ struct AnswersWindow : ::testing::Test {
     }
     void showSaved(const std::string& name) {
         enter(ProjectPart::result, name);
-        ASSERT_TRUE(waitFor([this] { return workbench().saved() && !workbench().following().busy(); }));
+        ASSERT_TRUE(waitFor([this] { return workbench().answerAs<SavedContent>() && !workbench().following().busy(); }));
     }
 };
 

@@ -31,9 +31,9 @@ struct ElementsWindow : test::AnswersWindow {
         workbench().document().change(workbench().document().settings(), elements, QStringLiteral("points"));
     }
     void measure() {
-        const auto before = workbench().elements();
+        const auto before = workbench().answerAs<ElementAnswer>();
         workbench().run();
-        ASSERT_TRUE(waitFor([&] { return workbench().elements() && workbench().elements() != before; }))
+        ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ElementAnswer>() && workbench().answerAs<ElementAnswer>() != before; }))
             << window->panel().messages().text().toStdString();
     }
     ElementsDock& dock() { return *window->findChild<ElementsDock*>(); }
@@ -82,15 +82,15 @@ TEST_F(ElementsWindow, TheFormChoosesPointsAndForecastsTheirNumber) {
 TEST_F(ElementsWindow, FacadesAreNarrowedDownByWhatTheyFace) {
     choose({});
     measure();
-    const std::size_t all = workbench().elements()->map.elements.size();
+    const std::size_t all = workbench().answerAs<ElementAnswer>()->map.elements.size();
     auto& direction = field<QComboBox>("facingDirection");
     direction.setCurrentIndex(3);
     Q_EMIT direction.activated(3);
     ASSERT_TRUE(workbench().document().elements()->faces.facing);
     EXPECT_EQ(*workbench().document().elements()->faces.facing, (AzimuthRange{135, 225}));
     measure();
-    EXPECT_LT(workbench().elements()->map.elements.size(), all / 3);
-    for (const MeasuredElement& element : workbench().elements()->map.elements)
+    EXPECT_LT(workbench().answerAs<ElementAnswer>()->map.elements.size(), all / 3);
+    for (const MeasuredElement& element : workbench().answerAs<ElementAnswer>()->map.elements)
         EXPECT_NEAR(element.azimuthDeg, 180, 45.1);
     field<QDoubleSpinBox>("facingFrom").setValue(100);
     EXPECT_EQ(workbench().document().elements()->faces.facing->fromDeg, 100);
@@ -104,7 +104,7 @@ TEST_F(ElementsWindow, AClickOnAWallPicksItsFace) {
     measure();
     Q_EMIT dock().wanted(20);
     const CityView& view = window->panel().view();
-    const MeasuredElement middle = workbench().elements()->map.elements[20];
+    const MeasuredElement middle = workbench().answerAs<ElementAnswer>()->map.elements[20];
     window->show();
     field<QPushButton>("pickFace").setChecked(true);
     const auto pixel = pixelOf(view.pose(), view.lens(), glm::dvec3(middle.position));
@@ -115,7 +115,7 @@ TEST_F(ElementsWindow, AClickOnAWallPicksItsFace) {
     EXPECT_TRUE(middle.id.starts_with(faces[0] + " floor ")) << faces[0] << " of " << middle.id;
     field<QPushButton>("pickFace").setChecked(false);
     measure();
-    for (const MeasuredElement& element : workbench().elements()->map.elements)
+    for (const MeasuredElement& element : workbench().answerAs<ElementAnswer>()->map.elements)
         EXPECT_TRUE(element.id.starts_with(faces[0] + " floor "));
 }
 
@@ -125,7 +125,7 @@ TEST_F(ElementsWindow, ProposedBuildingsAreThoseOfTheScenario) {
     ASSERT_TRUE(waitFor([&] { return workbench().city()->city().buildings.size() == 4; }));
     EXPECT_TRUE(field<QCheckBox>("proposedOnly").isChecked());
     measure();
-    for (const MeasuredElement& element : workbench().elements()->map.elements)
+    for (const MeasuredElement& element : workbench().answerAs<ElementAnswer>()->map.elements)
         EXPECT_EQ(element.building, "New");
 }
 
@@ -144,7 +144,7 @@ TEST_F(ElementsWindow, LinesRunAroundALotOfTheProject) {
     Q_EMIT offsets.editingFinished();
     EXPECT_EQ(offsets.text(), QStringLiteral("7 m, 2.5 m")) << "the last distances";
     measure();
-    EXPECT_TRUE(workbench().elements()->map.elements.front().id.starts_with("7 m, "));
+    EXPECT_TRUE(workbench().answerAs<ElementAnswer>()->map.elements.front().id.starts_with("7 m, "));
 }
 
 TEST_F(ElementsWindow, SinglePointsAreTypedOrClicked) {
@@ -160,7 +160,7 @@ TEST_F(ElementsWindow, SinglePointsAreTypedOrClicked) {
     ASSERT_EQ(workbench().document().elements()->points.size(), 2U);
     EXPECT_EQ(workbench().document().elements()->points[1].id, "point 2");
     measure();
-    EXPECT_EQ(workbench().elements()->map.elements.size(), 2U);
+    EXPECT_EQ(workbench().answerAs<ElementAnswer>()->map.elements.size(), 2U);
     list.setPlainText(QStringLiteral("somewhere"));
     QCoreApplication::sendEvent(&list, &left);
     EXPECT_EQ(workbench().document().elements()->points.size(), 2U) << "what is wrong is not taken";
@@ -189,9 +189,9 @@ TEST(ElementSettingsJson, IsReadAsItIsWritten) {
 TEST_F(ElementsWindow, ARunPaintsTilesAndFillsTheTable) {
     choose({});
     measure();
-    const ElementMap& map = workbench().elements()->map;
+    const ElementMap& map = workbench().answerAs<ElementAnswer>()->map;
     ASSERT_GT(map.elements.size(), 100U);
-    EXPECT_EQ(workbench().shown(), Workbench::Shown::elements);
+    EXPECT_NE(workbench().answerAs<ElementAnswer>(), nullptr);
     EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
     EXPECT_EQ(tiles().tiles().size(), map.elements.size());
     EXPECT_EQ(std::size_t(rows().rowCount()), map.elements.size());
@@ -205,7 +205,7 @@ TEST_F(ElementsWindow, ARunPaintsTilesAndFillsTheTable) {
 TEST_F(ElementsWindow, TheTableSortsFiltersCopiesAndPointsAtTheView) {
     choose({});
     measure();
-    const ElementMap& map = workbench().elements()->map;
+    const ElementMap& map = workbench().answerAs<ElementAnswer>()->map;
     table().sortByColumn(ElementModel::sun, Qt::DescendingOrder);
     const double most =
         std::ranges::max_element(map.elements, {}, &MeasuredElement::sunlitMin)->sunlitMin / 60;
@@ -229,7 +229,7 @@ TEST_F(ElementsWindow, AClickOnATileFindsItsRow) {
     measure();
     Q_EMIT dock().wanted(20);
     const CityView& view = window->panel().view();
-    const auto middle = workbench().elements()->map.elements[20];
+    const auto middle = workbench().answerAs<ElementAnswer>()->map.elements[20];
     const auto pixel = pixelOf(view.pose(), view.lens(), glm::dvec3(middle.position));
     ASSERT_TRUE(pixel);
     Q_EMIT window->panel().navigator().clicked(QPointF(pixel->x, pixel->y));
@@ -250,7 +250,7 @@ TEST_F(ElementsWindow, AnotherResultReplacesTheTiles) {
     workbench().document().change(workbench().document().settings(), std::nullopt, QStringLiteral("cells"));
     EXPECT_TRUE(note().contains(QStringLiteral("settings have changed"))) << note().toStdString();
     study();
-    EXPECT_EQ(workbench().elements(), nullptr);
+    EXPECT_EQ(workbench().answerAs<ElementAnswer>(), nullptr);
     EXPECT_TRUE(tiles().tiles().empty());
     EXPECT_EQ(rows().rowCount(), 0);
 }
@@ -260,14 +260,14 @@ TEST_F(ElementsWindow, TheFacadesOfATowerThatIsBuiltAreMeasured) {
     session().goTo("Tower");
     ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
     measure();
-    const auto& elements = workbench().elements()->map.elements;
+    const auto& elements = workbench().answerAs<ElementAnswer>()->map.elements;
     const auto ofTower = std::ranges::count(elements, "New", &MeasuredElement::building);
     EXPECT_GT(ofTower, 20);
-    const auto before = workbench().elements();
+    const auto before = workbench().answerAs<ElementAnswer>();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
-    ASSERT_TRUE(waitFor([&] { return workbench().elements() && workbench().elements() != before; }))
+    ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ElementAnswer>() && workbench().answerAs<ElementAnswer>() != before; }))
         << "a quick result is computed again";
-    EXPECT_LT(std::ranges::count(workbench().elements()->map.elements, "New", &MeasuredElement::building),
+    EXPECT_LT(std::ranges::count(workbench().answerAs<ElementAnswer>()->map.elements, "New", &MeasuredElement::building),
               ofTower / 2);
 }
 
@@ -299,14 +299,14 @@ TEST_F(ElementsWindow, AFileOfWindowsThatIsMissingIsReported) {
     choose({.places = ElementPlaces::windows});
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
-    EXPECT_EQ(workbench().elements(), nullptr);
+    EXPECT_EQ(workbench().answerAs<ElementAnswer>(), nullptr);
 }
 
 TEST_F(ElementsWindow, APlaneIsMeasuredAboveTheGround) {
     choose({.places = ElementPlaces::plane, .planeHeightM = 4});
     measure();
-    const ElementMap& map = workbench().elements()->map;
-    EXPECT_NEAR(map.elements[0].position.z, workbench().elements()->study.planeM, 1e-4);
+    const ElementMap& map = workbench().answerAs<ElementAnswer>()->map;
+    EXPECT_NEAR(map.elements[0].position.z, workbench().answerAs<ElementAnswer>()->study.planeM, 1e-4);
     EXPECT_EQ(map.elements[0].pane.widthM(), 4) << "a cell";
     EXPECT_EQ(rows().index(0, ElementModel::facing).data().toString(), QString());
 }
@@ -332,7 +332,7 @@ TEST_F(ElementsWindow, ASavedStudyIsReadAgainWithItsTableAndFiles) {
     const auto city = workbench().city();
     window->open({QString::fromStdString(session().file()->path().string())});
     ASSERT_TRUE(waitFor([&] { return workbench().city() != city; }));
-    ASSERT_TRUE(waitFor([&] { return workbench().elements() != nullptr; }))
+    ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ElementAnswer>() != nullptr; }))
         << "it was quick, and is repeated";
     ASSERT_TRUE(workbench().document().elements());
     EXPECT_EQ(workbench().document().elements()->facades.storeyM, 4) << "the form is as it was saved";

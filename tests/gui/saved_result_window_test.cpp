@@ -6,6 +6,7 @@
 
 #include "app/gui/docks/project/project_model.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/questions/saved_question.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/gui/answers_window.h"
 
@@ -32,7 +33,7 @@ TEST_F(AnswersWindow, AKeptStudyIsShownAgainWithFiguresAndLegend) {
     EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
     EXPECT_EQ(session().project().results.size(), 1U);
     window->findChild<QPushButton*>(QStringLiteral("wayBack"))->click();
-    EXPECT_EQ(workbench().saved(), nullptr);
+    EXPECT_EQ(workbench().answerAs<SavedContent>(), nullptr);
     EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Measured error")));
 }
 
@@ -41,7 +42,7 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
     session().compareWith(existingCity);
     window->mode().setMode(ViewMode::analysis);
     workbench().run();
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     keep("Impact");
     session().compareWith({});
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
@@ -52,7 +53,7 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
     EXPECT_TRUE(note().contains(QStringLiteral("'Tower' has changed since"))) << note().toStdString();
     EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("Outdated")));
     workbench().document().undoStack().undo();
-    EXPECT_EQ(workbench().saved(), nullptr) << "it was shown with other buildings";
+    EXPECT_EQ(workbench().answerAs<SavedContent>(), nullptr) << "it was shown with other buildings";
     showSaved("Impact");
     EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
 }
@@ -68,14 +69,14 @@ TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
     enter(ProjectPart::result, "June");
     ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
     EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("cannot be shown")));
-    EXPECT_EQ(workbench().saved(), nullptr);
+    EXPECT_EQ(workbench().answerAs<SavedContent>(), nullptr);
     EXPECT_NE(workbench().study(), nullptr);
 }
 
 TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     workbench().runScore("default");
-    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
-    const Score& score = workbench().score()->score;
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
+    const Score& score = workbench().answerAs<ScoreAnswer>()->score;
     EXPECT_GE(score.months.size(), 2U);
     NoProgress progress;
     const Score again =
@@ -101,14 +102,14 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
     EXPECT_FALSE(legendNote().endsWith(QStringLiteral("Outdated"))) << legendNote().toStdString();
     study();
-    EXPECT_EQ(workbench().saved(), nullptr) << "another result replaces it";
+    EXPECT_EQ(workbench().answerAs<SavedContent>(), nullptr) << "another result replaces it";
     EXPECT_FALSE(figures().contains(QStringLiteral("Shadow score")));
 }
 
 TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
     session().goTo("Tower");
     session().compareWith(existingCity);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     LegendStrip& legend = window->panel().legend();
     auto* field = window->findChild<QSpinBox*>(QStringLiteral("changeScale"));
     EXPECT_TRUE(field->isVisible());
@@ -116,8 +117,8 @@ TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
     EXPECT_TRUE(legend.legend()->unit.contains(QStringLiteral("scale locked: ±60 min")))
         << legend.legend()->unit.toStdString();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 8}}, QStringLiteral("low")));
-    const auto before = workbench().comparison();
-    ASSERT_TRUE(waitFor([&] { return workbench().comparison() && workbench().comparison() != before; }));
+    const auto before = workbench().answerAs<ImpactAnswer>();
+    ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ImpactAnswer>() && workbench().answerAs<ImpactAnswer>() != before; }));
     EXPECT_EQ(legend.legend()->scale.top, 60) << "another proposal, the same scale";
     field->setValue(25);
     EXPECT_EQ(legend.legend()->scale.top, 25);

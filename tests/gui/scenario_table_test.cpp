@@ -201,7 +201,7 @@ TEST_F(ScenarioTableWindow, ASavedScoreCountsUntilItsScenarioChanges) {
     settle();
     const QString score = text(2, TableColumn::score);
     ASSERT_FALSE(score.isEmpty());
-    workbench().keepAnswer(QStringLiteral("Score"));
+    workbench().saveAnswer(QStringLiteral("Score"));
     ASSERT_TRUE(waitFor([this] { return session().project().results.size() == 1; }));
     save();
     makeWindow();

@@ -23,9 +23,9 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     workbench().document().change(question, QStringLiteral("test"));
     build();
     session().compareWith(existingCity);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     // Keeps the object alive, so that no other comparison gets its address.
-    const auto held = workbench().comparison();
+    const auto held = workbench().answerAs<ImpactAnswer>();
     const ImpactAnswer& answer = *held;
     EXPECT_EQ(answer.from, existingCity);
     EXPECT_EQ(answer.to, "Proposal A");
@@ -35,15 +35,15 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     ASSERT_TRUE(legend);
     EXPECT_TRUE(legend->change);
     EXPECT_EQ(legend->patches.size(), 1U) << "the tower stands on what was ground";
-    workbench().keepAnswer(QStringLiteral("Impact"));
+    workbench().saveAnswer(QStringLiteral("Impact"));
     ASSERT_TRUE(waitFor([this] { return session().project().results.size() == 1; }));
     EXPECT_EQ(session().project().results[0]->kind, "impact");
     session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height"));
     ASSERT_TRUE(waitFor([&] {
-        return workbench().comparison() && workbench().comparison().get() != &answer;
+        return workbench().answerAs<ImpactAnswer>() && workbench().answerAs<ImpactAnswer>().get() != &answer;
     })) << "a quick result is recomputed after the change";
     session().compareWith({});
-    EXPECT_EQ(workbench().comparison(), nullptr);
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>(), nullptr);
 }
 
 TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
@@ -153,15 +153,15 @@ TEST_F(ProjectWindow, ARunningComparisonOutlivesAnotherNameOfEitherSide) {
     ASSERT_TRUE(session().rename(ProjectPart::scenario, "Proposal A", "Tall"));
     EXPECT_TRUE(workbench().running().busy());
     EXPECT_EQ(session().baseline(), "Base");
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    EXPECT_EQ(workbench().comparison()->from, "Base");
-    EXPECT_EQ(workbench().comparison()->to, "Tall");
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>()->from, "Base");
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>()->to, "Tall");
     workbench().document().undoStack().undo();
     workbench().document().undoStack().undo();
-    ASSERT_TRUE(workbench().comparison()) << "undoing the renaming does not end it either";
+    ASSERT_TRUE(workbench().answerAs<ImpactAnswer>()) << "undoing the renaming does not end it either";
     EXPECT_EQ(session().baseline(), "Other");
-    EXPECT_EQ(workbench().comparison()->from, "Other");
-    EXPECT_EQ(workbench().comparison()->to, "Proposal A");
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>()->from, "Other");
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>()->to, "Proposal A");
 }
 
 TEST_F(ProjectWindow, AStudyOutlivesAnotherNameOfItsScenario) {
@@ -185,12 +185,12 @@ TEST_F(ProjectWindow, AQuickComparisonIsThereAgainWhenTheProjectIsReopenedAndASl
     workbench().document().change(question, QStringLiteral("test"));
     build();
     session().compareWith(existingCity);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     save();
     makeWindow();
     open(file);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    EXPECT_EQ(workbench().comparison()->to, "Proposal A");
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>()->to, "Proposal A");
     auto saved = ProjectFile::open(file.toStdString()).value();
     Project slow = saved.project();
     slow.view["answer_seconds"] = "4000";

@@ -61,7 +61,9 @@ TEST_F(AnswersWindow, TheLegendStatesTheErrorOfWhatTheMapShows) {
 
 /// The names of exported files, sorted.
 QStringList exported(MainWindow& window, const QString& folder) {
-    window.workbench().exportShown(folder.toStdString(), {.scale = window.panel().legend().changeScale()});
+    ExportChoice choice;
+    choice.scale = window.panel().legend().changeScale();
+    window.workbench().exportShown(folder.toStdString(), choice);
     EXPECT_TRUE(waitFor([&] { return !window.workbench().writing().busy(); }));
     return QDir(folder).entryList(QDir::Files, QDir::Name);
 }
@@ -74,7 +76,7 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     ASSERT_NE(action, nullptr);
     session().goTo("Tower");
     session().compareWith(existingCity);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     EXPECT_EQ(
         action->text(),
         QStringLiteral("&Export (Tower compared with %1)...").arg(QString::fromStdString(existingCity)));
@@ -86,7 +88,7 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     session().compareWith({});
     study();
     workbench().runScore("default");
-    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
     EXPECT_EQ(action->text(), QStringLiteral("&Export (Score of Tower with default)..."));
     EXPECT_EQ(
         exported(*window, folder.filePath(QStringLiteral("score"))),
@@ -119,11 +121,11 @@ TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
 TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
     session().goTo("Tower");
     session().compareWith(existingCity);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
     const QStringList before = figures();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
-    EXPECT_EQ(workbench().comparison(), nullptr);
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>(), nullptr);
     ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
     EXPECT_TRUE(note().contains(QStringLiteral("buildings have changed"))) << note().toStdString();
     EXPECT_TRUE(window->findChild<ResultsDock*>()->faded());
@@ -131,9 +133,9 @@ TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
     window->mode().setMode(ViewMode::analysis);
     EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("buildings have changed")))
         << window->panel().legend().note().toStdString();
-    EXPECT_EQ(workbench().shown(), Workbench::Shown::nothing) << "an outdated result is not exported";
+    EXPECT_EQ(workbench().answer(), nullptr) << "an outdated result is not exported";
     workbench().run();
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     EXPECT_EQ(note(), QString());
     EXPECT_FALSE(window->findChild<ResultsDock*>()->faded());
     EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("Outdated")));
@@ -142,20 +144,20 @@ TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
 TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
     session().goTo("Tower");
     session().compareWith(existingCity);
-    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
     auto* tree = window->findChild<ProjectDock*>();
     tree->duplicate(tree->model().indexOf(ProjectPart::scenario, "Tower"));
     ASSERT_NE(session().scenario(), "Tower");
-    ASSERT_TRUE(workbench().comparison()) << "the same buildings, the same difference";
-    EXPECT_EQ(workbench().comparison()->to, session().scenario());
+    ASSERT_TRUE(workbench().answerAs<ImpactAnswer>()) << "the same buildings, the same difference";
+    EXPECT_EQ(workbench().answerAs<ImpactAnswer>()->to, session().scenario());
     const QString name = QString::fromStdString(session().scenario());
     EXPECT_TRUE(window->panel().legend().note().startsWith(name))
         << window->panel().legend().note().toStdString();
     EXPECT_TRUE(figures().join(QLatin1Char('\n')).contains(name));
     workbench().runScore("default");
-    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
     session().goTo("Tower");
-    EXPECT_EQ(workbench().score()->scenario, "Tower");
+    EXPECT_EQ(workbench().answerAs<ScoreAnswer>()->scenario, "Tower");
     EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower with")))
         << window->panel().legend().note().toStdString();
 }
@@ -180,7 +182,7 @@ TEST_F(AnswersWindow, AllWordsOfTheResultsAreSeenWhateverWasShownBefore) {
     study();
     expectWhole("study");
     workbench().runScore("default");
-    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
     expectWhole("score");
     const auto before = workbench().city();
     window->open({QStringLiteral("sample:grid")});

@@ -55,14 +55,14 @@ struct TourWindow : test::ProjectWindow {
 
 TEST_F(TourWindow, TheArchitectsTourEndsWithAComparison) {
     walk(0);
-    ASSERT_TRUE(workbench().comparison());
-    EXPECT_GT(computeFigures(workbench().comparison()->study.total).gross.gainedM2, 0)
+    ASSERT_TRUE(workbench().answerAs<ImpactAnswer>());
+    EXPECT_GT(computeFigures(workbench().answerAs<ImpactAnswer>()->study.total).gross.gainedM2, 0)
         << "the tower throws a shadow";
 }
 
 TEST_F(TourWindow, ThePlannersTourEndsWithAScoreOfAYear) {
     walk(1);
-    ASSERT_TRUE(workbench().score());
+    ASSERT_TRUE(workbench().answerAs<ScoreAnswer>());
     EXPECT_EQ(workbench().document().settings().period.days, 365);
 }
 

@@ -104,7 +104,7 @@ TEST_F(VerdictView, ARowFramesItsWindowAndATileFindsItsRow) {
 TEST_F(VerdictView, AnotherResultOrAnotherRuleTakesThePlaceOfTheVerdicts) {
     review();
     workbench().run();
-    ASSERT_TRUE(waitFor([this] { return workbench().study() || workbench().comparison(); }));
+    ASSERT_TRUE(waitFor([this] { return workbench().study() || workbench().answerAs<ImpactAnswer>(); }));
     EXPECT_TRUE(tiles().tiles().empty());
     EXPECT_EQ(dock().windowPanel().shown(), ShownVerdicts::none);
     run();

@@ -4,17 +4,13 @@
 #include <ostream>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
 #include "app/report/files/answer_files.h"
-#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -30,46 +26,9 @@ struct ImpactOptions {
     std::string scale;  // empty: the project's scale
 };
 
-Result<ImpactAnswer> computeAnswer(const ImpactOptions& options, const ProjectFile& disk,
-                                   const Console& console) {
-    const Project& project = disk.project();
-    const auto study = settingsFrom(options.measure, project);
-    if (!study) return tl::make_unexpected(study.error());
-    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
-    if (!before) return tl::make_unexpected(before.error());
-    if (!after) return tl::make_unexpected(after.error());
-    const Provenance provenance = provenanceOf(project, &disk, {options.to, options.from, study->region, {}});
-    const OutputRules rules = outputRulesOf(options.measure, project);
-    if (const auto may =
-            checkOutputs(options.measure.out, impactFileNames(provenance, options.sheets.wanted), rules);
-        !may)
-        return tl::make_unexpected(may.error());
-    const ImpactSettings settings{*study, options.byBuilding};
-    const Interrupt interrupt;
-    ProgressLine progress(console);
-    auto made = runImpact(before->city, after->city, settings, progress, interrupt.token());
-    if (!made) return tl::make_unexpected(made.error());
-    ImpactAnswer answer{options.from, options.to, settings, options.thresholds, *std::move(made)};
-    putBefore(answer.study.total.warnings, project.reading->warnings);
-    answer.provenance = provenance;
-    return answer;
-}
-
 // The scale given by the user, otherwise that of the project.
 ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
     return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
-}
-
-Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options, const Project& project) {
-    const auto after = cityOf(project, options.to);
-    if (!after) return tl::make_unexpected(after.error());
-    const OffscreenQt qt;
-    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
-    if (!sheets) return tl::make_unexpected(sheets.error());
-    return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out,
-                            outputRulesOf(options.measure, project),
-                            options.sheets.wanted ? &*sheets : nullptr, options.measure.pictureWidth)
-        .map([](const auto&) {});
 }
 
 void addFigures(Table& table, const std::string& name, const Impact& impact,
@@ -83,7 +42,8 @@ void addFigures(Table& table, const std::string& name, const Impact& impact,
     }
 }
 
-void print(const ImpactAnswer& answer, std::ostream& out) {
+void printComparison(const Answer& compared, std::ostream& out) {
+    const auto& answer = *compared.as<ImpactAnswer>();
     const Impact& impact = answer.study.total;
     const ImpactFigures figures = computeFigures(impact, 0);
     Table table;
@@ -109,11 +69,21 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
 }
 
 int runImpactCommand(const ImpactOptions& options, const Console& console) {
-    const auto answer = [&](const ProjectFile& disk) { return computeAnswer(options, disk, console); };
-    const auto write = [&](const ImpactAnswer& made, const Project& project) {
-        return writeFiles(made, options, project);
+    const auto complete = [&](const Project&, Asked& asked) -> Result<void> {
+        asked.byBuilding = options.byBuilding;
+        asked.thresholdsMin = options.thresholds;
+        return {};
     };
-    return runMeasure<ImpactAnswer>(options.measure, {answer, write, impactJson, print}, console);
+    const auto scale = [&](const Project& project) { return scaleOf(options, project); };
+    return runMeasure(options.measure, options.sheets,
+                      {.question = comparisonQuestion(),
+                       .scenario = options.to,
+                       .baseline = options.from,
+                       .complete = complete,
+                       .fileNames = impactFileNames,
+                       .scale = scale,
+                       .print = printComparison},
+                      console);
 }
 
 }  // namespace

@@ -4,15 +4,11 @@
 #include <ostream>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
 #include "app/report/files/answer_files.h"
-#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -25,43 +21,8 @@ struct ScoreOptions {
     std::string weights;
 };
 
-Result<ScoreAnswer> computeAnswer(const ScoreOptions& options, const ProjectFile& disk,
-                                  const Console& console) {
-    const Project& project = disk.project();
-    auto settings = settingsFrom(options.measure, project);
-    if (!settings) return tl::make_unexpected(settings.error());
-    auto weights = findWeights(project, options.weights);
-    if (!weights) return tl::make_unexpected(weights.error());
-    const auto city = cityOf(project, options.scenario);
-    if (!city) return tl::make_unexpected(city.error());
-    Provenance provenance = provenanceOf(project, &disk, {options.scenario, {}, settings->region, *weights});
-    const OutputRules rules = outputRulesOf(options.measure, project);
-    if (const auto may =
-            checkOutputs(options.measure.out, scoreFileNames(provenance, options.sheets.wanted), rules);
-        !may)
-        return tl::make_unexpected(may.error());
-    const Interrupt interrupt;
-    ProgressLine progress(console);
-    auto score = runScore(city->city, *settings, *weights, progress, interrupt.token());
-    if (!score) return tl::make_unexpected(score.error());
-    putBefore(score->warnings, project.reading->warnings);
-    return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score),
-                       std::move(provenance)};
-}
-
-Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, const Project& project) {
-    const auto city = cityOf(project, options.scenario);
-    if (!city) return tl::make_unexpected(city.error());
-    const OffscreenQt qt;
-    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
-    if (!sheets) return tl::make_unexpected(sheets.error());
-    const OutputRules rules = outputRulesOf(options.measure, project);
-    return writeScoreFiles(answer, {city->city}, options.measure.out, rules,
-                           options.sheets.wanted ? &*sheets : nullptr, options.measure.pictureWidth)
-        .map([](const auto&) {});
-}
-
-void print(const ScoreAnswer& answer, std::ostream& out) {
+void printScore(const Answer& weighed, std::ostream& out) {
+    const auto& answer = *weighed.as<ScoreAnswer>();
     const Score& score = answer.score;
     Table table;
     table.add("scenario", answer.scenario);
@@ -83,11 +44,19 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
 }
 
 int runScoreCommand(const ScoreOptions& options, const Console& console) {
-    const auto answer = [&](const ProjectFile& disk) { return computeAnswer(options, disk, console); };
-    const auto write = [&](const ScoreAnswer& made, const Project& project) {
-        return writeFiles(made, options, project);
+    const auto complete = [&](const Project& project, Asked& asked) -> Result<void> {
+        auto weights = findWeights(project, options.weights);
+        if (!weights) return tl::make_unexpected(weights.error());
+        asked.weights = *std::move(weights);
+        return {};
     };
-    return runMeasure<ScoreAnswer>(options.measure, {answer, write, scoreJson, print}, console);
+    return runMeasure(options.measure, options.sheets,
+                      {.question = scoreQuestion(),
+                       .scenario = options.scenario,
+                       .complete = complete,
+                       .fileNames = scoreFileNames,
+                       .print = printScore},
+                      console);
 }
 
 }  // namespace

@@ -212,7 +212,7 @@ void MainWindow::connectJobs() {
     });
     connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
     for (JobSlot* slot :
-         {&workbench_.keeping(), &tools_.context().preview.working(),
+         {&workbench_.saving(), &tools_.context().preview.working(),
           &tools_.context().preview.measuringFacades(), &time_.looking().working(), &points_.working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
     docks_.study->progress().follow(workbench_.running());

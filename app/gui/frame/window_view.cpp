@@ -20,10 +20,10 @@ ProjectSaving::View WindowView::toSave() const {
                     .study = workbench_.document().settings(),
                     .elements = workbench_.document().elements(),
                     .review = formatText(review_.choice())};
-    if (workbench_.shown() == Workbench::Shown::comparison) state.answer = "comparison";
-    if (workbench_.shown() == Workbench::Shown::elements) state.answer = "study";
-    if (workbench_.shown() == Workbench::Shown::study) state.answer = "study";
-    if (!state.answer.empty()) state.answerSeconds = workbench_.answerSeconds();
+    if (const auto answer = workbench_.answer(); answer && answer->question().ofRun) {
+        state.answer = answer->as<ImpactAnswer>() ? "comparison" : "study";
+        state.answerSeconds = workbench_.answerSeconds();
+    }
     return textsOf(state);
 }
 

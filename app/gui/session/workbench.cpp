@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/gui/session/project/recent_files.h"
+#include "scenarios/impact/impact_text.h"
 
 namespace noonmark {
 
@@ -22,13 +23,11 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
             [this](const Job& job) { connect(&job, &Job::partial, this, &Workbench::studyPartial); });
     connect(&session_, &ProjectSession::cityChanged, this, &Workbench::follow);
     connect(&session_, &ProjectSession::baselineChanged, this, [this] {
-        comparison_.reset();
-        past_.comparison.reset();
+        if (contentOf<ImpactAnswer>(past_)) past_.reset();
+        if (!following_.busy()) findBase();
     });
-    connect(&session_, &ProjectSession::renamed, this, &Workbench::rename);
-    connect(&session_, &ProjectSession::changed, this, &Workbench::nameAnswers);
-    connect(&session_, &ProjectSession::changed, this, &Workbench::reweigh);
-    connect(&session_, &ProjectSession::refused, this, &Workbench::tell);
+    connect(&session_, &ProjectSession::changed, this, &Workbench::updateAnswers);
+    connect(&session_, &ProjectSession::refused, this, &Workbench::report);
 }
 
 void Workbench::open(const QStringList& files, const ReadSettings& reading) {
@@ -41,12 +40,12 @@ void Workbench::open(const QStringList& files, const ReadSettings& reading) {
             return openProject(files, reading, progress, stop);
         },
         [this, version = session_.version()](Result<OpenProject> opened) {
-            takeProject(std::move(opened), version);
+            adoptProject(std::move(opened), version);
         });
 }
 
 // Refuses to replace changes made since `version`: the user was not asked about them.
-void Workbench::takeProject(Result<OpenProject> opened, int version) {
+void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     if (opened && session_.version() != version && session_.hasUnsavedWork())
         opened = failure("The file was not opened: the project was changed while it was read", {},
                          "Save or undo the change, then open the file again");
@@ -56,9 +55,10 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     zone_ = std::move(opened->zone);
     placeWarnings_ = std::move(opened->placeWarnings);
     forgetAnswers();
-    past_ = {};
-    known_.clear();
-    keeping_.drop();
+    past_.reset();
+    studies_.clear();
+    comparison_ = {};
+    saving_.drop();
     answerSeconds_ = std::numeric_limits<double>::infinity();  // not known for this city yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
                   openedView_.baseline);
@@ -80,14 +80,14 @@ StudySettings Workbench::firstQuestion() const {
 void Workbench::recover(const std::filesystem::path& recovery) {
     opening_.start<ProjectFile>(
         tr("Recovering"), [recovery](Progress&, std::stop_token) { return ProjectFile::open(recovery); },
-        [this](Result<ProjectFile> saved) { takeRecovered(std::move(saved)); });
+        [this](Result<ProjectFile> saved) { adoptRecovered(std::move(saved)); });
 }
 
-void Workbench::takeRecovered(Result<ProjectFile> saved) {
-    if (!saved) return tell(saved.error());
+void Workbench::adoptRecovered(Result<ProjectFile> saved) {
+    if (!saved) return report(saved.error());
     const ViewState view = parseViewState(saved->project().view);
     if (!session_.change(saved->project(), tr("recover unsaved changes"), view.scenario)) return;
-    Q_EMIT tookUp(saved->path());
+    Q_EMIT recovered(saved->path());
     Q_EMIT noted(tr("Unsaved changes recovered. Save keeps them, Undo discards them."));
 }
 
@@ -103,24 +103,23 @@ void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
             });
         },
         [this, version = session_.version()](Result<OpenProject> opened) {
-            takeProject(std::move(opened), version);
+            adoptProject(std::move(opened), version);
         });
 }
 
-// Results of the scenario's previous buildings are no longer valid.
+// Answers about the scenario's previous buildings are no longer valid.
 void Workbench::forgetAnswers() {
     running_.drop();
     reading_.drop();
     study_.reset();
-    comparison_.reset();
-    score_.reset();
-    elements_.reset();
-    saved_.reset();
+    base_.reset();
+    front_.reset();
 }
 
-// The results are reset at once: a run started before the city is displayed already uses the new city.
+// Answers are forgotten at once: a run started before the city is displayed already uses the new city. A
+// saved result is not about the displayed buildings, so it does not become outdated with them.
 void Workbench::follow() {
-    if (study_ || comparison_ || score_ || elements_) past_ = {study_, comparison_, score_, elements_};
+    if (const SharedAnswer shown = front_ && front_->settings() ? front_ : base_) past_ = shown;
     forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(
@@ -128,13 +127,13 @@ void Workbench::follow() {
         [shown = city_, city = session_.city()](Progress& progress, const std::stop_token& stop) {
             return shownCity(withCity(shown->loaded, *city), shown->arrays, progress, stop);
         },
-        [this](Result<OpenCity> city) { takeCity(std::move(city)); });
+        [this](Result<OpenCity> city) { adoptCity(std::move(city)); });
 }
 
-void Workbench::takeCity(Result<OpenCity> city) {
-    if (!city) return tell(city.error());
+void Workbench::adoptCity(Result<OpenCity> city) {
+    if (!city) return report(city.error());
     city_ = std::make_shared<const OpenCity>(*std::move(city));
-    takeKnown();
+    findBase();
     Q_EMIT cityShown();
 }
 
@@ -147,15 +146,7 @@ QString Workbench::projectName() const {
     return name.isEmpty() ? tr("Untitled") : name;
 }
 
-Workbench::Shown Workbench::shown() const {
-    if (saved_) return Shown::savedResult;
-    if (score_) return Shown::score;
-    if (elements_) return Shown::elements;
-    if (comparison_) return Shown::comparison;
-    return study_ ? Shown::study : Shown::nothing;
-}
-
-void Workbench::tell(const Error& error) {
+void Workbench::report(const Error& error) {
     if (!isCancelled(error)) Q_EMIT failed(error);
 }
 

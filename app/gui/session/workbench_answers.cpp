@@ -1,20 +1,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/session/answers/answer_origin.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/workbench.h"
-#include "app/input/all_engines.h"
+#include "app/input/find_element_parts.h"
+#include "app/questions/saved_question.h"
 #include "core/base/progress_share.h"
-#include "core/base/stopwatch.h"
-#include "scenarios/project/results/save_result.h"
 #include "scenarios/scenario_list.h"
 
-// The results of Workbench: studies, comparisons, scores, and the display of saved results.
+// The answers of Workbench: how they are asked for, which one is displayed.
 namespace noonmark {
 
 namespace {
 
-constexpr std::ptrdiff_t mostKnown = 64;  // cached studies; ScenarioCities caches as many cities
+constexpr std::ptrdiff_t maxStudies = 64;  // cached; ScenarioCities caches as many cities
 
 }  // namespace
 
@@ -22,20 +21,35 @@ std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
     std::map<std::string, std::shared_ptr<const Study>> valid;
     for (const std::string& scenario : listNames(session_.project().scenarios)) {
         const auto city = session_.cityOf(scenario).value_or(nullptr);
-        const auto known = std::ranges::find(known_, city, &KnownStudy::city);
-        if (known != known_.end()) valid[scenario] = known->study;
+        const auto known = std::ranges::find(studies_, city, &KnownAnswer::city);
+        if (known != studies_.end()) valid[scenario] = contentOf<Study>(known->answer);
     }
     return valid;
 }
 
-void Workbench::run() {
-    if (!city_) return tell({"No city is open", {}, "Open a file or a sample first"});
-    if (measuresElements()) return startElements();
-    startUnlessLong(comparing() ? 2 : 1, [this] { runNow(); });
-}
-
 bool Workbench::comparing() const {
     return !session_.baseline().empty() && session_.baseline() != session_.scenario();
+}
+
+const Question& Workbench::questionOfRun() const {
+    if (comparing()) return comparisonQuestion();
+    return document_.elements() ? pointsQuestion() : studyQuestion();
+}
+
+bool Workbench::isAnswered() const {
+    const Question& question = questionOfRun();
+    const SharedAnswer& answer = question.ofPoints ? front_ : base_;
+    return answer && &answer->question() == &question;
+}
+
+bool Workbench::canShowStudyAgain() const { return front_ && (base_ || !front_->question().ofRun); }
+
+void Workbench::run() { ask(questionOfRun()); }
+
+void Workbench::ask(const Question& question, const std::string& weights) {
+    if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
+    const Start start = [this, &question, weights] { askNow(question, weights); };
+    question.ofPoints ? startPoints(start) : startUnlessLong(question.fields, start);
 }
 
 // Estimating takes up to a second, so only runs that may be long are estimated first.
@@ -49,6 +63,19 @@ void Workbench::startUnlessLong(double fields, Start start) {
         [this, fields, start = std::move(start)](const Result<RunEstimate>& one) {
             announceIfLong(one, fields, start);
         });
+}
+
+// The number of points is known only once they are placed, so each run is estimated first.
+void Workbench::startPoints(Start start) {
+    const auto points = findElementParts(*document_.elements(), session_.project(), *session_.city());
+    if (!points) return report(points.error());
+    running_.start<RunEstimate>(
+        tr("Estimating"),
+        [city = session_.city(), settings = document_.settings(), points = *points](
+            Progress& progress, const std::stop_token& stop) {
+            return estimateRun(*city, settings, points, progress, stop);
+        },
+        [this, start = std::move(start)](const Result<RunEstimate>& one) { announceIfLong(one, 1, start); });
 }
 
 void Workbench::announceIfLong(const Result<RunEstimate>& one, double fields, const Start& start) {
@@ -73,261 +100,177 @@ void Workbench::runQuicker() {
     runAnyway();
 }
 
-void Workbench::runNow() {
-    if (comparing()) return runComparison();
-    comparison_.reset();
-    measure(tr("Study"), {{session_.city(), nullptr}});
+// Without the city, which is copied in the job.
+Result<Asked> Workbench::makeAsked(const Question& question, const std::string& weights) {
+    Asked asked{.scenario = session_.scenario(),
+                .baseline = session_.baseline(),
+                .settings = document_.settings(),
+                .byBuilding = true,
+                .thresholdsMin = {usualThresholdsMin.begin(), usualThresholdsMin.end()}};
+    if (comparing()) {
+        auto before = session_.cityOf(asked.baseline);
+        if (!before) return tl::make_unexpected(before.error());
+        asked.before = *std::move(before);
+    }
+    if (question.ofPoints) {
+        auto points = findElementParts(*document_.elements(), session_.project(), *session_.city());
+        if (!points) return tl::make_unexpected(points.error());
+        asked.points = *std::move(points);
+    }
+    if (!weights.empty()) {
+        auto table = findWeights(session_.project(), weights);
+        if (!table) return tl::make_unexpected(table.error());
+        asked.weights = *std::move(table);
+    }
+    return asked;
 }
 
-void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted, bool toSave) {
-    using Made = std::vector<KnownStudy>;
-    running_.start<Made>(
-        what,
-        [wanted = std::move(wanted), shown = city_, settings = document_.settings()](
-            Progress& progress, std::stop_token stop) -> Result<Made> {
-            Made made = wanted;
-            for (std::size_t i = 0; i < made.size(); ++i) {
-                ProgressShare share(progress, i, made.size());
-                auto study = studyOf(withCity(shown->loaded, *made[i].city), settings,
-                                     made.size() > 1 ? share : progress, stop);
-                if (!study) return tl::make_unexpected(study.error());
-                made[i].study = std::make_shared<const Study>(*std::move(study));
-            }
-            return made;
+void Workbench::askNow(const Question& question, const std::string& weights) {
+    if (&question == &studyQuestion())
+        return measure(translated(question.label), {{session_.city(), {}, {}}});
+    const auto asked = makeAsked(question, weights);
+    if (!asked) return report(asked.error());
+    running_.start<SharedAnswer>(
+        translated(question.label),
+        [&question, asked = *asked, shown = city_, city = session_.city()](
+            Progress& progress, const std::stop_token& stop) mutable {
+            asked.loaded = withCity(shown->loaded, *city);
+            return question.compute(asked, progress, stop);
         },
-        [this, toSave](Result<Made> made) {
-            if (made && !made->empty() && toSave) session_.noteFigures();
-            takeStudies(std::move(made));
+        [this, known = KnownAnswer{session_.city(), asked->before, {}}](Result<SharedAnswer> answer) {
+            adoptAnswer(known, std::move(answer));
         });
 }
 
-void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
+// The baseline's buildings may have changed meanwhile; if those of the scenario do, the job is dropped.
+void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
+    const bool current =
+        !known.before || session_.cityOf(session_.baseline()).value_or(nullptr) == known.before;
+    if (answer && !current) return Q_EMIT studyStopped(false);
+    if (!answer) {
+        Q_EMIT studyStopped(isCancelled(answer.error()));
+        return report(answer.error());
+    }
+    const Question& question = (*answer)->question();
+    if (question.ofRun) answerSeconds_ = (*answer)->seconds();
+    if (&question != &comparisonQuestion()) return putInFront(*std::move(answer));
+    known.answer = *std::move(answer);
+    comparison_ = std::move(known);
+    putInFront(nullptr);
+}
+
+void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted, bool toSave) {
+    const auto asked = makeAsked(studyQuestion(), {});
+    if (!asked) return report(asked.error());
+    using Made = std::vector<KnownAnswer>;
+    running_.start<Made>(
+        what,
+        [wanted = std::move(wanted), shown = city_, asked = *asked](
+            Progress& progress, const std::stop_token& stop) mutable -> Result<Made> {
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                ProgressShare share(progress, i, wanted.size());
+                asked.loaded = withCity(shown->loaded, *wanted[i].city);
+                auto study = studyQuestion().compute(asked, wanted.size() > 1 ? share : progress, stop);
+                if (!study) return tl::make_unexpected(study.error());
+                wanted[i].answer = *std::move(study);
+            }
+            return wanted;
+        },
+        [this, toSave](Result<Made> made) {
+            if (made && !made->empty() && toSave) session_.noteFigures();
+            adoptStudies(std::move(made));
+        });
+}
+
+void Workbench::adoptStudies(Result<std::vector<KnownAnswer>> made) {
     if (!made) {
         Q_EMIT studyStopped(isCancelled(made.error()));
-        return tell(made.error());
+        return report(made.error());
     }
-    for (const KnownStudy& one : *made) {
-        std::erase_if(known_, [&](const KnownStudy& old) { return old.city == one.city; });
-        known_.push_back(one);
+    for (const KnownAnswer& one : *made) {
+        std::erase_if(studies_, [&](const KnownAnswer& old) { return old.city == one.city; });
+        studies_.push_back(one);
     }
-    if (std::ssize(known_) > mostKnown) known_.erase(known_.begin(), known_.end() - mostKnown);
-    if (!made->empty()) answerSeconds_ = made->back().study->seconds.at("total");
-    takeKnown();
-    standBack();
-    Q_EMIT studyDone();
+    if (std::ssize(studies_) > maxStudies) studies_.erase(studies_.begin(), studies_.end() - maxStudies);
+    if (!made->empty()) answerSeconds_ = made->back().answer->seconds();
+    putInFront(nullptr);
 }
 
-// Takes the cached study of the displayed scenario, if there is one.
-void Workbench::takeKnown() {
-    const auto known = studies();
-    const auto study = known.find(session_.scenario());
-    study_ = study == known.end() ? nullptr : study->second;
-    if (study_) past_ = {};
-}
-
-std::vector<Workbench::KnownStudy> Workbench::wanted() {
-    std::vector<KnownStudy> wanted;
+std::vector<Workbench::KnownAnswer> Workbench::listUnmeasured() {
+    std::vector<KnownAnswer> unmeasured;
     const auto known = studies();
     for (const std::string& name : listNames(session_.project().scenarios)) {
         const auto study = known.find(name);
         if (study != known.end() && study->second->settings == document_.settings()) continue;
-        if (const auto city = session_.cityOf(name)) wanted.push_back({*city, nullptr});
+        if (const auto city = session_.cityOf(name)) unmeasured.push_back({*city, {}, {}});
     }
-    return wanted;
+    return unmeasured;
 }
 
 void Workbench::measureAll() {
     if (city_)
-        startUnlessLong(double(wanted().size()), [this] { measure(tr("All scenarios"), wanted(), true); });
+        startUnlessLong(double(listUnmeasured().size()),
+                        [this] { measure(tr("All scenarios"), listUnmeasured(), true); });
 }
 
-void Workbench::runComparison() {
-    const auto before = session_.cityOf(session_.baseline());
-    if (!before) return tell(before.error());
-    ImpactAnswer question{session_.baseline(),
-                          session_.scenario(),
-                          {document_.settings(), true},
-                          {usualThresholdsMin.begin(), usualThresholdsMin.end()},
-                          {}};
-    running_.start<ImpactAnswer>(
-        tr("Comparison"),
-        [question, before = *before, after = session_.city(), warnings = city_->loaded.read.warnings](
-            Progress& progress, std::stop_token stop) {
-            return runImpact(*before, *after, question.settings, progress, std::move(stop),
-                             enginesWith(question.settings.study.engine))
-                .map([&](ImpactStudy study) {
-                    ImpactAnswer answer = question;
-                    answer.study = std::move(study);
-                    putBefore(answer.study.total.warnings, warnings);
-                    return answer;
-                });
-        },
-        [this, watch = Stopwatch(), before = *before, after = session_.city()](Result<ImpactAnswer> answer) {
-            const auto still = session_.cityOf(session_.baseline());
-            if (after != session_.city() || !still || *still != before) return Q_EMIT studyStopped(false);
-            if (answer) answerSeconds_ = watch.seconds();
-            comparedWith_ = before;
-            takeComparison(std::move(answer));
-        });
+// Null: what is behind is displayed again.
+void Workbench::putInFront(SharedAnswer answer) {
+    reading_.drop();
+    past_.reset();
+    front_ = std::move(answer);
+    findBase();
+    Q_EMIT answered();
 }
 
-void Workbench::takeComparison(Result<ImpactAnswer> answer) {
-    if (!answer) {
-        Q_EMIT studyStopped(isCancelled(answer.error()));
-        return tell(answer.error());
-    }
-    answer->from = session_.baseline();  // they may have been renamed meanwhile
-    answer->to = session_.scenario();
-    comparison_ = std::make_shared<const ImpactAnswer>(*std::move(answer));
-    standBack();
-    Q_EMIT comparisonDone();
+// The latest comparison of the displayed scenario with its baseline, else the latest study of it.
+void Workbench::findBase() {
+    const auto study = std::ranges::find(studies_, session_.city(), &KnownAnswer::city);
+    base_ = study == studies_.end() ? nullptr : study->answer;
+    study_ = contentOf<Study>(base_);
+    if (isCompared()) base_ = comparison_.answer;
+    if (base_) past_.reset();
+    rename(base_);
+    rename(front_);
 }
 
-// A renamed scenario stays in the comparison under its new name.
-void Workbench::rename(ProjectPart part, const std::string& from, const std::string& to) {
-    if (part != ProjectPart::scenario || !comparison_) return;
-    if (comparison_->from != from && comparison_->to != from) return;
-    auto renamed = std::make_shared<ImpactAnswer>(*comparison_);
-    for (std::string* name : {&renamed->from, &renamed->to})
-        if (*name == from) *name = to;
-    comparison_ = std::move(renamed);
-    Q_EMIT comparisonDone();
+bool Workbench::isCompared() {
+    return comparing() && comparison_.answer && comparison_.city == session_.city() &&
+           comparison_.before == session_.cityOf(session_.baseline()).value_or(nullptr);
 }
 
-// A copy of a scenario has the same buildings: the displayed result is valid for it too, and takes its name.
-void Workbench::nameAnswers() {
-    const std::string &from = session_.baseline(), &to = session_.scenario();
-    if (score_ && score_->scenario != to) {
-        auto named = std::make_shared<ScoreAnswer>(*score_);
-        named->scenario = to;
-        score_ = std::move(named);
-        Q_EMIT scoreDone();
-    }
-    if (!comparison_ || (comparison_->from == from && comparison_->to == to)) return;
-    if (from.empty() || session_.cityOf(from).value_or(nullptr) != comparedWith_.lock()) return;
-    auto named = std::make_shared<ImpactAnswer>(*comparison_);
-    named->from = from;
-    named->to = to;
-    comparison_ = std::move(named);
-    Q_EMIT comparisonDone();
+// A copy of a scenario has the same buildings: an answer is valid for it too, and takes its name. So does a
+// renamed one. Whether that changed anything.
+bool Workbench::rename(SharedAnswer& answer) {
+    if (!answer) return false;
+    SharedAnswer now = answer->updated(session_.project(), session_.scenario(), session_.baseline());
+    if (!now) return false;
+    answer = std::move(now);
+    return true;
 }
 
-void Workbench::runScore(const std::string& weights) {
-    if (!city_) return tell({"No city is open", {}, "Open a file or a sample first"});
-    startUnlessLong(1, [this, weights] { scoreNow(weights); });
-}
-
-void Workbench::scoreNow(const std::string& weights) {
-    const auto table = findWeights(session_.project(), weights);
-    if (!table) return tell(table.error());
-    running_.start<ScoreAnswer>(
-        tr("Score"),
-        [question = ScoreAnswer{session_.scenario(), document_.settings(), *table, {}},
-         city = session_.city(),
-         warnings = city_->loaded.read.warnings](Progress& progress, const std::stop_token& stop) {
-            // forwards no partial results: they would cover one month only
-            ProgressShare whole(progress, 0, 1);
-            return noonmark::runScore(*city, question.settings, question.weights, whole, stop,
-                                      enginesWith(question.settings.engine))
-                .map([&](Score score) {
-                    ScoreAnswer answer = question;
-                    answer.score = std::move(score);
-                    putBefore(answer.score.warnings, warnings);
-                    return answer;
-                });
-        },
-        [this](Result<ScoreAnswer> answer) { takeScore(std::move(answer)); });
-}
-
-void Workbench::takeScore(Result<ScoreAnswer> answer) {
-    if (!answer) {
-        Q_EMIT studyStopped(isCancelled(answer.error()));
-        return tell(answer.error());
-    }
-    answer->scenario = session_.scenario();  // it may have been renamed meanwhile
-    standBack();
-    score_ = std::make_shared<const ScoreAnswer>(*std::move(answer));
-    Q_EMIT scoreDone();
+void Workbench::updateAnswers() {
+    const bool isOther = contentOf<ImpactAnswer>(base_) && !isCompared();
+    const bool base = !isOther && rename(base_), front = rename(front_);
+    if (base || front) Q_EMIT answerUpdated();
 }
 
 // Shows the result on the buildings it was computed for, if its scenario still exists.
 void Workbench::showSaved(const std::string& name) {
     const auto result = findResult(session_.project(), name);
-    if (!result) return tell(result.error());
+    if (!result) return report(result.error());
     if (session_.cityOf((*result)->scenario)) session_.goTo((*result)->scenario);
-    reading_.start<ShownResult>(
+    reading_.start<SharedAnswer>(
         tr("Showing %1").arg(QString::fromStdString(name)),
         [result = *result, project = session_.project()](Progress&, const std::stop_token&) {
-            return shownResult(*result, project);
+            return readSaved(result, project);
         },
-        [this](Result<ShownResult> shown) {
-            if (!shown) return tell(shown.error());
-            saved_ = std::make_shared<const ShownResult>(*std::move(shown));
-            Q_EMIT savedShown();
+        [this](Result<SharedAnswer> saved) {
+            if (!saved) return report(saved.error());
+            front_ = *std::move(saved);
+            Q_EMIT answered();
         });
 }
 
-// A score or saved result is no longer displayed once a new result is ready.
-void Workbench::standBack() {
-    reading_.drop();
-    past_ = {};
-    score_.reset();
-    elements_.reset();
-    saved_.reset();
-}
-
-void Workbench::showStudyAgain() {
-    standBack();
-    Q_EMIT comparison_ ? comparisonDone() : studyDone();
-}
-
-void Workbench::reweigh() {
-    auto now = saved_ ? noonmark::reweigh(*saved_, session_.project()) : std::nullopt;
-    if (!now) return;
-    saved_ = std::make_shared<const ShownResult>(*std::move(now));
-    Q_EMIT savedReweighed();
-}
-
-void Workbench::keepAnswer(const QString& name) {
-    if (saved_) return tell({"This result is already saved", saved_->name, {}});
-    if (keeping_.busy()) return tell({"Another result is being saved", {}, "Wait until it is saved"});
-    if (const Keep keep = whatToKeep()) return this->keep(keep, name);
-    tell({"There is no result to save", {}, "Press Run first"});
-}
-
-// Captures the result displayed now, since another may be displayed when it is saved. Empty if there is none.
-Workbench::Keep Workbench::whatToKeep() const {
-    const AnswerOrigin origin(session_);
-    if (score_)
-        return [score = score_, origin](const Project& project) {
-            return makeSavedResult(project, origin.stated(*score));
-        };
-    if (elements_)
-        return [elements = elements_, origin, scenario = session_.scenario()](const Project& project) {
-            return makeSavedResult(project, scenario, origin.stated(elements->study));
-        };
-    if (comparison_)
-        return [comparison = comparison_, origin](const Project& project) {
-            return makeSavedResult(project, origin.stated(*comparison));
-        };
-    if (!study_) return {};
-    return [study = study_, origin, scenario = session_.scenario()](const Project& project) {
-        return makeSavedResult(project, scenario, origin.stated(*study));
-    };
-}
-
-void Workbench::keep(const Keep& keep, const QString& name) {
-    keeping_.start<SavedResult>(
-        tr("Saving %1").arg(name),
-        [keep, project = session_.project()](Progress&, const std::stop_token&) -> Result<SavedResult> {
-            return keep(project);
-        },
-        [this, name](Result<SavedResult> result) {
-            if (!result) return tell(result.error());
-            result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
-            const QString what = tr("save result %1").arg(QString::fromStdString(result->name));
-            session_.change(addResult(session_.project(), *std::move(result)), what);
-        });
-}
+void Workbench::showStudyAgain() { putInFront(nullptr); }
 
 }  // namespace noonmark

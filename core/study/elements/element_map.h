@@ -31,6 +31,12 @@ struct ElementMap {
     double possibleMin = 0;  ///< minutes a day with the sun above the horizon, mean over the days
 };
 
+/// A study at points with that list.
+struct ElementAnswer {
+    ElementStudy study;
+    ElementMap map;
+};
+
 /// The corners of the rectangle that an element stands for, 3 cm in front of its wall, counterclockwise seen
 /// from in front. A window that is a point has one of 1 x 1.2 m.
 std::array<glm::vec3, 4> cornersOf(const MeasuredElement& element);

@@ -88,8 +88,8 @@ void ExportDialog::makeFields(QFormLayout& form) {
         const std::string_view name = nameOf(paper);
         paper_->addItem(QString::fromUtf8(name.data(), qsizetype(name.size())), int(paper));
     }
-    paper_->setCurrentIndex(paper_->findData(int(first_.setup.paper)));
-    landscape_ = makeCheck(tr("Landscape"), "exportLandscape", {}, first_.setup.landscape);
+    paper_->setCurrentIndex(paper_->findData(int(first_.book.setup.paper)));
+    landscape_ = makeCheck(tr("Landscape"), "exportLandscape", {}, first_.book.setup.landscape);
     form.addRow(QString(), cells_);
     form.addRow(QString(), sheets_);
     form.addRow(tr("Paper"), makeRow({paper_, landscape_}));
@@ -128,7 +128,7 @@ ExportChoice ExportDialog::choice() const {
     choice.pictureWidth = pixels_->value();
     choice.cells = cells_->isChecked();
     choice.sheets = sheets_->isChecked();
-    choice.setup = {Paper(paper_->currentData().toInt()), landscape_->isChecked()};
+    choice.book.setup = {Paper(paper_->currentData().toInt()), landscape_->isChecked()};
     return choice;
 }
 

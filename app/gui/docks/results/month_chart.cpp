@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/session/answers/score_rows.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "app/report/maps/palette.h"
 
 namespace noonmark {

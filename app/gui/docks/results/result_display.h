@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-#include "app/gui/base/layers/element_picture.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 
 namespace noonmark {
@@ -18,9 +18,8 @@ class ResultsDock;
 class ScenarioTable;
 class WarningsDock;
 
-/// Shows the workbench's result: as colours in the view, as figures and warnings in the docks. A saved result
-/// comes before a score or a study at points, these before a comparison, a comparison before a study. A
-/// result for buildings that have changed stays, marked as outdated.
+/// Shows the workbench's answer: as colours in the view, as figures and warnings in the docks. One about
+/// buildings that have changed stays, marked as outdated.
 class ResultDisplay final : public QObject {
     Q_OBJECT
 public:
@@ -38,27 +37,22 @@ public:
     void forget();                      ///< another project: nothing of it has been shown
     void setHint(const QString& hint);  ///< shown while there are no figures
 
-    /// A study or comparison of this project has been shown.
+    /// An answer of a run on this project has been shown.
     [[nodiscard]] bool anyShown() const { return anyShown_; }
-    /// Settings of the result shown last.
+    /// Settings of the answer shown last, saved results left aside.
     [[nodiscard]] const StudySettings& settings() const { return settings_; }
 
 Q_SIGNALS:
-    void updated();        ///< the result, or what is stated about it
-    void elementsShown();  ///< a study at points: its table should be visible
-    void chosen();         ///< a score or saved result that the user asked for: its figures should be visible
+    void updated();        ///< the answer, or what is stated about it
+    void elementsShown();  ///< an answer of points: its table should be visible
+    void chosen();  ///< an answer beside those of Run, asked for just now: its figures should be visible
 
 private:
-    void compare();
-    void showResult();
-    void showStudy();
+    void showAnswered();
+    void show();
     void showPast();
-    void showComparison();
-    void showScore();
-    void showElements();
-    void showPoints(const std::shared_ptr<const ElementAnswer>& answer, ElementView view);
-    void showSaved();
-    void hideOthers();
+    void showLayer(const AnswerLayer& layer, bool isStudy);
+    void showFigures(const Answer& answer);
     void update();
     void showOutdated();
     [[nodiscard]] QString whyOutdated() const;
@@ -69,7 +63,6 @@ private:
     Places places_;
     bool anyShown_ = false;
     StudySettings settings_;
-    std::optional<ElementSettings> elements_;  ///< of the result shown last, if of points
 };
 
 }  // namespace noonmark

@@ -7,7 +7,9 @@
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/workbench.h"
 #include "core/study/provenance/study_hash.h"
+#include "scenarios/impact/impact_text.h"
 #include "scenarios/scenario_list.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -49,9 +51,7 @@ LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObje
     Workbench& workbench = from_.workbench;
     workbench.setScenarioAnswers([this] { return all(); });
     connect(&workbench, &Workbench::projectOpened, this, &LatestAnswers::forget);
-    connect(&workbench, &Workbench::comparisonDone, this, &LatestAnswers::takeComparison);
-    connect(&workbench, &Workbench::scoreDone, this, &LatestAnswers::takeScore);
-    connect(&workbench, &Workbench::studyDone, this, &LatestAnswers::update);
+    connect(&workbench, &Workbench::answered, this, &LatestAnswers::adoptAnswer);
     connect(&workbench.document(), &StudyDocument::changed, this, &LatestAnswers::update);
     for (auto signal : {&ProjectSession::changed, &ProjectSession::baselineChanged})
         connect(&workbench.session(), signal, this, &LatestAnswers::update);
@@ -141,18 +141,14 @@ std::map<std::string, ScenarioVerdicts> LatestAnswers::verdicts() {
     return from_.windows.applies() ? countEach(from_.windows.latest()) : countEach(from_.review.latest());
 }
 
-// The workbench emits a comparison only while the cities are those that it compared.
-void LatestAnswers::takeComparison() {
-    if (const auto comparison = from_.workbench.comparison())
+// The workbench has a comparison or score only while the cities are those that it measured.
+void LatestAnswers::adoptAnswer() {
+    if (const auto comparison = from_.workbench.answerAs<ImpactAnswer>())
         add({cityOf(comparison->to),
              cityOf(comparison->from),
              {.question = hashQuestion(comparison->settings.study),
               .impact = computeFigures(comparison->study.total, comparison->thresholdsMin.front())}});
-    update();
-}
-
-void LatestAnswers::takeScore() {
-    if (const auto score = from_.workbench.score())
+    if (const auto score = from_.workbench.answerAs<ScoreAnswer>())
         add({cityOf(score->scenario),
              nullptr,
              {.question = hashQuestion(score->settings),

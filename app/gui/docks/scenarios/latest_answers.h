@@ -58,8 +58,7 @@ private:
     };
     void update();
     void forget();
-    void takeComparison();
-    void takeScore();
+    void adoptAnswer();
     void compareStudies();
     void readSaved();
     [[nodiscard]] std::string figuresInView() const;

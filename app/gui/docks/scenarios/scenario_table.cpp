@@ -8,7 +8,7 @@
 #include "app/gui/docks/review/verdict_words.h"
 #include "app/gui/docks/scenarios/scenario_columns.h"
 #include "app/gui/docks/scenarios/use_words.h"
-#include "app/gui/session/answers/comparison_rows.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/project/project_session.h"
 #include "core/measures/has_runs.h"
 #include "scenarios/scenario_list.h"

@@ -10,6 +10,7 @@
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -86,7 +87,7 @@ void ResultActions::takePicture(std::function<void(const QImage&)> done) {
 void ResultActions::askForExport() {
     using Subject = ExportChoice::Subject;
     std::vector<ExportDialog::Subject> subjects;
-    if (workbench_.shown() != Workbench::Shown::nothing) subjects.push_back({Subject::shown, shownText()});
+    if (workbench_.answer()) subjects.push_back({Subject::shown, shownText()});
     if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
@@ -111,23 +112,8 @@ void ResultActions::exportTo(const ExportChoice& choice, const QString& folder) 
 }
 
 QString ResultActions::shownText() const {
-    const auto comparison = workbench_.comparison();
-    const auto score = workbench_.score();
-    switch (workbench_.shown()) {
-        case Workbench::Shown::comparison:
-            return tr("%1 compared with %2").arg(text(comparison->to), text(comparison->from));
-        case Workbench::Shown::score:
-            return tr("Score of %1 with %2").arg(text(score->scenario), text(score->weights.name));
-        case Workbench::Shown::elements:
-            return tr("Points of %1").arg(text(workbench_.session().scenario()));
-        case Workbench::Shown::study:
-            return tr("Study of %1").arg(text(workbench_.session().scenario()));
-        case Workbench::Shown::savedResult:
-            return tr("Saved result %1").arg(text(workbench_.saved()->name));
-        case Workbench::Shown::nothing:
-            return {};
-    }
-    return {};
+    const auto answer = workbench_.answer();
+    return answer ? viewerOf(*answer).title(*answer) : QString();
 }
 
 // The menu item names what is displayed.
@@ -138,9 +124,10 @@ void ResultActions::nameExport() {
 }
 
 void ResultActions::saveInProject() {
-    const bool study = workbench_.shown() == Workbench::Shown::study;
-    const QString name = study ? text(workbench_.session().scenario()) : shownText();
-    workbench_.keepAnswer(tr("%1, %2").arg(name, text(formatText(display_.settings().period.start))));
+    const auto answer = workbench_.answer();
+    const auto nameOf = answer ? viewerOf(*answer).name : nullptr;
+    const QString name = nameOf ? nameOf(*answer) : shownText();
+    workbench_.saveAnswer(tr("%1, %2").arg(name, text(formatText(display_.settings().period.start))));
 }
 
 }  // namespace noonmark

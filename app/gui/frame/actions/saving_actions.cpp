@@ -30,7 +30,7 @@ void SavingActions::connectSaving() {
     connect(&saving_, &ProjectSaving::saved, this, &SavingActions::takeSaved);
     connect(&saving_, &ProjectSaving::failed, this, &SavingActions::showFailure);
     connect(&saving_, &ProjectSaving::notSaved, &messages_, &MessageBar::showError);
-    connect(&workbench_, &Workbench::tookUp, &saving_, &ProjectSaving::takeUp);
+    connect(&workbench_, &Workbench::recovered, &saving_, &ProjectSaving::setRecovery);
     // The work discarded for a file that did not open is still open.
     connect(&workbench_, &Workbench::openFailed, this, &SavingActions::keepUnsaved);
 }

@@ -30,8 +30,7 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
     connect(gross_, &QAction::triggered, this, [this] { panel_.legend().setMeasure(ShadowMeasure::gross); });
     connect(continuous_, &QAction::triggered, this,
             [this] { panel_.legend().setMeasure(ShadowMeasure::continuous); });
-    for (auto done : {&Workbench::studyDone, &Workbench::elementsDone})
-        connect(&workbench_, done, &panel_.messages(), &MessageBar::dismiss);
+    connect(&workbench_, &Workbench::answered, &panel_.messages(), &MessageBar::dismiss);
     connect(&workbench_, &Workbench::studyStopped, this, &StudyActions::showStopped);
     connect(&workbench_, &Workbench::longRun, this, &StudyActions::announceLongRun);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &StudyActions::compare);
@@ -64,11 +63,9 @@ void StudyActions::compare() {
 
 void StudyActions::runAgainIfQuick() {
     if (!display_.anyShown() || mode_.mode() == ViewMode::exploration) return;
-    if (workbench_.comparing()          ? workbench_.comparison() != nullptr
-        : workbench_.measuresElements() ? workbench_.elements() != nullptr
-                                        : workbench_.study() != nullptr)
-        return;
-    if (workbench_.saved() || workbench_.reading().busy()) return;
+    if (workbench_.isAnswered()) return;
+    if (const auto answer = workbench_.answer(); answer && !answer->settings()) return;  // a saved result
+    if (workbench_.reading().busy()) return;
     if (workbench_.running().busy()) return;  // the running study already uses the change
     if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
 }

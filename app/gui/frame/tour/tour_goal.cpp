@@ -15,8 +15,12 @@ TourBefore lookBefore(Workbench& workbench, ReviewSession& review) {
     const Project& project = workbench.session().project();
     std::size_t edits = 0;
     for (const Scenario& scenario : project.scenarios) edits += scenario.edits.size();
-    return {workbench.study().get(), workbench.comparison().get(), workbench.score().get(),
-            review.shown().get(),    project.places.size(),        edits};
+    return {workbench.study().get(),
+            workbench.answerAs<ImpactAnswer>().get(),
+            workbench.answerAs<ScoreAnswer>().get(),
+            review.shown().get(),
+            project.places.size(),
+            edits};
 }
 
 bool isReached(TourGoal goal, const TourBefore& before, const TourBefore& now) {

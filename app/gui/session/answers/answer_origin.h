@@ -1,33 +1,32 @@
 #pragma once
 
 #include "app/gui/session/project/project_session.h"
-#include "core/study/elements/element_study.h"
-#include "scenarios/impact/impact_text.h"
-#include "scenarios/project/project_provenance.h"
-#include "scenarios/weights/score_text.h"
+#include "app/questions/answer.h"
 
 namespace noonmark {
 
-/// A snapshot of the project when a result was displayed, to state the result's provenance later: the
-/// scenarios' names and edits, and whether the file contains them. Use it in a job: stating costs the hashes
-/// of provenanceOf().
+/// A snapshot of the project when an answer was displayed, to state its provenance later. Use it in a job:
+/// stating costs the hashes of provenanceOf().
 class AnswerOrigin {
 public:
-    explicit AnswerOrigin(const ProjectSession& session);
+    explicit AnswerOrigin(const ProjectSession& session)
+        : project_(session.project()), file_(session.file()) {}
 
-    /// The study is of the scenario displayed at the time of the snapshot.
-    [[nodiscard]] Study stated(Study study) const { return stated(std::move(study), scenario_); }
-    [[nodiscard]] Study stated(Study study, const std::string& scenario) const;
-    [[nodiscard]] ElementStudy stated(ElementStudy study) const;
-    [[nodiscard]] ImpactAnswer stated(ImpactAnswer answer) const;
-    [[nodiscard]] ScoreAnswer stated(ScoreAnswer answer) const;
+    [[nodiscard]] std::shared_ptr<const Answer> stated(const Answer& answer) const {
+        return answer.stated(of(answer.part()));
+    }
+    [[nodiscard]] std::shared_ptr<const Study> stated(Study study, const std::string& scenario) const {
+        study.provenance = of({scenario, {}, study.settings.region, {}});
+        return std::make_shared<const Study>(std::move(study));
+    }
 
 private:
-    [[nodiscard]] Provenance of(const MeasuredPart& part) const;
+    [[nodiscard]] Provenance of(const MeasuredPart& part) const {
+        return provenanceOf(project_, file_ ? &*file_ : nullptr, part);
+    }
 
     Project project_;
     std::optional<ProjectFile> file_;
-    std::string scenario_;
 };
 
 }  // namespace noonmark

@@ -1,10 +1,16 @@
 #pragma once
 
 #include <QString>
+#include <span>
+#include <string_view>
 #include <vector>
 
-#include "core/study/study.h"
+#include "core/describe/figure.h"
+#include "core/study/elements/element_map.h"
+#include "core/study/elements/element_tables.h"
 #include "core/study/text/error_words.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score.h"
 
 namespace noonmark {
 
@@ -14,6 +20,15 @@ struct ResultRow {
     QString value;
     QString meaning;
 };
+
+/// The row of the figure with this key: its label, `value`, and its definition as a tooltip.
+ResultRow figureRow(std::span<const Figure> figures, std::string_view key, const QString& value);
+
+/// Adds how much of the region was left out as water; nothing for none.
+void addWaterRow(std::vector<ResultRow>& rows, double waterM2);
+
+/// The meaning of the row of steps: "Positions of the sun above the horizon; 312 below it were left out".
+QString describeSteps(std::uint64_t belowHorizon);
 
 /// The figures of a study, new or saved.
 struct StudyFigures {
@@ -28,13 +43,34 @@ struct StudyFigures {
     std::vector<ErrorLine> errors;
     std::string engine;
 };
-
-/// Adds how much of the region was left out as water; nothing for none.
-void addWaterRow(std::vector<ResultRow>& rows, double waterM2);
-
-/// The meaning of the row of steps: "Positions of the sun above the horizon; 312 below it were left out".
-QString describeSteps(std::uint64_t belowHorizon);
 std::vector<ResultRow> makeRows(const StudyFigures& figures);
-std::vector<ResultRow> makeResultRows(const Study& study);
+
+/// The figures of a study at points, new or saved.
+struct PointFigures {
+    ElementFigures figures;
+    std::size_t points = 0;
+    double possibleMin = 0;  ///< minutes a day with the sun up
+    std::uint64_t steps = 0, belowHorizon = 0;
+    double seconds = 0;
+    std::string period;  ///< in words
+    std::string error;   ///< against rays, in words; empty: not measured
+    bool byRays = false;
+    std::string engine;  ///< in words, with what "auto" chose it for
+};
+std::vector<ResultRow> makeRows(const PointFigures& figures);
+
+/// Of a comparison: areas with more and with less shadow for each threshold, means, largest changes, cells
+/// that stopped or started being receivers, and the contribution of each new building.
+std::vector<ResultRow> makeRows(const ComparisonFigures& figures);
+
+/// "1,234 m² more" and "56 m² less" on a line each, or "no change".
+QString describeChangedArea(const ChangeFigures& figures);
+
+/// Of a score: the total, each month and each interval with sunlit time.
+std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
+                                     const std::string& weights, const std::string& period);
+
+/// "Jan 2026"
+QString describeMonth(std::chrono::year_month month);
 
 }  // namespace noonmark

@@ -97,7 +97,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
         return Q_EMIT failed(written.error());
     }
     forgetUnsaved();
-    takenUp_.clear();
+    recovery_.clear();
     session_.setSaved(*std::move(written), version);
     removeProject(olderRecovery(session_.file()->path()));  // superseded by this save
     Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
@@ -136,8 +136,8 @@ void ProjectSaving::forgetUnsaved() {
 }
 
 void ProjectSaving::discardUnsaved() {
-    if (!takenUp_.empty() && session_.file()) forgetTakenUp();
-    takenUp_.clear();
+    if (!recovery_.empty() && session_.file()) forgetTakenUp();
+    recovery_.clear();
     forgetUnsaved();
 }
 
@@ -146,13 +146,13 @@ void ProjectSaving::forgetTakenUp() {
     const fs::path recovery = recoveryPath(session_.file()->path());
     const fs::path older = olderRecovery(session_.file()->path());
     const bool moved = saved_ && saved_->movedAside();
-    if (takenUp_ == recovery) removeProject(moved ? older : recovery);
-    if (takenUp_ == older && !moved) removeProject(older);
+    if (recovery_ == recovery) removeProject(moved ? older : recovery);
+    if (recovery_ == older && !moved) removeProject(older);
 }
 
 void ProjectSaving::projectReplaced() {
     next_ = nullptr;
-    takenUp_.clear();
+    recovery_.clear();
     writing_.drop();
     startOver();
     if (session_.hasUnsavedWork()) timer_.start();

@@ -34,7 +34,7 @@ public:
     /// Nothing is unsaved any more: removes this run's recovery file.
     void forgetUnsaved();
     /// Reports that the session contains the work of this recovery file of an earlier run.
-    void takeUp(const std::filesystem::path& recovery) { takenUp_ = recovery; }
+    void setRecovery(const std::filesystem::path& recovery) { recovery_ = recovery; }
     /// The user discards unsaved work: removes this run's recovery file, and the one that the work was
     /// recovered from. A recovery file that was offered and not used stays.
     void discardUnsaved();
@@ -46,7 +46,7 @@ public:
 
     /// The path to which an earlier recovery file is moved before a new one is written; see keepUnsaved().
     /// One per project, replacing an older one. The next save removes it, and so does discardUnsaved() after
-    /// takeUp() of it.
+    /// setRecovery() of it.
     [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);
 
     static constexpr int autosaveMs = 15000;
@@ -71,7 +71,7 @@ private:
     std::function<void()> next_;            // a save requested while another was in progress
     void forgetTakenUp();
 
-    std::filesystem::path takenUp_;  // the recovery file whose work was taken up; empty: none
+    std::filesystem::path recovery_;  // the recovery file whose work was taken up; empty: none
     QTimer timer_;
     JobSlot writing_;
     JobSlot keeping_;

@@ -51,23 +51,15 @@ void ResultLayer::setMode(ViewMode mode) {
     show();
 }
 
-void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
-    study_ = study ? std::optional(makeGroundAnswer(study)) : std::nullopt;
+void ResultLayer::setAnswer(std::optional<AnswerLayer> answer, bool isStudy) {
+    study_.reset();
+    inFront_.reset();
+    elements_.reset();
     partial_.reset();
-    if (mode_ != ViewMode::exploration) show();
-}
-
-void ResultLayer::setInFront(std::optional<GroundAnswer> answer) {
-    if (!answer && !inFront_) return;
-    inFront_ = std::move(answer);
-    partial_.reset();
-    if (mode_ != ViewMode::exploration) show();
-}
-
-void ResultLayer::setElements(std::optional<ElementView> elements) {
-    if (!elements && !elements_) return;
-    elements_ = std::move(elements);
-    partial_.reset();
+    if (answer && std::holds_alternative<ElementView>(*answer))
+        elements_ = std::get<ElementView>(*std::move(answer));
+    else if (answer)
+        (isStudy ? study_ : inFront_) = std::get<GroundAnswer>(*std::move(answer));
     if (mode_ != ViewMode::exploration) show();
 }
 

@@ -3,9 +3,8 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/base/layers/element_picture.h"
-#include "app/gui/base/layers/ground_answer.h"
 #include "app/gui/base/layers/tile_view.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/view_mode.h"
 #include "app/gui/view/exploration/view_refinement.h"
 #include "app/gui/view/panel/legend_strip.h"
@@ -24,11 +23,9 @@ public:
 
     void forget();  ///< another city
     void setMode(ViewMode mode);
-    void setStudy(std::shared_ptr<const Study> study);  ///< null: none; removes a partial result
-    /// Displayed instead of the study: a comparison, a score or a saved result. None: shows the study again.
-    void setInFront(std::optional<GroundAnswer> answer);
-    /// What was measured at points, displayed instead of what is on the ground; none: shows that again.
-    void setElements(std::optional<ElementView> elements);
+    /// The displayed answer; none: no answer. Ends a partial one. `isStudy`: of cells in one scenario, so
+    /// that days and moments of it can be shown instead (setTime).
+    void setAnswer(std::optional<AnswerLayer> answer, bool isStudy = false);
     /// The element that the view shows at a place of the scene, as the camera sees it.
     [[nodiscard]] std::optional<std::size_t> elementAt(const glm::dvec3& place) const;
     /// Tiles displayed instead of the result of any mode, but for a live shadow and a moment; none: shows

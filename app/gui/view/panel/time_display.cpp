@@ -46,9 +46,7 @@ TimeDisplay::TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel
 }
 
 void TimeDisplay::connectWorkbench() {
-    for (auto signal :
-         {&Workbench::studyDone, &Workbench::comparisonDone, &Workbench::scoreDone, &Workbench::savedShown})
-        connect(&workbench_, signal, this, &TimeDisplay::offer);
+    connect(&workbench_, &Workbench::answered, this, &TimeDisplay::offer);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &TimeDisplay::offer);
     connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::offer);
     connect(&mode_, &ModeSwitch::changed, this, &TimeDisplay::offer);
@@ -102,10 +100,7 @@ bool TimeDisplay::showsMoment() const { return panel_.time().look().span == Look
 
 void TimeDisplay::offer() {
     if (!workbench_.city()) return;
-    const bool other =
-        workbench_.comparison() || workbench_.score() || workbench_.elements() || workbench_.saved();
-    const bool shown = mode_.mode() != ViewMode::exploration && !other;
-    const auto study = shown ? workbench_.study() : nullptr;
+    const auto study = mode_.mode() != ViewMode::exploration ? workbench_.answerAs<Study>() : nullptr;
     TimeStrip& strip = panel_.time();
     strip.setPeriod(study ? study->settings.period : workbench_.document().settings().period);
     strip.setDayOffered(study != nullptr);

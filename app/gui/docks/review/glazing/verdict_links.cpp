@@ -28,9 +28,7 @@ void VerdictLinks::connectTable() {
 
 // What the user computed or chose last is in front.
 void VerdictLinks::connectOtherResults(Workbench& workbench, ReviewSession& review) {
-    for (auto done : {&Workbench::studyDone, &Workbench::comparisonDone, &Workbench::scoreDone,
-                      &Workbench::elementsDone, &Workbench::savedShown})
-        connect(&workbench, done, &table_, &WindowPanel::putAway);
+    connect(&workbench, &Workbench::answered, &table_, &WindowPanel::putAway);
     connect(&workbench.running(), &JobSlot::started, &table_, &WindowPanel::putAway);
     for (auto changed : {&ReviewSession::changed, &ReviewSession::answered})
         connect(&review, changed, this, &VerdictLinks::show);

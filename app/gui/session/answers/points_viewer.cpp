@@ -1,8 +1,8 @@
-#include "app/gui/session/answers/element_rows.h"
-
 #include <QObject>
 
+#include "app/gui/base/layers/error_notes.h"
 #include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/answers/answer_viewer.h"
 
 namespace noonmark {
 
@@ -16,7 +16,39 @@ ResultRow minutesRow(const QString& name, double minutes, const QString& meaning
     return {name, formatAmount(minutes) + QStringLiteral(" min"), meaning};
 }
 
+std::vector<ResultRow> rowsOfPoints(const Answer& answer) {
+    const ElementStudy& study = answer.as<ElementAnswer>()->study;
+    PointFigures shown{.figures = computeFigures(study),
+                       .points = study.receivers.size(),
+                       .possibleMin = study.minutes.possibleMin / double(study.sun.dayCount()),
+                       .steps = study.sun.steps.size(),
+                       .belowHorizon = study.sun.belowHorizon,
+                       .seconds = study.seconds.at("accumulate"),
+                       .period = formatText(study.settings.period),
+                       .byRays = study.engineKey == referenceEngine,
+                       .engine = describeEngine(study)};
+    if (study.error) shown.error = describe(*study.error);
+    return makeRows(shown);
+}
+
+AnswerLayer layerOfPoints(const std::shared_ptr<const Answer>& answer) {
+    const auto points = contentOf<ElementAnswer>(answer);
+    const auto errorOf = [&](ShadowMeasure measure) { return describeError(points->study, measure); };
+    return ElementView{.map = std::shared_ptr<const ElementMap>(points, &points->map),
+                       .note = errorOf(ShadowMeasure::gross),
+                       .runNote = errorOf(ShadowMeasure::continuous)};
+}
+
+QString titleOfPoints(const Answer& answer) {
+    return QObject::tr("Points of %1").arg(QString::fromStdString(answer.part().scenario));
+}
+
 }  // namespace
+
+const AnswerViewer& pointsViewer() {
+    static const AnswerViewer viewer{pointsQuestion().key, layerOfPoints, rowsOfPoints, titleOfPoints};
+    return viewer;
+}
 
 std::vector<ResultRow> makeRows(const PointFigures& shown) {
     const ElementFigures& figures = shown.figures;
@@ -49,20 +81,6 @@ std::vector<ResultRow> makeRows(const PointFigures& shown) {
                     shown.byRays ? QObject::tr("Ray reference") : QObject::tr("Horizons of the points"),
                     QString::fromStdString(shown.engine)});
     return rows;
-}
-
-std::vector<ResultRow> makeElementRows(const ElementStudy& study) {
-    PointFigures shown{.figures = computeFigures(study),
-                       .points = study.receivers.size(),
-                       .possibleMin = study.minutes.possibleMin / double(study.sun.dayCount()),
-                       .steps = study.sun.steps.size(),
-                       .belowHorizon = study.sun.belowHorizon,
-                       .seconds = study.seconds.at("accumulate"),
-                       .period = formatText(study.settings.period),
-                       .byRays = study.engineKey == referenceEngine,
-                       .engine = describeEngine(study)};
-    if (study.error) shown.error = describe(*study.error);
-    return makeRows(shown);
 }
 
 }  // namespace noonmark

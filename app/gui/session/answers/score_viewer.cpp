@@ -1,12 +1,10 @@
-#include "app/gui/session/answers/score_rows.h"
-
 #include <QLocale>
 #include <QObject>
 #include <algorithm>
 #include <cmath>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/answers/figure_row.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/report/sheets/study_words.h"
 #include "scenarios/weights/score_figures.h"
 
@@ -53,7 +51,32 @@ void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
                      "and weight times shadow area")});
 }
 
+AnswerLayer layerOfScore(const std::shared_ptr<const Answer>& answer) {
+    return makeGroundAnswer(contentOf<ScoreAnswer>(answer));
+}
+
+std::vector<ResultRow> rowsOfScore(const Answer& answer) {
+    const auto& score = *answer.as<ScoreAnswer>();
+    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period));
+}
+
+QString titleOfScore(const Answer& answer) {
+    const auto& score = *answer.as<ScoreAnswer>();
+    return QObject::tr("Score of %1 with %2")
+        .arg(QString::fromStdString(score.scenario), QString::fromStdString(score.weights.name));
+}
+
+std::vector<MonthFigures> monthsOfScore(const Answer& answer) {
+    return answer.as<ScoreAnswer>()->score.months;
+}
+
 }  // namespace
+
+const AnswerViewer& scoreViewer() {
+    static const AnswerViewer viewer{scoreQuestion().key, layerOfScore, rowsOfScore,
+                                     titleOfScore,        nullptr,      monthsOfScore};
+    return viewer;
+}
 
 QString describeMonth(std::chrono::year_month month) {
     const QString name = QLocale().standaloneMonthName(int(unsigned(month.month())), QLocale::ShortFormat);

@@ -1,9 +1,7 @@
-#include "app/gui/session/answers/comparison_rows.h"
-
 #include <QObject>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/report/sheets/study_words.h"
 #include "scenarios/impact/impact_runs.h"
 
@@ -36,7 +34,27 @@ void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures
                  .arg(building.figures.thresholdMin)});
 }
 
+AnswerLayer layerOfComparison(const std::shared_ptr<const Answer>& answer) {
+    return makeGroundAnswer(contentOf<ImpactAnswer>(answer));
+}
+
+std::vector<ResultRow> rowsOfComparison(const Answer& answer) {
+    return makeRows(computeFigures(*answer.as<ImpactAnswer>()));
+}
+
+QString titleOfComparison(const Answer& answer) {
+    const MeasuredPart part = answer.part();
+    return QObject::tr("%1 compared with %2")
+        .arg(QString::fromStdString(part.scenario), QString::fromStdString(part.baseline));
+}
+
 }  // namespace
+
+const AnswerViewer& comparisonViewer() {
+    static const AnswerViewer viewer{comparisonQuestion().key, layerOfComparison, rowsOfComparison,
+                                     titleOfComparison};
+    return viewer;
+}
 
 QString describeChangedArea(const ChangeFigures& figures) {
     if (figures.gainedM2 == 0 && figures.lostM2 == 0) return QObject::tr("no change");
@@ -46,7 +64,7 @@ QString describeChangedArea(const ChangeFigures& figures) {
     return words.join(QLatin1Char('\n'));
 }
 
-std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures) {
+std::vector<ResultRow> makeRows(const ComparisonFigures& figures) {
     const ImpactFigures& all = figures.all.front();
     std::vector<ResultRow> rows{
         {QObject::tr("Compared"),

@@ -1,9 +1,8 @@
-#include "app/gui/session/answers/result_rows.h"
-
 #include <QObject>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/answers/figure_row.h"
+#include "app/gui/base/widgets/translated.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/has_runs.h"
@@ -72,7 +71,30 @@ StudyFigures figuresOfStudy(const Study& study) {
             study.field.engine};
 }
 
+AnswerLayer layerOfStudy(const std::shared_ptr<const Answer>& answer) {
+    return makeGroundAnswer(contentOf<Study>(answer));
+}
+
+std::vector<ResultRow> rowsOfStudy(const Answer& answer) {
+    return makeRows(figuresOfStudy(*answer.as<Study>()));
+}
+
+QString scenarioOf(const Answer& answer) { return QString::fromStdString(answer.part().scenario); }
+
+QString titleOfStudy(const Answer& answer) { return QObject::tr("Study of %1").arg(scenarioOf(answer)); }
+
 }  // namespace
+
+const AnswerViewer& studyViewer() {
+    static const AnswerViewer viewer{studyQuestion().key, layerOfStudy, rowsOfStudy, titleOfStudy,
+                                     scenarioOf};
+    return viewer;
+}
+
+ResultRow figureRow(std::span<const Figure> figures, std::string_view key, const QString& value) {
+    const Figure& figure = findFigure(figures, key);
+    return {translated(figure.label), value, translatedSentence(figure.definition)};
+}
 
 void addWaterRow(std::vector<ResultRow>& rows, double waterM2) {
     if (waterM2 > 0) rows.push_back(figureRow(shadowFigures().rows(), "water_m2", describeArea(waterM2)));
@@ -100,7 +122,5 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures) {
     rows.push_back({QObject::tr("Engine"), QString::fromStdString(figures.engine), {}});
     return rows;
 }
-
-std::vector<ResultRow> makeResultRows(const Study& study) { return makeRows(figuresOfStudy(study)); }
 
 }  // namespace noonmark

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <variant>
+
+#include "app/gui/base/layers/element_picture.h"
+#include "app/gui/base/layers/ground_answer.h"
+#include "app/gui/session/answers/result_rows.h"
+#include "app/questions/question.h"
+
+namespace noonmark {
+
+/// What the view shows of an answer: cells of the ground and of roofs, or points.
+using AnswerLayer = std::variant<GroundAnswer, ElementView>;
+
+/// A text above the figures of an answer.
+struct AnswerNote {
+    QString text;
+    bool warns = false;  ///< in amber, and the figures are greyed out
+};
+
+/// How the window shows the answers to a question. A row of a list, one for each question.
+struct AnswerViewer {
+    std::string_view question;  ///< its key
+    AnswerLayer (*layer)(const std::shared_ptr<const Answer>&);
+    std::vector<ResultRow> (*rows)(const Answer&);
+    QString (*title)(const Answer&);  ///< "Tower compared with Existing city"
+    /// The name that it is saved under, with its first day; null: the title.
+    QString (*name)(const Answer&) = nullptr;
+    std::vector<MonthFigures> (*months)(const Answer&) = nullptr;  ///< as charts; null: none
+    AnswerNote (*note)(const Answer&) = nullptr;                   ///< null: none
+};
+
+/// The row of the answer's question, which must be in the list.
+const AnswerViewer& viewerOf(const Answer& answer);
+
+const AnswerViewer& studyViewer();
+const AnswerViewer& comparisonViewer();
+const AnswerViewer& scoreViewer();
+const AnswerViewer& pointsViewer();
+const AnswerViewer& savedViewer();
+
+}  // namespace noonmark

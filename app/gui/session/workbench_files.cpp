@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include "app/gui/session/answers/answer_origin.h"
+#include "app/gui/session/workbench.h"
+#include "app/input/output_rules.h"
+#include "app/questions/saved_question.h"
+#include "app/report/scenarios/scenario_files.h"
+#include "scenarios/project/results/save_result.h"
+#include "scenarios/scenario_list.h"
+
+// What Workbench saves in the project and writes as files.
+namespace noonmark {
+
+namespace {
+
+using WrittenPaths = std::vector<std::filesystem::path>;
+
+}  // namespace
+
+AnswerFiles Workbench::withProject(AnswerFiles files) const {
+    const SheetSettings& sheets = session_.project().sheets;
+    files.book.titleBlock = sheets.titleBlock;
+    files.book.units = sheets.units;
+    files.regions = session_.project().regions;
+    files.rules = exportRules();
+    return files;
+}
+
+// Captures the displayed answer, since another may be displayed by the time of writing.
+Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
+    return [answer = answer(), origin = AnswerOrigin(session_), city = session_.city(),
+            how = withProject(choice)](const auto& folder) {
+        return origin.stated(*answer)->write(*city, folder, how);
+    };
+}
+
+std::vector<std::string> Workbench::measuredScenarios() {
+    const auto known = studies();
+    std::vector<std::string> names;
+    for (const std::string& name : listNames(session_.project().scenarios)) {
+        const auto study = known.find(name);
+        if (study != known.end() && study->second->settings == document_.settings()) names.push_back(name);
+    }
+    return names;
+}
+
+Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
+    const auto known = studies();
+    auto answers = scenarioAnswers_ ? scenarioAnswers_() : std::map<std::string, ScenarioAnswers>();
+    ScenarioStudies measured;
+    for (const std::string& name : measuredScenarios()) {
+        const auto edits = collectEdits(session_.project().scenarios, name).value_or(std::vector<Edit>());
+        measured.push_back({name, known.at(name), sumUses(edits),
+                            findProposedHeightM(known.at(name)->city, edits), std::move(answers[name])});
+    }
+    return [measured, origin = AnswerOrigin(session_), how = withProject(choice)](const auto& folder) {
+        ScenarioStudies stated = measured;
+        for (ScenarioStudy& one : stated) one.study = origin.stated(*one.study, one.name);
+        return writeScenarioFiles(stated, how.book, folder, how.rules);
+    };
+}
+
+OutputRules Workbench::exportRules() const {
+    std::vector<std::string> named;
+    if (session_.file()) named.push_back(session_.file()->path().string());
+    return outputRules(named, session_.project().inputs, true);
+}
+
+QStringList Workbench::filesOf(const ExportChoice& choice) {
+    std::vector<std::string> names;
+    if (choice.subject == ExportChoice::Subject::scenarios)
+        names = scenarioFileNames();
+    else if (choice.subject == ExportChoice::Subject::shown && answer())
+        names = answer()->fileNames(choice);
+    QStringList list;
+    for (const std::string& name : names) list << QString::fromStdString(name);
+    return list;
+}
+
+QStringList Workbench::filesInTheWay(const std::filesystem::path& folder, const ExportChoice& choice) {
+    std::vector<std::string> names;
+    for (const QString& name : filesOf(choice)) names.push_back(name.toStdString());
+    QStringList there;
+    for (const std::string& name : findExistingOutputs(folder, names)) there << QString::fromStdString(name);
+    return there;
+}
+
+void Workbench::exportShown(const std::filesystem::path& folder, const ExportChoice& choice) {
+    const bool scenarios = choice.subject == ExportChoice::Subject::scenarios;
+    if (!scenarios && !answer()) return report({"There is no result to export", {}, "Press Run first"});
+    writing_.start<WrittenPaths>(
+        tr("Exporting"),
+        [write = scenarios ? scenariosToWrite(choice) : whatToWrite(choice), folder](
+            Progress&, std::stop_token) { return write(folder); },
+        [this, folder](Result<WrittenPaths> paths) {
+            if (!paths) return report(paths.error());
+            QStringList names;
+            for (const auto& path : *paths) names << QString::fromStdString(path.filename().string());
+            Q_EMIT noted(
+                tr("Exported to %1: %2").arg(QString::fromStdString(folder.string()), names.join(tr(", "))));
+        });
+}
+
+void Workbench::saveAnswer(const QString& name) {
+    if (const auto saved = answerAs<SavedContent>())
+        return report({"This result is already saved", saved->result->name, {}});
+    if (saving_.busy()) return report({"Another result is being saved", {}, "Wait until it is saved"});
+    if (!answer()) return report({"There is no result to save", {}, "Press Run first"});
+    saving_.start<SavedResult>(
+        tr("Saving %1").arg(name),
+        [answer = answer(), origin = AnswerOrigin(session_), project = session_.project()](
+            Progress&, const std::stop_token&) -> Result<SavedResult> {
+            return origin.stated(*answer)->toSave(project);
+        },
+        [this, name](Result<SavedResult> result) {
+            if (!result) return report(result.error());
+            result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
+            const QString what = tr("save result %1").arg(QString::fromStdString(result->name));
+            session_.change(addResult(session_.project(), *std::move(result)), what);
+        });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,105 @@
+#pragma once
+
+// The folder app/questions lists what Noonmark is asked about shadows over cells or points. A Question
+// (question.h) computes an Answer (this file) from what the user asks of it (Asked). Window and command line
+// show an answer, save it in the project and write its files without knowing which it is: only the file that
+// bears the question's name takes it apart. saved_answers.h reads back what was saved.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <typeinfo>
+#include <vector>
+
+#include "app/report/book/book.h"
+#include "app/report/maps/change_scale.h"
+#include "core/io/files/check_output.h"
+#include "core/study/study.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark {
+
+struct ElementSettings;
+struct Question;
+
+/// How the files of an answer are written.
+struct AnswerFiles {
+    ChangeScale scale{};                        ///< of a comparison's picture
+    int pictureWidth = noonmark::pictureWidth;  ///< pixels
+    bool cells = false;                         ///< of a study, a table of all cells
+    bool sheets = false;                        ///< of a comparison or score, a book of sheets
+    BookSettings book{};                        ///< of that, and of the pages of points
+    std::vector<Region> regions{};              ///< of the project: a saved result may be of one of them
+    OutputRules rules{};                        ///< which files may be replaced
+};
+
+/// What a question gave for one scenario of a project. It never changes, so it is shared.
+class Answer {
+public:
+    virtual ~Answer() = default;
+
+    [[nodiscard]] virtual const Question& question() const = 0;
+    /// Null: of a saved result, whose settings are text.
+    [[nodiscard]] virtual const StudySettings* settings() const = 0;
+    /// Where points were measured; null: cells.
+    [[nodiscard]] virtual const ElementSettings* points() const { return nullptr; }
+    /// The scenarios, the region and the weights that it depends on.
+    [[nodiscard]] virtual MeasuredPart part() const = 0;
+    [[nodiscard]] virtual const Warnings& warnings() const = 0;
+    [[nodiscard]] virtual double seconds() const = 0;  ///< taken to compute it
+
+    /// The same under the names that its scenarios have now, and as the project now agrees with it; null if
+    /// it stays as it is.
+    [[nodiscard]] virtual std::shared_ptr<const Answer> updated(const Project& project,
+                                                                const std::string& scenario,
+                                                                const std::string& baseline) const = 0;
+    /// The same with what it was made from, for files. Copies its maps.
+    [[nodiscard]] virtual std::shared_ptr<const Answer> stated(Provenance provenance) const = 0;
+
+    [[nodiscard]] virtual std::string json() const = 0;
+    /// As a saved result without a name. Costs a hash of each city.
+    [[nodiscard]] virtual SavedResult toSave(const Project& project) const = 0;
+    /// All that write() may write: whether region.geojson is among it is known only then.
+    [[nodiscard]] virtual std::vector<std::string> fileNames(const AnswerFiles& how) const = 0;
+    /// `city`: of its scenario. All files or none. Needs a QGuiApplication (the `offscreen` platform
+    /// suffices).
+    [[nodiscard]] virtual Result<std::vector<std::filesystem::path>> write(
+        const City& city, const std::filesystem::path& folder, const AnswerFiles& how) const = 0;
+
+    /// Its content, if it is a T: Study, ImpactAnswer, ScoreAnswer, ElementAnswer.
+    template <class T>
+    [[nodiscard]] const T* as() const {
+        return static_cast<const T*>(contentOf(typeid(T)));
+    }
+
+protected:
+    /// Null: its content is of another type.
+    [[nodiscard]] virtual const void* contentOf(const std::type_info& type) const = 0;
+};
+
+/// An answer with its content.
+template <class T>
+class AnswerOf : public Answer {
+public:
+    explicit AnswerOf(std::shared_ptr<const T> content) : content_(std::move(content)) {}
+
+protected:
+    [[nodiscard]] const T& content() const { return *content_; }
+    [[nodiscard]] const std::shared_ptr<const T>& shared() const { return content_; }
+    [[nodiscard]] const void* contentOf(const std::type_info& type) const override {
+        return type == typeid(T) ? content_.get() : nullptr;
+    }
+
+private:
+    std::shared_ptr<const T> content_;
+};
+
+/// Its content, which keeps the answer alive; null if it is none or of another type.
+template <class T>
+std::shared_ptr<const T> contentOf(const std::shared_ptr<const Answer>& answer) {
+    const T* content = answer ? answer->as<T>() : nullptr;
+    return content ? std::shared_ptr<const T>(answer, content) : nullptr;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+
+#include "app/input/load_city.h"
+#include "app/questions/answer.h"
+#include "core/study/elements/place_elements.h"
+
+namespace noonmark {
+
+/// What a user asks: of which city, where, when and how.
+struct Asked {
+    LoadedCity loaded;                   ///< the city of the scenario, with the warnings of reading
+    std::shared_ptr<const City> before;  ///< of the baseline; of a comparison only
+    std::string scenario = existingCity;
+    std::string baseline{};
+    StudySettings settings{};
+    std::optional<ElementSettings> points{};  ///< of points only
+    std::optional<TimeWeights> weights{};     ///< of a score only
+    bool byBuilding = false;                  ///< a comparison: the contribution of each new building, too
+    std::vector<double> thresholdsMin{};      ///< a comparison: of the change, minutes a day
+    Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
+};
+
+/// One thing that can be asked. A row of listQuestions().
+struct Question {
+    std::string_view key;    ///< "impact": the kind of a saved result
+    std::string_view label;  ///< of the running work, NM_TEXT: "Comparison"
+    bool ofPoints = false;   ///< the time it takes depends on where points are
+    double fields = 1;       ///< fields of shadow over the region that it computes, for the estimate of time
+    /// Whether Run asks it again; else it is asked by a command of its own, and shown in front until the user
+    /// returns to the study.
+    bool ofRun = true;
+    std::function<Result<std::shared_ptr<const Answer>>(const Asked&, Progress&, const std::stop_token&)>
+        compute;
+};
+
+const Question& studyQuestion();
+const Question& comparisonQuestion();
+const Question& scoreQuestion();
+const Question& pointsQuestion();
+
+/// All of them.
+std::span<const Question* const> listQuestions();
+
+}  // namespace noonmark

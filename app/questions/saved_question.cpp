@@ -1,0 +1,75 @@
+#include "app/questions/saved_question.h"
+
+#include "app/questions/question.h"
+#include "app/report/files/saved_files.h"
+#include "core/describe/text.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<std::string> listChanges(const SavedContent& saved) {
+    std::vector<std::string> all = saved.changes;
+    all.insert(all.end(), saved.weightChanges.begin(), saved.weightChanges.end());
+    return all;
+}
+
+/// A result of any kind as it was saved in the project.
+class SavedResultAnswer final : public AnswerOf<SavedContent> {
+public:
+    using AnswerOf::AnswerOf;
+
+    [[nodiscard]] const Question& question() const override { return savedQuestion(); }
+    [[nodiscard]] const StudySettings* settings() const override { return nullptr; }
+    [[nodiscard]] MeasuredPart part() const override {
+        return {content().result->scenario, content().result->baseline, {}, content().answer.origin.weights};
+    }
+    [[nodiscard]] const Warnings& warnings() const override {
+        static const Warnings none;
+        return none;
+    }
+    [[nodiscard]] double seconds() const override { return 0; }
+
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project& project, const std::string&,
+                                                        const std::string&) const override {
+        auto changes = findWeightChangesSince(content().answer.origin, project);
+        if (changes == content().weightChanges) return nullptr;
+        auto now = std::make_shared<SavedContent>(content());
+        now->weightChanges = std::move(changes);
+        return std::make_shared<SavedResultAnswer>(std::move(now));
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance) const override {
+        return std::make_shared<SavedResultAnswer>(shared());
+    }
+
+    [[nodiscard]] std::string json() const override { return content().result->settings; }
+    [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
+        return savedFileNames(*content().result);
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City& city,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles& how) const override {
+        return writeSavedFiles(*content().result, {city, listChanges(content()), how.regions}, how.scale,
+                               folder, how.rules, how.pictureWidth);
+    }
+};
+
+}  // namespace
+
+const Question& savedQuestion() {
+    static const Question question{.key = "saved", .label = NM_TEXT("Saved result"), .ofRun = false};
+    return question;
+}
+
+Result<std::shared_ptr<const Answer>> readSaved(const std::shared_ptr<const SavedResult>& result,
+                                                const Project& project) {
+    return readSavedAnswer(*result).map([&](SavedAnswer answer) -> std::shared_ptr<const Answer> {
+        auto changes = findChangesSince(*result, answer.origin, project);
+        auto weightChanges = findWeightChangesSince(answer.origin, project);
+        return std::make_shared<SavedResultAnswer>(std::make_shared<const SavedContent>(
+            SavedContent{result, std::move(answer), std::move(changes), std::move(weightChanges)}));
+    });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,76 @@
+#include "app/input/all_engines.h"
+#include "app/questions/question.h"
+#include "app/report/files/study_files.h"
+#include "core/describe/text.h"
+#include "core/study/text/region_text.h"
+#include "core/study/timed_study_json.h"
+#include "scenarios/project/results/save_result.h"
+
+namespace noonmark {
+
+namespace {
+
+StudyFileOptions studyOptions(const AnswerFiles& how) {
+    return {.cellsCsv = how.cells, .rules = how.rules, .pictureWidth = how.pictureWidth};
+}
+
+/// The shadow over cells of one scenario.
+class StudyAnswer final : public AnswerOf<Study> {
+public:
+    StudyAnswer(std::shared_ptr<const Study> study, std::string scenario)
+        : AnswerOf(std::move(study)), scenario_(std::move(scenario)) {}
+
+    [[nodiscard]] const Question& question() const override { return studyQuestion(); }
+    [[nodiscard]] const StudySettings* settings() const override { return &content().settings; }
+    [[nodiscard]] MeasuredPart part() const override {
+        return {scenario_, {}, content().settings.region, {}};
+    }
+    [[nodiscard]] const Warnings& warnings() const override { return content().warnings; }
+    [[nodiscard]] double seconds() const override { return content().seconds.at("total"); }
+
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string& scenario,
+                                                        const std::string&) const override {
+        return scenario == scenario_ ? nullptr : std::make_shared<StudyAnswer>(shared(), scenario);
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
+        auto study = std::make_shared<Study>(content());
+        study->provenance = std::move(provenance);
+        return std::make_shared<StudyAnswer>(std::move(study), scenario_);
+    }
+
+    [[nodiscard]] std::string json() const override { return studyJson(content()); }
+    [[nodiscard]] SavedResult toSave(const Project& project) const override {
+        return makeSavedResult(project, scenario_, content());
+    }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
+        auto names = studyFileNames(content().settings, studyOptions(how));
+        names.emplace_back(regionFileName);
+        return names;
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles& how) const override {
+        return writeStudyFiles(content(), folder, studyOptions(how));
+    }
+
+private:
+    std::string scenario_;
+};
+
+Result<std::shared_ptr<const Answer>> computeStudy(const Asked& asked, Progress& progress,
+                                                   const std::stop_token& stop) {
+    auto study =
+        runStudy(asked.loaded.read.city, asked.settings, progress, stop, enginesWith(asked.settings.engine));
+    if (!study) return tl::make_unexpected(study.error());
+    addReading(*study, asked.loaded);
+    return std::make_shared<StudyAnswer>(std::make_shared<const Study>(*std::move(study)), asked.scenario);
+}
+
+}  // namespace
+
+const Question& studyQuestion() {
+    static const Question question{.key = "study", .label = NM_TEXT("Study"), .compute = computeStudy};
+    return question;
+}
+
+}  // namespace noonmark
