@@ -34,9 +34,11 @@ using Path = std::filesystem::path;
 
 struct InputFile {
     Path path;
-    FileKind kind = FileKind::footprints;
+    const Format* format = nullptr;
     FilePiece piece;
     std::vector<std::size_t> carriers = {};  // of the piece's buildings (findCarriers)
+
+    [[nodiscard]] bool is(FileKind kind) const { return format->reader.kind == kind; }
 };
 
 bool isOutside(std::size_t file, const ReadWindow* window) {
@@ -44,14 +46,15 @@ bool isOutside(std::size_t file, const ReadWindow* window) {
            !window->fileBoxes[file].touches(window->box);
 }
 
-Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, const ReadWindow* window) {
+Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, const ReadWindow* window,
+                                              Formats formats) {
     if (paths.empty()) return failure("No file is named", {}, "Name at least one file with buildings");
     std::vector<InputFile> files;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (isOutside(i, window)) continue;
-        const auto kind = detectFileKind(paths[i]);
-        if (!kind) return tl::make_unexpected(kind.error());
-        files.push_back({paths[i], *kind, {}, {}});
+        const auto format = detectFormat(paths[i], formats);
+        if (!format) return tl::make_unexpected(format.error());
+        files.push_back({paths[i], *format, {}, {}});
     }
     return files;
 }
@@ -59,30 +62,20 @@ Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, co
 // Order of reading: files with buildings fix the frame before terrain does, whose middle may be far away; a
 // mesh without a position comes last.
 int turnOf(const InputFile& file, const ReadSettings& settings) {
-    if (file.kind == FileKind::terrain) return 1;
-    return file.kind == FileKind::mesh && !settings.meshAnchor ? 2 : 0;
+    if (file.is(FileKind::terrain)) return 1;
+    return file.is(FileKind::mesh) && !settings.meshAnchor ? 2 : 0;
 }
 
 Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings, Progress& progress,
                             const std::stop_token& stop, const ReadWindow* window) {
-    switch (file.kind) {
-        case FileKind::footprints:
-            return readFootprints(file.path, settings, progress, stop,
-                                  window == nullptr ? nullptr : &window->box);
-        case FileKind::cityJson:
-            return readCityJson(file.path, settings, progress, stop);
-        case FileKind::mesh:
-            return readMesh(file.path, settings, progress, stop);
-        case FileKind::terrain:
-            if (window != nullptr && window->terrain) return FilePiece{};
-            return readTerrain(file.path, settings, progress, stop);
-    }
-    return failure("Its format is not supported", file.path.string());
+    if (window != nullptr && window->terrain && file.is(FileKind::terrain)) return FilePiece{};
+    return file.format->reader.read(file.path, settings, progress, stop,
+                                    window == nullptr ? nullptr : &window->box);
 }
 
 // Of several files, a mesh that holds no building is left out and said; nothing for any other error.
 std::optional<FilePiece> pieceWithout(const InputFile& file, const Error& error, bool several) {
-    if (!several || file.kind != FileKind::mesh || error.advice != trianglesAdvice) return std::nullopt;
+    if (!several || !file.is(FileKind::mesh) || error.advice != trianglesAdvice) return std::nullopt;
     FilePiece piece;
     piece.warnings.push_back({WarningKind::leftOut, error.what, file.path.filename().string()});
     return piece;
@@ -120,7 +113,7 @@ std::string nameOf(const InputFile& file) { return file.path.filename().string()
 
 std::vector<GroundFile> groundFiles(std::vector<InputFile>& files) {
     std::vector<GroundFile> all;
-    for (InputFile& file : files) all.push_back({nameOf(file), &file.piece, file.kind == FileKind::terrain});
+    for (InputFile& file : files) all.push_back({nameOf(file), &file.piece, file.is(FileKind::terrain)});
     return all;
 }
 
@@ -291,9 +284,10 @@ void readWater(CityRead& all, const std::vector<Path>& files, const std::stop_to
 }
 
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
-                         const ReadWindow* window, Progress& progress, const std::stop_token& stop) {
+                         const ReadWindow* window, Progress& progress, const std::stop_token& stop,
+                         Formats formats) {
     const GdalCalls calls(stop);  // recognising a file may read all of it
-    auto files = recogniseFiles(paths, window);
+    auto files = recogniseFiles(paths, window, formats);
     if (!files) return tl::make_unexpected(files.error());
     const auto frame = readPieces(*files, settings, progress, stop, window);
     if (!frame) return tl::make_unexpected(frame.error());
@@ -330,15 +324,20 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
 }  // namespace
 
 Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
-                          std::stop_token stop) {
-    auto all = readAll(paths, settings, nullptr, progress, stop);
+                          std::stop_token stop, Formats formats) {
+    auto all = readAll(paths, settings, nullptr, progress, stop, formats);
     if (stop.stop_requested()) return cancelled();
     return all;
 }
 
+Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
+                          std::stop_token stop) {
+    return readCity(paths, settings, progress, std::move(stop), coreFormats());
+}
+
 Result<CityRead> readCityWindow(const std::vector<Path>& paths, const ReadSettings& settings,
                                 const ReadWindow& window, Progress& progress, std::stop_token stop) {
-    auto all = readAll(paths, settings, &window, progress, stop);
+    auto all = readAll(paths, settings, &window, progress, stop, coreFormats());
     if (stop.stop_requested()) return cancelled();
     return all;
 }

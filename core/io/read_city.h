@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder core/io reads cities, terrains and regions, and writes cities and rasters. readCity() (this
-// file) reads any number of files: it detects each file's kind (files/), calls one reader per family of
-// formats (read_part.h: footprints/ and osm/, cityjson/, meshes/, terrain/), joins their pieces in one frame,
+// file) reads any number of files: it detects each file's format (formats/, files/), calls its reader
+// (read_part.h: footprints/ and osm/, cityjson/, meshes/, terrain/), joins their pieces in one frame,
 // and places buildings on the terrain. heights/ interprets attributes for all readers. read_region.h reads
 // the region of a study, write_city.h and write_raster.h write GIS files. A file that uses a library has its
 // name in the file name.
@@ -76,10 +76,10 @@ struct CityRead {
     HeightFacts heights;       ///< where heights and bases were read from, and candidates to choose from
 };
 
-/// Reads one or more files into one city: footprints (GeoJSON, GeoPackage, Shapefile, OSM XML and PBF),
-/// CityJSON and CityJSONSeq, meshes, terrain rasters. The format is detected from the content, not only the
-/// name. The first file with a position fixes the frame. A feature that cannot be used gives a warning; a
-/// file that cannot be used at all gives an Error.
+/// Reads one or more files into one city: footprints, 3D city models, meshes, terrain rasters
+/// (formats/format.h lists them). The format is detected from the content, not only the name. The first file
+/// with a position fixes the frame. A feature that cannot be used gives a warning; a file that cannot be used
+/// at all gives an Error.
 Result<CityRead> readCity(const std::vector<std::filesystem::path>& files, const ReadSettings& settings,
                           Progress& progress, std::stop_token stop);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/formats/format.h"
 #include "core/io/heights/height_reading.h"
 #include "core/io/read_window.h"
 
@@ -29,8 +30,8 @@ struct FilePiece {
 /// What a mesh says that was read without the position of its origin.
 inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";
 
-/// One reader per family of formats. `settings.frame` is set if an earlier file fixed it; otherwise the
-/// reader chooses the middle of its data. `window`: null for the whole file.
+/// One reader per family of formats (core_formats.cpp). `settings.frame` is set if an earlier file fixed it;
+/// otherwise the reader chooses the middle of its data. `window`: null for the whole file.
 Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings,
                                  Progress& progress, std::stop_token stop,
                                  const LonLatBox* window = nullptr);  ///< defined in read_footprints_gdal.cpp
@@ -43,5 +44,9 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
 Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress,
                               std::stop_token stop);  ///< defined in read_terrain_gdal.cpp
+
+/// readCity() of these formats.
+Result<CityRead> readCity(const std::vector<std::filesystem::path>& files, const ReadSettings& settings,
+                          Progress& progress, std::stop_token stop, Formats formats);
 
 }  // namespace noonmark

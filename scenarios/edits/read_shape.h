@@ -9,7 +9,7 @@
 
 namespace noonmark {
 
-/// Reads a mesh file (OBJ, PLY, glTF, IFC, DXF) or CityJSON file as one new building whose id and name are
+/// Reads a mesh file or CityJSON file as one new building whose id and name are
 /// `id`; the user places it. A mesh keeps its own metres, with its origin at local (0, 0) and its own zero
 /// height, unless it begins more than 2 m above that, or more than 20 m and more than half of it lie below:
 /// then its lowest point gets to z = 0, with a warning, as that of CityJSON does, which gets its place in

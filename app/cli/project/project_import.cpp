@@ -20,6 +20,8 @@ namespace noonmark::cli {
 
 namespace {
 
+std::string shapeFormats() { return listNames({FileKind::mesh, FileKind::cityJson}); }
+
 // A building's shape from a file, and its placement.
 struct ShapeOptions : EditOptions {
     std::string mesh;
@@ -45,7 +47,7 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     if (!kind) return tl::make_unexpected(kind.error());
     if (*kind != FileKind::mesh && *kind != FileKind::cityJson)
         return failure("The file is the map of a city, not one building", options.mesh,
-                       "Give an OBJ, glTF, PLY or CityJSON file");
+                       "Give a file of one of these formats: " + shapeFormats());
     Shape shape{.hasPlace = *kind != FileKind::mesh};
     const Interrupt interrupt;
     NoProgress progress;
@@ -160,10 +162,12 @@ void addShapeOptions(CLI::App& command, ShapeOptions& options) {
 
 void addProjectImport(CLI::App& project, Run& run) {
     const auto options = std::make_shared<ShapeOptions>();
-    CLI::App* command = addEditCommand(
-        project, "import", "Put the building of an OBJ, glTF, PLY or CityJSON file into a scenario", options,
-        import, run);
-    command->add_option("file", options->mesh, "The file; all its solids are one building")
+    CLI::App* command =
+        addEditCommand(project, "import", "Put the building of a mesh or CityJSON file into a scenario",
+                       options, import, run);
+    command
+        ->add_option("file", options->mesh,
+                     "The file (" + shapeFormats() + "); all its solids are one building")
         ->required()
         ->type_name("FILE");
     command->add_option("--id", options->id, "Id and name of the new building")
@@ -180,7 +184,8 @@ void addProjectReplace(CLI::App& project, Run& run) {
     command->add_option("building", options->replaced, "Its id or name")->required()->type_name("BUILDING");
     command
         ->add_option("--with", options->mesh,
-                     "The file; by default a mesh is placed at the centre of the old building")
+                     "The file (" + shapeFormats() +
+                         "); by default a mesh is placed at the centre of the old building")
         ->required()
         ->type_name("FILE");
     command->add_option("--id", options->id, "Id and name of the new building (default: the old one's)")

@@ -7,6 +7,7 @@
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "core/io/footprints/read_parcels.h"
+#include "core/io/formats/format.h"
 #include "core/io/read_region.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/free_name.h"
@@ -176,7 +177,7 @@ void addImport(CLI::App& group, Run& run) {
     const auto options = std::make_shared<ImportOptions>();
     CLI::App* command =
         addChangeCommand(group, "import", "Add lots from a register of parcels", options, import, run);
-    command->add_option("file", options->file, "GeoPackage, GeoJSON, Shapefile")
+    command->add_option("file", options->file, "A map: " + listNames({FileKind::footprints}))
         ->required()
         ->type_name("FILE");
     command

@@ -16,6 +16,7 @@
 #include "app/input/load_city.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/output_folder.h"
+#include "core/io/formats/format.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/plan/pack_tasks.h"
 
@@ -36,15 +37,14 @@ struct PlanOptions {
 
 std::string absolutePath(const fs::path& file) { return fs::absolute(file).lexically_normal().string(); }
 
-bool isCityJson(const fs::path& file) { return file.extension() == ".json" || file.extension() == ".jsonl"; }
-
 // The CityJSON files of a folder, in the order of their names, so that a plan made twice is the same. A
 // folder without them may be a dataset of its own: of shapefiles, or a geodatabase.
 Result<std::vector<std::string>> findFilesIn(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (isCityJson(entry.path()) && entry.is_regular_file(error)) files.push_back(absolutePath(entry));
+        if (findByEnding(entry.path(), FileKind::cityJson) && entry.is_regular_file(error))
+            files.push_back(absolutePath(entry));
     if (error)
         return failure("The folder cannot be read: " + error.message(), folder.string(),
                        "Check its permissions");

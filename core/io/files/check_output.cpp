@@ -6,8 +6,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "core/io/files/companion_files.h"
 #include "core/io/files/geopackage_check.h"
+#include "core/io/formats/format.h"
 
 namespace noonmark {
 

@@ -1,33 +1,30 @@
 #pragma once
 
-// The folder core/io/files holds what all readers and writers share. Inputs are untrusted: file_kind.h and
-// json_kind.h detect a file's kind from its content, plain_file.h refuses pipes and devices, gdal_setup.h
-// restricts GDAL, open_dataset.h is the only way from a file to GDAL, geopackage_check.h refuses databases
-// that would run SQL. Outputs: check_output.h protects existing files, output_kind.h names the kinds,
-// pending_file.h and write_text.h replace a file in one step.
+// The folder core/io/files holds what all readers and writers share. Inputs are untrusted: file_kind.h
+// detects a file's format (formats/format.h) from its content, plain_file.h refuses pipes and devices,
+// gdal_setup.h restricts GDAL, open_dataset.h is the only way from a file to GDAL, geopackage_check.h refuses
+// databases that would run SQL. Outputs: check_output.h protects existing files, output_kind.h names the
+// kinds, pending_file.h and write_text.h replace a file in one step.
 
 #include <filesystem>
 
 #include "core/base/result.h"
+#include "core/io/formats/format.h"
 
 namespace noonmark {
 
-/// The reader of read_part.h that a file belongs to.
-enum class FileKind {
-    footprints,  ///< readFootprints: vector maps, OpenStreetMap
-    cityJson,    ///< readCityJson: CityJSON and CityJSONSeq
-    mesh,        ///< readMesh: OBJ, PLY, glTF, glb, IFC, DXF
-    terrain,     ///< readTerrain: rasters
-};
+/// Detects the format from the content; the name only matters if the content is ambiguous. Reads the
+/// beginning of the file; of JSON as far as the first key that identifies it. A GeoPackage or a folder is
+/// opened with GDAL: it holds footprints if it has vector layers. Never returns a null pointer. Error:
+/// missing, empty, unreadable, or of a format that is not read; the advice says what to do or lists the
+/// formats.
+Result<const Format*> detectFormat(const std::filesystem::path& file, Formats formats = coreFormats());
 
-/// Detects the kind from the content; the name only matters if the content is ambiguous. Reads the beginning
-/// of the file; of JSON as far as the first key that identifies the kind. A GeoPackage or a folder is opened
-/// with GDAL: it holds footprints if it has vector layers. Error: missing, empty, unreadable, or of an
-/// unsupported kind; the advice lists the supported formats.
+/// What a file of that format holds.
 Result<FileKind> detectFileKind(const std::filesystem::path& file);
 
-/// The kind of a file that GDAL can open but whose beginning does not identify it; the same Error. Backend:
+/// The format of a file that GDAL can open but whose beginning does not identify it; the same Error. Backend:
 /// file_kind_gdal.cpp.
-Result<FileKind> detectFileKindWithGdal(const std::filesystem::path& file);
+Result<const Format*> detectFormatWithGdal(const std::filesystem::path& file, Formats formats);
 
 }  // namespace noonmark

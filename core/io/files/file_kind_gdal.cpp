@@ -6,22 +6,22 @@
 
 namespace noonmark {
 
-namespace {
-constexpr const char* readFormats =
-    "Noonmark reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, GML, OpenStreetMap (.osm, .osm.pbf), "
-    "CityJSON, "
-    "OBJ, PLY, glTF, IFC, DXF and terrain rasters (GeoTIFF and others)";
-}  // namespace
-
-Result<FileKind> detectFileKindWithGdal(const std::filesystem::path& file) {
+Result<const Format*> detectFormatWithGdal(const std::filesystem::path& file, Formats formats) {
     const GdalCalls quiet;  // hides GDAL's messages from the user, who gets ours
     const auto vectors = openDataset(file, DatasetContent::vectors);
-    if (vectors && (*vectors)->GetLayerCount() > 0) return FileKind::footprints;
+    if (vectors && (*vectors)->GetLayerCount() > 0)
+        if (const Format* map = findByDriver((*vectors)->GetDriverName(), FileKind::footprints, formats))
+            return map;
     const auto raster = openDataset(file, DatasetContent::elevations);
-    if (raster && (*raster)->GetRasterCount() > 0) return FileKind::terrain;
+    if (raster && (*raster)->GetRasterCount() > 0)
+        if (const Format* terrain = findByDriver((*raster)->GetDriverName(), FileKind::terrain, formats))
+            return terrain;
     for (const auto* tried : {&vectors, &raster})
         if (!*tried && !isUnknownFormat(tried->error())) return tl::make_unexpected(tried->error());
-    return failure("This file is not in a supported format", file.string(), readFormats);
+    return failure("This file is not in a supported format", file.string(),
+                   "Noonmark reads " + listNames({FileKind::footprints, FileKind::cityJson, FileKind::mesh,
+                                                  FileKind::terrain},
+                                                 formats));
 }
 
 }  // namespace noonmark

@@ -4,69 +4,43 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <cctype>
 
 #include "core/base/gdal_files.h"
 #include "core/base/stop_scope.h"
-#include "core/io/files/foreign_format.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/formats/format.h"
 
 namespace noonmark {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Words = const char* const*;
+constexpr const char* mapDriver = "GTiff";
 
-constexpr std::array vectorDrivers{"GeoJSON",
-                                   "GeoJSONSeq",
-                                   "ESRIJSON",
-                                   "TopoJSON",
-                                   "GPKG",
-                                   "CSV",
-                                   "ESRI Shapefile",
-                                   "FlatGeobuf",
-                                   "OSM",
-                                   "GML",
-                                   "KML",
-                                   "OpenFileGDB",
-                                   static_cast<const char*>(nullptr)};
-constexpr std::array elevationDrivers{"GTiff",
-                                      "AAIGrid",
-                                      "GRASSASCIIGrid",
-                                      "HFA",
-                                      "SRTMHGT",
-                                      "USGSDEM",
-                                      "DTED",
-                                      "EHdr",
-                                      "XYZ",
-                                      "GPKG",
-                                      static_cast<const char*>(nullptr)};
-constexpr std::array pictureDrivers{"GTiff", "HFA", static_cast<const char*>(nullptr)};
-constexpr std::array mapDrivers{"GTiff", static_cast<const char*>(nullptr)};
-
-Words driversOf(DatasetContent content) {
-    switch (content) {
-        case DatasetContent::vectors:
-            return vectorDrivers.data();
-        case DatasetContent::elevations:
-            return elevationDrivers.data();
-        case DatasetContent::pictures:
-            return pictureDrivers.data();
-        case DatasetContent::maps:
-            break;
-    }
-    return mapDrivers.data();
+FileKind kindOf(DatasetContent content) {
+    return content == DatasetContent::vectors ? FileKind::footprints : FileKind::terrain;
 }
 
-constexpr const char* vectorAdvice =
-    "Export it as GeoPackage, GeoJSON, Shapefile, FlatGeobuf, GML or OpenStreetMap";
-constexpr const char* elevationAdvice = "Export it as a GeoTIFF";
+// A raster that Noonmark wrote is a GeoTIFF.
+bool mayHold(const Format& format, DatasetContent content) {
+    if (!format.isRead() || format.reader.kind != kindOf(content)) return false;
+    if (content == DatasetContent::maps) return format.driver == mapDriver;
+    return !format.driver.empty() && (content != DatasetContent::pictures || format.isPicture);
+}
 
-const char* adviceOf(DatasetContent content) {
-    return content == DatasetContent::vectors ? vectorAdvice : elevationAdvice;
+CPLStringList driversOf(DatasetContent content) {
+    CPLStringList drivers;
+    for (const Format& format : coreFormats())
+        if (mayHold(format, content)) drivers.AddString(std::string(format.driver).c_str());
+    return drivers;
+}
+
+std::string adviceOf(DatasetContent content) {
+    if (content != DatasetContent::vectors) return "Export it as a GeoTIFF";
+    return "Export it in a format that is read: " + listNames({FileKind::footprints});
 }
 
 unsigned flagsOf(DatasetContent content) {
@@ -83,15 +57,22 @@ Result<void> checkFolder(const fs::path& folder) {
     return failure("The folder cannot be read: " + error.message(), folder.string());
 }
 
-// Companion files of formats: the same name with another extension.
+std::string inCapitals(std::string text) {
+    for (char& letter : text) letter = char(std::toupper(static_cast<unsigned char>(letter)));
+    return text;
+}
+
+// Whatever GDAL may open beside a file: the same name with another ending, or with one more.
 std::vector<fs::path> companionsOf(const fs::path& file) {
     std::vector<fs::path> companions;
-    for (const char* ending : {".dbf", ".DBF", ".shx", ".SHX", ".shp", ".SHP", ".prj", ".PRJ", ".cpg",
-                               ".CPG", ".qix", ".sbn", ".sbx", ".idm", ".ind", ".tfw", ".TFW", ".wld",
-                               ".hdr", ".HDR", ".xsd", ".gfs", ".aux", ".rrd", ".ige", ".clr", ".stx"})
+    const auto add = [&](const std::string& ending) {
         companions.push_back(fs::path(file).replace_extension(ending));
-    for (const char* ending : {".ovr", ".msk", ".aux.xml", "-wal", "-journal", "-shm"})
         companions.emplace_back(file.string() + ending);
+    };
+    for (const Format& format : coreFormats())
+        for (const auto* endings : {&format.companions, &format.opened})
+            for (const std::string_view ending : *endings)
+                add(std::string(ending)), add(inCapitals(std::string(ending)));
     return companions;
 }
 
@@ -113,9 +94,7 @@ Result<void> checkOnDisk(const fs::path& file, DatasetContent content) {
 
 // XML that refers GDAL to data elsewhere: in other files, in databases, on servers.
 bool isVirtual(const fs::path& file) {
-    std::string head(4096, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(head.data(), std::streamsize(head.size()));
+    const std::string head = readFileHead(file).bytes;
     constexpr std::array roots{"<VRTDataset", "<OGRVRTDataSource", "<OGRVRTLayer",      "<GDAL_WMS",
                                "<WCS_GDAL",   "<GDAL_WMTS",        "<OGRWFSDataSource", "<WMS_",
                                "<WMT_MS",     "<Capabilities"};
@@ -209,7 +188,8 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
     if (auto known = refuseForeignFormat(file); !known) return tl::make_unexpected(known.error());
     const FolderOfGdal folder(fs::is_directory(file, error) ? file : file.parent_path());
     CPLErrorReset();
-    GDALDriverH found = GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content), nullptr);
+    GDALDriverH found =
+        GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content).List(), nullptr);
     if (StopScope::isStopped()) return cancelled();
     if (found == nullptr) return notOpened(given, content, CPLGetLastErrorMsg());
     const char* const driver[] = {GDALGetDescription(found), nullptr};
@@ -226,8 +206,9 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
 bool isUnknownFormat(const Error& error) { return error.kind == ErrorKind::unsupported; }
 
 Result<DatasetPointer> openMapInMemory(const std::string& name) {
-    DatasetPointer dataset(GDALDataset::Open(
-        name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, mapDrivers.data()));
+    const char* const drivers[] = {mapDriver, nullptr};
+    DatasetPointer dataset(
+        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers));
     if (!dataset) return failure(fmt::format("It cannot be read ({})", CPLGetLastErrorMsg()), name);
     return dataset;
 }

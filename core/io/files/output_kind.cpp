@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/io/files/geopackage_check.h"
-#include "core/io/files/json_kind.h"
+#include "core/io/formats/json_kind.h"
 
 namespace noonmark {
 

@@ -9,9 +9,9 @@ namespace noonmark {
 
 namespace {
 
-Result<FootprintScan> scanCityJson(const std::filesystem::path& file, const ReadSettings& settings,
-                                   Progress& progress, std::stop_token stop) {
-    const auto piece = readCityJson(file, settings, progress, std::move(stop));
+Result<FootprintScan> scanWhole(const std::filesystem::path& file, const Format& format,
+                                const ReadSettings& settings, Progress& progress, std::stop_token stop) {
+    const auto piece = format.reader.read(file, settings, progress, std::move(stop), nullptr);
     if (!piece) return tl::make_unexpected(piece.error());
     FootprintScan scan;
     scan.frame = piece->frame.value_or(settings.frame.value_or(Frame()));
@@ -35,10 +35,12 @@ LonLatBox boxOf(const Building& building, const Frame& frame) {
 
 }  // namespace
 
-Result<FootprintScan> scanBuildings(const std::filesystem::path& file, FileKind kind,
+Result<FootprintScan> scanBuildings(const std::filesystem::path& file, const Format& format,
                                     const ReadSettings& settings, Progress& progress, std::stop_token stop) {
-    return kind == FileKind::cityJson ? scanCityJson(file, settings, progress, std::move(stop))
-                                      : scanFootprints(file, settings, progress, std::move(stop));
+    if (format.reader.scan == nullptr) return scanWhole(file, format, settings, progress, std::move(stop));
+    auto scan = format.reader.scan(file, settings, progress, std::move(stop));
+    if (scan) scan->indexed = scan->indexed && format.readsExtent;
+    return scan;
 }
 
 void FootprintScan::add(const UnplacedFeature& feature) {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/geo/lon_lat_box.h"
-#include "core/io/files/file_kind.h"
 #include "core/io/footprints/place_features.h"
+#include "core/io/formats/format.h"
 
 namespace noonmark {
 
@@ -19,7 +19,7 @@ struct FootprintScan {
     Frame frame;                        ///< as readFootprints() chooses it
     LonLatBox box = emptyLonLatBox;     ///< around all features
     std::size_t features = 0;           ///< usable as buildings
-    bool indexed = true;                ///< ReadSettings::window reads only what it needs
+    bool indexed = true;                ///< an extent of it is read without the rest
     bool hasTerrain = false;            ///< the file has a terrain too, which is not divided
     std::map<Cell, double> tallestM{};  ///< highest top above the ground among the features that touch a
                                         ///< cell; of a roof whose ground is unknown, at most its elevation
@@ -31,9 +31,9 @@ private:
     void add(const LonLatBox& own, double heightM);
 };
 
-/// The same of a file of this kind, footprints or CityJSON. A file without a spatial index is read whole.
+/// The same of a file of this format, which states its place. A file without a spatial index is read whole.
 /// Errors as readCity().
-Result<FootprintScan> scanBuildings(const std::filesystem::path& file, FileKind kind,
+Result<FootprintScan> scanBuildings(const std::filesystem::path& file, const Format& format,
                                     const ReadSettings& settings, Progress& progress, std::stop_token stop);
 
 /// Errors as readFootprints(). Some 10 us a feature; memory 24 bytes a feature. Backend:

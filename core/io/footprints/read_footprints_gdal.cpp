@@ -41,10 +41,8 @@ Result<OpenFile> openFile(const Path& file) {
 }
 
 std::string formatName(const OpenFile& open) {
-    if (open.driver == "GPKG") return "GeoPackage";
-    if (open.driver == "ESRI Shapefile") return "Shapefile";
-    if (open.driver == "OpenFileGDB") return "file geodatabase";
-    return open.driver;
+    const Format* format = findByDriver(open.driver, FileKind::footprints);
+    return format == nullptr ? open.driver : std::string(format->nameInResults());
 }
 
 std::vector<std::string> layerNames(const OpenFile& open) {

@@ -30,10 +30,10 @@ struct ParcelSettings {
     std::vector<std::string> names;  ///< only parcels with these names; empty: all
 };
 
-/// Reads the polygons of a file in any vector format that GDAL knows (GeoPackage, GeoJSON, Shapefile). Error:
-/// the file cannot be read, has no CRS, or lacks the field or layer (the advice lists those that exist); a
-/// name that no parcel has, no parcel in the region, or more than mostParcels; cancelled(). Cost: some 5 us
-/// per feature, and some 50 us for each one returned. Backend: read_parcels_gdal.cpp.
+/// Reads the polygons of a map in any format (formats/format.h). Error: the file cannot be read, has no CRS,
+/// or lacks the field or layer (the advice lists those that exist); a name that no parcel has, no parcel in
+/// the region, or more than mostParcels; cancelled(). Cost: some 5 us per feature, and some 50 us for each
+/// one returned. Backend: read_parcels_gdal.cpp.
 Result<std::vector<Parcel>> readParcels(const std::filesystem::path& file, const ParcelSettings& settings,
                                         const Frame& frame, const std::stop_token& stop);
 

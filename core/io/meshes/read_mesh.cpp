@@ -153,14 +153,8 @@ void dropFarTriangles(SceneReader& reader) {
 }
 
 std::string formatOf(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    if (extension == ".obj") return "Wavefront OBJ";
-    if (extension == ".ply") return "PLY";
-    if (extension == ".ifc") return ifcFormat;
-    if (extension == ".dxf") return "DXF";
-    return extension == ".gltf" || extension == ".glb" ? gltfFormat : "mesh";
+    const Format* format = findByEnding(file, FileKind::mesh);
+    return format == nullptr ? "mesh" : std::string(format->nameInResults());
 }
 
 // Settings with a decided axis. glTF has y up; other meshes that state none are judged by their shape.

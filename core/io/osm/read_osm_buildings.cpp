@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string_view>
 
 #include "core/base/progress_share.h"
 #include "core/io/footprints/place_advice.h"
+#include "core/io/formats/format.h"
 #include "core/io/heights/height_origins.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_areas.h"
@@ -87,16 +87,17 @@ private:
 
 }  // namespace
 
-std::optional<OsmFormat> findOsmFormat(const std::filesystem::path& file) {
-    std::string head(4096, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(head.data(), std::streamsize(head.size()));
-    head.resize(std::size_t(stream.gcount()));
+std::optional<OsmFormat> osmFormatOf(std::string_view head) {
     // PBF begins with the length of a blob header whose type is "OSMHeader".
-    if (head.size() > 15 && std::string_view(head).substr(4, 11) == "\x0a\x09OSMHeader")
-        return OsmFormat::pbf;
-    const bool xml = head.find("<osm ") != head.npos || head.find("<osm>") != head.npos;
+    if (head.size() > 15 && head.substr(4, 11) == "\x0a\x09OSMHeader") return OsmFormat::pbf;
+    const auto start = head.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+    const bool markup = start != head.npos && head[start] == '<';
+    const bool xml = markup && (head.find("<osm ") != head.npos || head.find("<osm>") != head.npos);
     return xml ? std::optional(OsmFormat::xml) : std::nullopt;
+}
+
+std::optional<OsmFormat> findOsmFormat(const std::filesystem::path& file) {
+    return osmFormatOf(readFileHead(file).bytes);
 }
 
 Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmFormat format,

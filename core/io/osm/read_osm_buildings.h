@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "core/io/footprints/place_features.h"
@@ -19,8 +20,9 @@ struct OsmBuildings {
     Warnings warnings;
 };
 
-/// The format of a file that begins as OpenStreetMap does; nothing for others.
+/// The format of a file that begins as OpenStreetMap does; nothing for others. The same of its first bytes.
 std::optional<OsmFormat> findOsmFormat(const std::filesystem::path& file);
+std::optional<OsmFormat> osmFormatOf(std::string_view head);
 
 /// Reads what is tagged building or building:part. GDAL's remarks on shapes go to the GdalCalls of this
 /// thread. Errors as readOsmMap(), and of a file without areas or without buildings.

@@ -14,6 +14,7 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/files/stoppable_stream.h"
 #include "core/io/footprints/place_advice.h"
+#include "core/io/formats/format.h"
 #include "core/study/elements/points_on_surfaces.h"
 
 namespace noonmark {
@@ -255,8 +256,7 @@ std::optional<std::string> copyCityJsonOf(const ElementStudy& study, const Eleme
     const Provenance& provenance = study.provenance;
     if (provenance.inputs.size() != 1) return std::nullopt;
     const InputFile& input = provenance.inputs.front();
-    const std::string extension = input.path.extension().string();
-    if (extension != ".json" && extension != ".jsonl") return std::nullopt;
+    if (findByEnding(input.path, FileKind::cityJson) == nullptr) return std::nullopt;
     const auto now = describeInputFile(input.path);
     if (!now || now->sha256 != input.sha256) return std::nullopt;
     const std::string crs = provenance.reading ? provenance.reading->crs.value_or("") : "";

@@ -3,8 +3,8 @@
 #include <system_error>
 
 #include "core/base/stop_scope.h"
-#include "core/io/files/companion_files.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/formats/format.h"
 #include "core/study/provenance/provenance.h"
 #include "core/study/provenance/sha256.h"
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
-#include <string_view>
 #include <vector>
 
+#include "core/io/formats/format.h"
 #include "core/io/read_fields.h"
 #include "core/study/provenance/city_files_command.h"
 #include "core/study/study_fields.h"
@@ -42,10 +41,11 @@ void addSettings(CommandWords& line, const RepeatQuestion& question) {
 }
 
 /// True for a file that is read because another file needs it: not named on the command line.
-bool goesAlong(const std::filesystem::path& file) {
-    static constexpr std::array<std::string_view, 6> extensions{".dbf", ".shx", ".prj",
-                                                                ".cpg", ".bin", ".tfw"};
-    return std::ranges::find(extensions, file.extension().string()) != extensions.end();
+bool isCompanion(const InputFile& file, const std::vector<InputFile>& inputs) {
+    return std::ranges::any_of(inputs, [&](const InputFile& input) {
+        const auto companions = listCompanionFiles(input.path);
+        return std::ranges::find(companions, file.path) != companions.end();
+    });
 }
 
 // File names, or paths if two names are equal: paths do not hold elsewhere, but they distinguish the files.
@@ -53,7 +53,7 @@ void addInputs(CommandWords& line, const std::vector<InputFile>& inputs) {
     std::set<std::filesystem::path> names;
     std::vector<const InputFile*> named;
     for (const InputFile& input : inputs)
-        if (!goesAlong(input.path)) named.push_back(&input);
+        if (!isCompanion(input, inputs)) named.push_back(&input);
     for (const InputFile* input : named) names.insert(input->path.filename());
     for (const InputFile* input : named)
         line.file(names.size() == named.size() ? input->path.filename().string() : input->path.string());

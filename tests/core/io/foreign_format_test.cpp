@@ -1,9 +1,8 @@
-#include "core/io/files/foreign_format.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/io/files/file_kind.h"
+#include "core/io/formats/format.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
 

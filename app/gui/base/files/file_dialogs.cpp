@@ -37,20 +37,21 @@ QString askForProject(QWidget* parent, const QString& suggested) {
 }
 
 QString askForMesh(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, QObject::tr("Import a mesh as a building"), {},
-                                        orAllFiles(QObject::tr("Meshes"), modelEndings()));
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Import a mesh as a building"), {},
+        orAllFiles(QObject::tr("Meshes"), endingsOf({FileKind::cityJson, FileKind::mesh})));
 }
 
 QString askForRegion(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, QObject::tr("Region from file"), {},
-                                        orAllFiles(QObject::tr("Polygons"), vectorEndings()));
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Region from file"), {},
+        orAllFiles(QObject::tr("Polygons"), endingsOf({FileKind::footprints})));
 }
 
 QString askForPhotograph(QWidget* parent) {
     return QFileDialog::getOpenFileName(
         parent, QObject::tr("Aerial photograph"), {},
-        orAllFiles(QObject::tr("Pictures with a position"),
-                   {QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("img")}));
+        orAllFiles(QObject::tr("Pictures with a position"), pictureEndings()));
 }
 
 QString askWhereToSavePhotograph(QWidget* parent) {
@@ -62,8 +63,9 @@ QString askWhereToSavePhotograph(QWidget* parent) {
 }
 
 QString askForWindows(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, QObject::tr("Windows from file"), {},
-                                        orAllFiles(QObject::tr("Points and polygons"), vectorEndings()));
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Windows from file"), {},
+        orAllFiles(QObject::tr("Points and polygons"), endingsOf({FileKind::footprints})));
 }
 
 QString askForPoints(QWidget* parent) {
@@ -73,8 +75,9 @@ QString askForPoints(QWidget* parent) {
 }
 
 QStringList askForPlaces(QWidget* parent) {
-    return QFileDialog::getOpenFileNames(parent, QObject::tr("Read places"), {},
-                                         orAllFiles(QObject::tr("Maps and polygons"), vectorEndings()));
+    return QFileDialog::getOpenFileNames(
+        parent, QObject::tr("Read places"), {},
+        orAllFiles(QObject::tr("Maps and polygons"), endingsOf({FileKind::footprints})));
 }
 
 QString askForSky(QWidget* parent) {

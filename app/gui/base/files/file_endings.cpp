@@ -8,28 +8,21 @@ namespace noonmark {
 
 namespace {
 
-QStringList listOf(const char* endings) { return QString::fromLatin1(endings).split(u' '); }
+QStringList withoutDots(const std::vector<std::string_view>& endings) {
+    QStringList list;
+    for (const std::string_view ending : endings)
+        list += QString::fromLatin1(ending.data(), qsizetype(ending.size())).mid(1);
+    return list;
+}
 
 }  // namespace
 
-const QStringList& vectorEndings() {
-    static const QStringList endings =
-        listOf("osm pbf geojson geojsonl geojsons json topojson gpkg shp fgb gml kml csv");
-    return endings;
-}
+QStringList endingsOf(std::initializer_list<FileKind> kinds) { return withoutDots(listEndings(kinds)); }
 
-const QStringList& modelEndings() {
-    static const QStringList endings = listOf("json jsonl obj ply gltf glb ifc dxf");
-    return endings;
-}
-
-const QStringList& massEndings() {
-    static const QStringList endings = listOf("obj ply gltf glb ifc dxf");
-    return endings;
-}
-
-const QStringList& terrainEndings() {
-    static const QStringList endings = listOf("tif tiff asc grd img hgt dem dt0 dt1 dt2 bil flt xyz gpkg");
+QStringList pictureEndings() {
+    QStringList endings;
+    for (const Format& format : coreFormats())
+        if (format.isPicture) endings += withoutDots(format.endings);
     return endings;
 }
 
@@ -41,13 +34,15 @@ QString makeFileFilter(const QString& name, const QStringList& endings) {
 
 QString makeCityFilters() {
     const QString project = QString::fromLatin1(projectEnding).mid(1);
-    QStringList all = QStringList{project} + vectorEndings() + modelEndings() + terrainEndings();
+    const QStringList maps = endingsOf({FileKind::footprints}), terrain = endingsOf({FileKind::terrain}),
+                      models = endingsOf({FileKind::cityJson, FileKind::mesh});
+    QStringList all = QStringList{project} + maps + models + terrain;
     all.removeDuplicates();
     return QStringList{makeFileFilter(QObject::tr("Projects, cities and terrain"), all),
                        makeFileFilter(QObject::tr("Projects"), {project}),
-                       makeFileFilter(QObject::tr("Footprints"), vectorEndings()),
-                       makeFileFilter(QObject::tr("3D models and meshes"), modelEndings()),
-                       makeFileFilter(QObject::tr("Terrain"), terrainEndings()),
+                       makeFileFilter(QObject::tr("Footprints"), maps),
+                       makeFileFilter(QObject::tr("3D models and meshes"), models),
+                       makeFileFilter(QObject::tr("Terrain"), terrain),
                        QObject::tr("All files (*)")}
         .join(QStringLiteral(";;"));
 }

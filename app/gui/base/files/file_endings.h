@@ -1,16 +1,16 @@
 #pragma once
 
 #include <QStringList>
+#include <initializer_list>
+
+#include "core/io/formats/format.h"
 
 namespace noonmark {
 
-/// Endings of the files that are read, lower case, without the dot. Formats are recognised by their content:
-/// endings only choose what a dialog lists and what a dropped file may be.
-/// docs/user/data.md lists the same formats.
-const QStringList& vectorEndings();   ///< footprints, places, regions
-const QStringList& modelEndings();    ///< 3D city models and meshes
-const QStringList& massEndings();     ///< meshes without a place of their own: a building to be placed
-const QStringList& terrainEndings();  ///< rasters of elevations
+/// Endings of the files of these kinds that are read, without the dot. Formats are recognised by their
+/// content: endings only choose what a dialog lists and what a dropped file may be.
+QStringList endingsOf(std::initializer_list<FileKind> kinds);
+QStringList pictureEndings();  ///< the same of aerial photographs
 
 /// A filter of a file dialog: "Meshes (*.obj *.ply)".
 QString makeFileFilter(const QString& name, const QStringList& endings);

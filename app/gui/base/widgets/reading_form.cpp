@@ -9,6 +9,7 @@
 
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
+#include "core/io/formats/format.h"
 #include "core/io/read_fields.h"
 
 namespace noonmark {
@@ -56,7 +57,7 @@ QGroupBox* ReadingForm::makeData() {
 }
 
 QGroupBox* ReadingForm::makeMeshes() {
-    auto* group = new QGroupBox(tr("Meshes (OBJ, PLY, glTF, IFC, DXF)"));
+    auto* group = new QGroupBox(tr("Meshes (%1)").arg(QString::fromStdString(listNames({FileKind::mesh}))));
     auto* form = new QFormLayout(group);
     rows_->addRows(*form, {"--up", "--mesh-unit", "--mesh-north"});
     form->addRow(anchored_, makeAnchor());

@@ -1,12 +1,10 @@
 #include "app/gui/frame/actions/place_actions.h"
 
 #include <QCursor>
-#include <QFileInfo>
 #include <QMenu>
 #include <glm/common.hpp>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/files/file_endings.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/project/project_dock.h"
@@ -17,6 +15,7 @@
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/load_places.h"
 #include "app/report/sheets/study_words.h"
+#include "core/io/formats/format.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/massing/lot_edits.h"
 
@@ -29,14 +28,14 @@ constexpr float leastShownM = 150;  // side of the ground shown with a small pla
 // By the files' endings: they are read only after the user's choice.
 bool mayHoldPlaces(const QStringList& files) {
     for (const QString& file : files)
-        if (!vectorEndings().contains(QFileInfo(file).suffix().toLower()) ||
+        if (!findByEnding(file.toStdString(), FileKind::footprints) ||
             file.endsWith(QString::fromLatin1(projectEnding)))
             return false;
     return !files.isEmpty();
 }
 
 bool isMass(const QStringList& files) {
-    return files.size() == 1 && massEndings().contains(QFileInfo(files.front()).suffix().toLower());
+    return files.size() == 1 && findByEnding(files.front().toStdString(), FileKind::mesh);
 }
 
 PlaceActions::Dropped askByMenu() {

@@ -21,6 +21,7 @@
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/session/study/region_words.h"
 #include "app/gui/tools/massing/figure_words.h"
+#include "core/io/formats/format.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
 
@@ -92,9 +93,10 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     inside->addWidget(makeButtons());
     inside->addWidget(makeFields());
     inside->addWidget(makeVariants());
-    auto* import = pushButton(
-        tr("Import mesh..."), "importMesh",
-        tr("Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground"));
+    auto* import =
+        pushButton(tr("Import mesh..."), "importMesh",
+                   tr("Adds a building from a file (%1), placed by a click on the ground")
+                       .arg(QString::fromStdString(listNames({FileKind::mesh, FileKind::cityJson}))));
     auto* column = new QVBoxLayout(this);
     column->addWidget(facts_);
     column->addWidget(tools_);

@@ -45,12 +45,13 @@ Result<void> checkFileSizes(const InputsScan& scan) {
     return {};
 }
 
-// CityJSON and files without an index are read whole: of one such file, there is nothing to divide.
-bool mayBeDivided(const std::vector<FileKind>& kinds) {
-    const auto isReadable = [&](FileKind kind) {
-        return kind == FileKind::footprints || (kind == FileKind::cityJson && kinds.size() > 1);
+// What has to be read whole is divided only by files; meshes state no place.
+bool mayBeDivided(const std::vector<const Format*>& formats) {
+    const auto isReadable = [&](const Format* format) {
+        return format->reader.scan != nullptr ||
+               (format->reader.kind != FileKind::mesh && formats.size() > 1);
     };
-    return !kinds.empty() && std::ranges::all_of(kinds, isReadable);
+    return !formats.empty() && std::ranges::all_of(formats, isReadable);
 }
 
 void join(FootprintScan& all, FootprintScan piece) {
@@ -131,24 +132,25 @@ std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& files
 Result<InputsScan> scanInputs(const TaskPlanRequest& request, Progress& progress,
                               const std::stop_token& stop) {
     InputsScan scan;
-    std::vector<FileKind> kinds;
+    std::vector<const Format*> formats;
     for (const std::string& file : request.files) {
-        const auto kind = detectFileKind(file);
-        if (!kind) return tl::make_unexpected(kind.error());
-        (*kind == FileKind::terrain ? scan.terrain : scan.buildings).emplace_back(file);
-        if (*kind != FileKind::terrain) kinds.push_back(*kind);
+        const auto format = detectFormat(file);
+        if (!format) return tl::make_unexpected(format.error());
+        const bool terrain = (*format)->reader.kind == FileKind::terrain;
+        (terrain ? scan.terrain : scan.buildings).emplace_back(file);
+        if (!terrain) formats.push_back(*format);
     }
-    bool divisible = mayBeDivided(kinds) && (scan.terrain.empty() || isPlacedByItself(request.reading));
-    for (std::size_t i = 0; divisible && i < kinds.size(); ++i) {
-        ProgressShare share(progress, i, kinds.size());
-        auto piece = scanBuildings(scan.buildings[i], kinds[i], request.reading, share, stop);
+    bool divisible = mayBeDivided(formats) && (scan.terrain.empty() || isPlacedByItself(request.reading));
+    for (std::size_t i = 0; divisible && i < formats.size(); ++i) {
+        ProgressShare share(progress, i, formats.size());
+        auto piece = scanBuildings(scan.buildings[i], *formats[i], request.reading, share, stop);
         if (!piece) return tl::make_unexpected(piece.error());
         divisible = !piece->hasTerrain;
         scan.boxes.push_back(piece->box);
         scan.indexed.push_back(piece->indexed);
         join(scan.footprints, *std::move(piece));
     }
-    scan.byWindow = divisible && (scan.footprints.indexed || kinds.size() > 1);
+    scan.byWindow = divisible && (scan.footprints.indexed || formats.size() > 1);
     const auto sizes = scan.byWindow ? checkFileSizes(scan) : checkWholeSize(request.files);
     return sizes.map([&] { return std::move(scan); });
 }

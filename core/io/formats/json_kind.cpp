@@ -1,4 +1,4 @@
-#include "core/io/files/json_kind.h"
+#include "core/io/formats/json_kind.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
