@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

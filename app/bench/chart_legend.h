@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/bench/chart_inks.h"
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "core/bench/chart.h"
 
 namespace noonmark {

@@ -2,7 +2,7 @@
 
 #include <QRectF>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "core/bench/finding.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <QRectF>
 
 #include "app/bench/chart_inks.h"
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "app/report/sheets/text_column.h"
 #include "core/bench/finding.h"
 

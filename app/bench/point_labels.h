@@ -3,7 +3,7 @@
 #include <QRectF>
 #include <vector>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

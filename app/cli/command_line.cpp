@@ -1,12 +1,12 @@
-#include "app/cli/command_line.h"
+#include "app/cli/base/command_line.h"
 
 #include <exception>
 #include <ostream>
 #include <string>
 #include <string_view>
 
+#include "app/cli/base/command.h"
 #include "app/cli/clean_output.h"
-#include "app/cli/command.h"
 #include "app/cli/commands/point_command.h"
 #include "app/cli/help_format.h"
 #include "app/cli/tiles/tiles_command.h"

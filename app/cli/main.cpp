@@ -1,8 +1,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "app/cli/command_line.h"
-#include "app/cli/interrupt.h"
+#include "app/cli/base/command_line.h"
+#include "app/cli/base/interrupt.h"
 #include "core/base/process.h"
 
 // Everything is written and closed by then. What is left to free ends with the process: the destructors of

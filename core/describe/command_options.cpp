@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/describe/value_text.h"
 
 namespace noonmark {
 
 namespace {
 
-std::vector<CommandOption> optionsOf(const Field& field, const Value& value) {
-    const std::string flag(field.flag);
+std::vector<CommandOption> optionsOf(const Field& field, const Value& value, const FlagNames& names) {
+    const auto other = names.find(field.flag);
+    const std::string flag = other == names.end() ? std::string(field.flag) : other->second;
     std::vector<CommandOption> options;
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
         for (const std::string& text : *texts) options.push_back({flag, {text}});
@@ -26,15 +29,19 @@ std::vector<CommandOption> optionsOf(const Field& field, const Value& value) {
 
 }  // namespace
 
-std::vector<CommandOption> listOptions(const Described& settings) {
+std::vector<CommandOption> listOptions(const Described& settings, const FlagNames& names) {
     std::vector<CommandOption> options;
     for (const Field& field : settings.fields) {
         if (field.flag.empty() || !settings.applies(field)) continue;
         const Value value = settings.get(field);
         if (value == Value() || (value == field.standard && !field.restated)) continue;
-        for (CommandOption& option : optionsOf(field, value)) options.push_back(std::move(option));
+        for (CommandOption& option : optionsOf(field, value, names)) options.push_back(std::move(option));
     }
     return options;
+}
+
+bool hasFlag(std::span<const Field> fields, std::string_view flag) {
+    return std::ranges::any_of(fields, [&](const Field& field) { return field.flag == flag; });
 }
 
 }  // namespace noonmark

@@ -7,7 +7,8 @@
 #include "core/io/formats/format.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/osm/read_osm_buildings.h"
-#include "core/io/read_part.h"
+#include "core/io/osm/read_osm_footprints.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 
@@ -26,6 +27,7 @@ Result<FilePiece> readWhole(const std::filesystem::path& file, const ReadSetting
 }
 
 constexpr FormatReader maps{FileKind::footprints, readFootprints, scanFootprints};
+constexpr FormatReader osmMaps{FileKind::footprints, readWhole<readOsmFootprints>, scanOsmFootprints};
 constexpr FormatReader cities{FileKind::cityJson, readWhole<readCityJson>};
 constexpr FormatReader meshes{FileKind::mesh, readWhole<readMesh>};
 constexpr FormatReader terrains{FileKind::terrain, readWhole<readTerrain>};
@@ -210,7 +212,7 @@ Formats coreFormats() {
          .readsExtent = true},
         {.name = "GML", .reader = maps, .endings = {".gml"}, .driver = "GML", .opened = {".xsd", ".gfs"}},
         {.name = "OpenStreetMap",
-         .reader = maps,
+         .reader = osmMaps,
          .endings = {".osm", ".pbf"},
          .begins = beginsOpenStreetMap,
          .driver = "OSM"},

@@ -16,11 +16,12 @@
 #include "core/city/same_buildings.h"
 #include "core/io/context/read_context.h"
 #include "core/io/files/file_kind.h"
-#include "core/io/footprints/place_advice.h"
-#include "core/io/heights/implausible_buildings.h"
 #include "core/io/meshes/mesh_scene.h"
 #include "core/io/osm/read_osm_buildings.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/implausible_buildings.h"
+#include "core/io/pieces/read_part.h"
+#include "core/io/read_window.h"
+#include "core/io/settings/place_advice.h"
 #include "core/io/terrain/ground_choice.h"
 #include "core/io/terrain/late_heights.h"
 #include "core/io/terrain/standing.h"
@@ -106,7 +107,7 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
     }
     if (settings.frame) return *settings.frame;
     return failure("None of the files states its position on earth", files.front().path.string(),
-                   anchorAdvice);
+                   anchorAdvice());
 }
 
 std::string nameOf(const InputFile& file) { return file.path.filename().string(); }
@@ -328,11 +329,6 @@ Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& se
     auto all = readAll(paths, settings, nullptr, progress, stop, formats);
     if (stop.stop_requested()) return cancelled();
     return all;
-}
-
-Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
-                          std::stop_token stop) {
-    return readCity(paths, settings, progress, std::move(stop), coreFormats());
 }
 
 Result<CityRead> readCityWindow(const std::vector<Path>& paths, const ReadSettings& settings,

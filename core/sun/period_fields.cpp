@@ -96,4 +96,6 @@ const Fields<Period>& periodFields() {
     return fields;
 }
 
+FlagNames periodFlagsBesideScenarios() { return {{"--from", "--at"}}; }
+
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/io/files/file_kind.h"
+#include "core/io/settings/read_fields.h"
 #include "core/io/terrain/standing.h"
 
 namespace noonmark {
@@ -35,8 +36,9 @@ bool isLowered(const Building& mesh, Stand wanted) {
 Warning describeLowered(const Building& mesh, const std::filesystem::path& file) {
     return {
         WarningKind::assumed,
-        "the mesh does not begin at its own zero: its lowest point was set on the ground (--stand absolute "
-        "leaves it)",
+        fmt::format(
+            "the mesh does not begin at its own zero: its lowest point was set on the ground ({} leaves it)",
+            readOption("stand", "absolute")),
         fmt::format("{} ({:.1f} m)", file.filename().string(), lowestM(mesh))};
 }
 

@@ -10,7 +10,7 @@
 
 #include "app/bench/axis_scale.h"
 #include "app/bench/bench_files.h"
-#include "app/cli/offscreen_qt.h"
+#include "app/cli/base/offscreen_qt.h"
 #include "core/bench/paper/paper_bench.h"
 #include "tests/cli/spoken.h"
 #include "tests/core/bench/tiny_site.h"

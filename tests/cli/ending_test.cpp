@@ -12,7 +12,7 @@
 #include <optional>
 #include <thread>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/base/interrupt.h"
 #include "tests/cli/spoken.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command_line.h"
+#include "app/cli/base/command_line.h"
 
 namespace noonmark::cli::tests {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/io/files/fold_text.h"
+#include "core/io/footprints/other_tags.h"
 #include "core/io/heights/height_text.h"
-#include "core/io/osm/other_tags.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/osm_semantics.h"
 #include "core/io/footprints/place_features.h"
-#include "core/io/osm/osm_semantics.h"
+#include "core/io/heights/field_roles.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

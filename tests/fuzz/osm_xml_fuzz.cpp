@@ -1,4 +1,5 @@
 // OpenStreetMap as XML.
+#include "core/io/osm/read_osm_footprints.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 
@@ -6,6 +7,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     noonmark::NoProgress progress;
     const auto file = fuzzFile("footprints.osm", formatText(data, size));
-    use(noonmark::readFootprints(file, {}, progress, {}));
+    use(noonmark::readOsmFootprints(file, {}, progress, {}));
     return 0;
 }

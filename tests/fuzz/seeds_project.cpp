@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "core/io/heights/read_settings_text.h"
+#include "core/io/settings/read_settings_text.h"
 #include "core/study/text/height_facts_json.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/tiles/tile_result.h"

@@ -3,7 +3,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/city/map_context.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark::tests {
 

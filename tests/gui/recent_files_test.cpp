@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 
 #include "app/gui/frame/actions/recent_menu.h"
-#include "core/io/heights/read_settings_text.h"
+#include "core/io/settings/read_settings_text.h"
 
 namespace noonmark {
 namespace {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <tuple>
 
-#include "core/io/heights/read_settings_text.h"
 #include "core/io/read_city.h"
+#include "core/io/settings/read_settings_text.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/recovery_file.h"

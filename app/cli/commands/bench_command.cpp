@@ -5,12 +5,12 @@
 #include <span>
 
 #include "app/bench/bench_files.h"
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/overwrite_option.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/table.h"
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
 #include "app/input/output_rules.h"

@@ -4,11 +4,11 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/study_request.h"
-#include "app/cli/study_table.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/study_table.h"
+#include "app/cli/study/study_request.h"
 #include "app/input/all_engines.h"
 #include "app/report/files/output_folder.h"
 #include "core/study/provenance/provenance_tags.h"

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
 
 namespace noonmark::cli {

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
 #include "app/input/all_engines.h"
 #include "core/simd/instruction_set.h"
 

@@ -1,9 +1,9 @@
 #include <memory>
 
-#include "app/cli/command.h"
-#include "app/cli/load_city.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/save_city.h"
 #include "app/cli/options/overwrite_option.h"
-#include "app/cli/save_city.h"
+#include "app/cli/study/load_city.h"
 #include "app/input/output_rules.h"
 
 namespace noonmark::cli {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/load_city.h"
-#include "app/cli/table.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/table.h"
+#include "app/cli/study/load_city.h"
 #include "app/input/load_project.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/load_city.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/place_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/table.h"
+#include "app/cli/study/load_city.h"
 #include "app/input/load_places.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/warnings_json.h"

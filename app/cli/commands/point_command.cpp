@@ -7,14 +7,14 @@
 #include <ostream>
 #include <sstream>
 
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/table.h"
 #include "app/cli/commands/point_command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/load_city.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/project_question.h"
 #include "app/cli/options/read_options.h"
-#include "app/cli/project/project_question.h"
-#include "app/cli/table.h"
+#include "app/cli/study/load_city.h"
 #include "app/input/output_rules.h"
 #include "app/report/skyline/skyline_svg.h"
 #include "core/io/files/write_text.h"

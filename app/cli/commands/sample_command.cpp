@@ -1,8 +1,8 @@
 #include <memory>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/save_city.h"
 #include "app/cli/options/overwrite_option.h"
-#include "app/cli/save_city.h"
 #include "app/input/load_city.h"
 #include "core/io/files/check_output.h"
 #include "core/samples/sample_city.h"

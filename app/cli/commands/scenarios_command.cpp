@@ -5,15 +5,15 @@
 #include <ostream>
 #include <set>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
-#include "app/cli/open_project.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
+#include "app/cli/base/open_project.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/measure_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/table.h"
 #include "app/input/all_engines.h"
 #include "app/report/scenarios/scenario_files.h"
 #include "app/report/scenarios/scenario_text.h"

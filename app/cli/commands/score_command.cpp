@@ -3,11 +3,14 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
-#include "app/cli/run_measure.h"
-#include "app/cli/table.h"
+#include "app/cli/study/run_measure.h"
 #include "app/report/files/answer_files.h"
 
 namespace noonmark::cli {

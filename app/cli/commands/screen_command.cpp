@@ -5,12 +5,12 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/period_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/project/project_question.h"
+#include "app/cli/options/project_question.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/measures/place_screening.h"
@@ -30,7 +30,7 @@ struct ScreenOptions {
     std::string from, to;
     std::string noShadow;  // "108..252"
     std::string periodName;
-    PeriodOptions period{.hourOption = "--at", .startOption = "--day,--start"};
+    PeriodOptions period{.names = {{"--from", "--at"}, {"--start", "--day,--start"}}};
     ScreeningSettings settings;
     bool json = false;
 };

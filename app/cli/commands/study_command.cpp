@@ -4,14 +4,14 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/element_run.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/study_table.h"
 #include "app/cli/options/elevation_sheet_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/study_request.h"
-#include "app/cli/study_table.h"
+#include "app/cli/study/element_run.h"
+#include "app/cli/study/study_request.h"
 #include "app/input/all_engines.h"
 #include "app/report/files/study_files.h"
 

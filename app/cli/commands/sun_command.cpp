@@ -6,10 +6,10 @@
 #include <optional>
 #include <ostream>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/table.h"
+#include "app/cli/base/wall_clock.h"
 #include "app/cli/options/number_range.h"
-#include "app/cli/table.h"
-#include "app/cli/wall_clock.h"
 #include "core/sun/sun_events.h"
 
 namespace noonmark::cli {

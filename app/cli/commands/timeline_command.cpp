@@ -5,13 +5,13 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/period_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/project/project_question.h"
-#include "app/cli/table.h"
+#include "app/cli/options/project_question.h"
 #include "core/engines/auto_engine.h"
 #include "core/study/place_study.h"
 #include "core/study/text/timeline_text.h"
@@ -29,7 +29,7 @@ struct TimelineOptions {
     std::vector<std::string> places;
     std::string from, to;
     std::string periodName;
-    PeriodOptions period{.hourOption = "--at", .startOption = "--day,--start"};
+    PeriodOptions period{.names = {{"--from", "--at"}, {"--start", "--day,--start"}}};
     PlaceStudySettings study;
     bool allSteps = false;
     bool json = false;

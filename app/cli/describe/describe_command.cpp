@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
 #include "app/cli/describe/describe.h"
 #include "app/input/build_facts.h"
 #include "app/input/window_arguments.h"

@@ -16,29 +16,11 @@ void makeRegionOptional(CLI::App& command, StudyOptions& options) {
     if (options.region.empty()) options.region = "city";
 }
 
-void takePoints(const std::vector<std::string>& texts, ElementSettings& elements) {
-    for (const std::string& text : texts) {
-        auto point = parsePoint(text);
-        if (!point) throw CLI::ValidationError("--point", point.error().what + ". " + point.error().advice);
-        point->id = fmt::format("point {}", elements.points.size() + 1);
-        elements.points.push_back(*std::move(point));
-    }
-}
-
 void addFacadeOptions(CLI::App& command, StudyOptions& options) {
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--facades-of",
-            [&command, &options](const std::vector<std::string>& names) {
-                if (names.size() == 1 && names.front() == "all") return;
-                options.elements.proposed = names.size() == 1 && names.front() == "proposed";
-                if (!options.elements.proposed) options.elements.buildings = names;
-                makeRegionOptional(command, options);
-            },
-            "Facades: buildings of the region by name or id (default: all, those whose middle is in the "
-            "region), or those that a scenario of a project builds or changes; may be repeated")
-        ->allow_extra_args(false)
-        ->type_name("NAME,...|all|proposed");
+    addFieldOptions(command, facadesOfFields().of(options.elements));
+    command.get_option("--facades-of")->each([&command, &options](const std::string& name) {
+        if (name != allFacades) makeRegionOptional(command, options);
+    });
     addFieldOptions(command, facadeFields().of(options.elements));
     addFieldOptions(command, aboveFloorFields().of(options.elements));
 }
@@ -54,17 +36,9 @@ void addListOptions(CLI::App& command, StudyOptions& options) {
     addFieldOptions(command, pointsFileFields().of(options.elements));
     CLI::Option* file = command.get_option("--points");
     file->each([&command, &options](const std::string&) { makeRegionOptional(command, options); });
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--point",
-            [&command, &options](const std::vector<std::string>& texts) {
-                takePoints(texts, options.elements);
-                makeRegionOptional(command, options);
-            },
-            "Points: one point; may be repeated")
-        ->allow_extra_args(false)
-        ->excludes(file)
-        ->type_name("LON,LAT[,H[,FACING]]");
+    addFieldOptions(command, pointFields().of(options.elements));
+    command.get_option("--point")->excludes(file)->each(
+        [&command, &options](const std::string&) { makeRegionOptional(command, options); });
 }
 
 Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces places, const char* option) {

@@ -2,20 +2,17 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 
-#include "core/describe/field.h"
+#include "core/describe/command_options.h"
 
 namespace noonmark::cli {
 
 /// How a command takes the options of a table of fields.
 struct FieldOptions {
-    /// Names of flags on this command that differ from those of the table: {"--from", "--at"}, several with
-    /// commas.
-    std::map<std::string_view, std::string> names{};
+    FlagNames names{};  ///< one flag may have several, with commas
     /// Receives the flags of the table that the user gave; it outlives the parsing.
     std::set<std::string, std::less<>>* given = nullptr;
 };

@@ -1,9 +1,9 @@
 #include "app/cli/options/measure_options.h"
 
+#include "app/cli/base/change_project.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/project_question.h"
 #include "app/cli/options/study_options.h"
-#include "app/cli/project/change_project.h"
-#include "app/cli/project/project_question.h"
 #include "app/input/output_rules.h"
 
 namespace noonmark::cli {

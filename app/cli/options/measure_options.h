@@ -4,11 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include "app/cli/console.h"
+#include "app/cli/base/console.h"
 #include "app/cli/options/period_options.h"
 #include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
 #include "core/study/study.h"
+#include "core/sun/period_fields.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -18,7 +19,7 @@ struct MeasureOptions {
     std::string file;
     std::string region;
     std::string periodName;  // a period of the project; if empty, `period` counts
-    PeriodOptions period{.hourOption = "--at"};
+    PeriodOptions period{.names = periodFlagsBesideScenarios()};
     StudySettings settings;
     std::string out;
     bool overwrite = false;

@@ -7,8 +7,7 @@ namespace noonmark::cli {
 
 CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
     addFieldOptions(command, periodFields().of(options.period),
-                    {.names = {{"--start", options.startOption}, {"--from", options.hourOption}},
-                     .given = &options.given});
+                    {.names = options.names, .given = &options.given});
     return command.get_option("--start");
 }
 

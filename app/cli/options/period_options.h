@@ -5,14 +5,14 @@
 #include <set>
 #include <string>
 
+#include "core/describe/command_options.h"
 #include "core/sun/period.h"
 
 namespace noonmark::cli {
 
 /// The days and hours of a command, as given by the user.
 struct PeriodOptions {
-    std::string hourOption = "--from";    ///< option for the time of day of the first step
-    std::string startOption = "--start";  ///< option for the first day
+    FlagNames names{};  ///< of flags that differ on this command
     Period period{};
     std::set<std::string, std::less<>> given{};  ///< flags of periodFields() that the user gave
     [[nodiscard]] bool states(std::string_view flag) const { return given.contains(flag); }

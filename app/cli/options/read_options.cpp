@@ -1,7 +1,7 @@
 #include "app/cli/options/read_options.h"
 
 #include "app/cli/options/field_options.h"
-#include "core/io/read_fields.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark::cli {
 

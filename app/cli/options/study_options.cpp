@@ -6,7 +6,7 @@
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/picture_option.h"
-#include "app/cli/project/project_question.h"
+#include "app/cli/options/project_question.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/study_fields.h"
 

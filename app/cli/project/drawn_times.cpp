@@ -1,7 +1,7 @@
 #include "app/cli/project/drawn_times.h"
 
 #include "app/cli/options/number_range.h"
-#include "app/cli/project/project_question.h"
+#include "app/cli/options/project_question.h"
 
 namespace noonmark::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
 #include "core/io/shadows/drawn_times.h"
 #include "scenarios/project/project.h"
 

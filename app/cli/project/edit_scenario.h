@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/project/change_project.h"
+#include "app/cli/base/change_project.h"
 
 namespace noonmark::cli {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/table.h"
+#include "app/cli/base/table.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/cli/table.h"
+#include "app/cli/base/table.h"
 
 namespace noonmark::cli {
 

@@ -4,7 +4,7 @@
 // change_project.h opens and saves the project for commands that change it, edit_scenario.h applies edits to
 // a scenario, list_project.h lists and removes entries, and project_question.h parses region and period.
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
 
 namespace noonmark::cli {
 

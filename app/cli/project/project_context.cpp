@@ -2,10 +2,10 @@
 
 #include <sstream>
 
-#include "app/cli/interrupt.h"
-#include "app/cli/project/change_project.h"
+#include "app/cli/base/change_project.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/table.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
 #include "app/input/load_context.h"
 
 namespace noonmark::cli {

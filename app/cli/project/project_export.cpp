@@ -1,9 +1,9 @@
 #include <memory>
 
+#include "app/cli/base/change_project.h"
+#include "app/cli/base/save_city.h"
 #include "app/cli/options/overwrite_option.h"
-#include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/save_city.h"
 #include "app/input/output_rules.h"
 #include "scenarios/project/project_file.h"
 

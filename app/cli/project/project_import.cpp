@@ -3,16 +3,16 @@
 #include <memory>
 #include <sstream>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/lon_lat_option.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/read_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
 #include "core/io/files/file_kind.h"
-#include "core/io/read_fields.h"
+#include "core/io/settings/read_fields.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/read_shape.h"
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/project/change_project.h"
+#include "app/cli/base/change_project.h"
+#include "app/cli/base/table.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/recovery_file.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/base/interrupt.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "core/io/footprints/read_parcels.h"

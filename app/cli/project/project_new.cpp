@@ -3,11 +3,11 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
-#include "app/cli/load_city.h"
-#include "app/cli/progress_line.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
+#include "app/cli/study/load_city.h"
 #include "app/input/load_context.h"
 #include "app/input/load_places.h"
 #include "app/input/output_rules.h"

@@ -3,6 +3,7 @@
 #include "app/cli/options/period_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
+#include "core/sun/period_fields.h"
 
 namespace noonmark::cli {
 
@@ -11,7 +12,7 @@ namespace {
 struct AddOptions {
     ChangeOptions change;
     std::string name;
-    PeriodOptions period{.hourOption = "--at"};
+    PeriodOptions period{.names = periodFlagsBesideScenarios()};
 };
 
 Result<std::string> add(const AddOptions& options, Project& project) {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/base/change_project.h"
+#include "app/cli/base/interrupt.h"
 #include "app/cli/options/number_range.h"
-#include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/input/load_photograph.h"
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <sstream>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/place_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
 #include "app/input/load_places.h"
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
+#include "app/cli/base/table.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
 #include "core/io/read_region.h"
 
 namespace noonmark::cli {

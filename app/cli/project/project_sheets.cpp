@@ -3,11 +3,11 @@
 #include <set>
 #include <sstream>
 
+#include "app/cli/base/change_project.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/sheet_options.h"
-#include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/table.h"
 #include "scenarios/project/title_fields.h"
 
 namespace noonmark::cli {

@@ -4,17 +4,17 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/sheet_options.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/review/places_in_reach.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/review_run_options.h"
 #include "app/cli/review/review_source.h"
-#include "app/cli/table.h"
 #include "app/report/files/review_files.h"
 #include "core/base/progress_share.h"
 #include "core/engines/auto_engine.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/console.h"
+#include "app/cli/base/console.h"
 #include "app/cli/options/read_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/review/rule_options.h"

@@ -1,8 +1,8 @@
 #include "app/cli/review/review_source.h"
-#include "app/cli/open_project.h"
+#include "app/cli/base/open_project.h"
 
-#include "app/cli/load_city.h"
-#include "app/cli/project/project_question.h"
+#include "app/cli/options/project_question.h"
+#include "app/cli/study/load_city.h"
 #include "app/input/project_of.h"
 #include "scenarios/project/project_provenance.h"
 

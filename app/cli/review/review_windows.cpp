@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <ostream>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
+#include "app/cli/options/project_question.h"
 #include "app/cli/options/study_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/project/project_question.h"
 #include "app/cli/review/review_source.h"
-#include "app/cli/table.h"
 #include "app/input/find_element_parts.h"
 #include "app/report/book/review/review_book.h"
 #include "app/report/files/window_files.h"
@@ -192,21 +192,15 @@ void printWindows(const WindowAnswer& answer, const std::vector<std::filesystem:
 }
 
 void addFacades(CLI::App& command, ReviewedWindows& windows) {
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--facades-of",
-            [&windows](const std::vector<std::string>& names) {
-                windows.onFacades = true;
-                windows.elements.places = ElementPlaces::facades;
-                windows.elements.proposed = names == std::vector<std::string>{"proposed"};
-                if (names != std::vector<std::string>{"all"} && !windows.elements.proposed)
-                    windows.elements.buildings = names;
-            },
+    addFieldOptions(command, facadesOfFields().of(windows.elements));
+    command.get_option("--facades-of")
+        ->description(
             "Rules about windows: a window in each bay and storey of these buildings, by name or id, of all "
-            "of "
-            "the region, or of those that the scenario builds or changes; may be repeated")
-        ->allow_extra_args(false)
-        ->type_name("NAME,...|all|proposed");
+            "of the region, or of those that the scenario builds or changes; may be repeated")
+        ->each([&windows](const std::string&) {
+            windows.onFacades = true;
+            windows.elements.places = ElementPlaces::facades;
+        });
     addFieldOptions(command, facadeFields().of(windows.elements));
 }
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
 #include "app/cli/options/place_options.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "core/study/remaining_time.h"

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
-#include "app/cli/load_city.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
 #include "app/cli/options/number_range.h"
-#include "app/cli/progress_line.h"
+#include "app/cli/study/load_city.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/all_engines.h"

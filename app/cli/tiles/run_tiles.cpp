@@ -5,8 +5,8 @@
 #include <optional>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
-#include "app/cli/progress_line.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
 #include "app/cli/tiles/array_task.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"

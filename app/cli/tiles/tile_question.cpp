@@ -1,7 +1,7 @@
 #include "app/cli/tiles/tile_question.h"
 
-#include "app/cli/load_city.h"
-#include "app/cli/project/project_question.h"
+#include "app/cli/options/project_question.h"
+#include "app/cli/study/load_city.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/impact/impact_tiles.h"

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/command.h"
+#include "app/cli/base/command.h"
 
 namespace noonmark::cli {
 

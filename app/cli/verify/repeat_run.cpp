@@ -5,7 +5,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/cli/command_line.h"
+#include "app/cli/base/command_line.h"
 
 namespace noonmark::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/console.h"
+#include "app/cli/base/console.h"
 #include "core/base/private_folder.h"
 #include "core/base/result.h"
 #include "core/study/verification/find_inputs.h"

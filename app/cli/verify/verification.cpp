@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/cli/table.h"
+#include "app/cli/base/table.h"
 #include "core/base/clean_text.h"
 
 namespace noonmark::cli {

@@ -7,9 +7,9 @@
 #include <set>
 #include <sstream>
 
-#include "app/cli/command.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/offscreen_qt.h"
+#include "app/cli/base/command.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
 #include "app/cli/verify/repeat_run.h"
 #include "app/cli/verify/verification.h"
 #include "app/report/files/read_report.h"

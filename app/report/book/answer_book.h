@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/report/book/book.h"
-#include "app/report/files/answer_source.h"
 #include "app/report/maps/change_scale.h"
+#include "app/report/sheets/answer_source.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "app/report/sheets/text_column.h"
 
 namespace noonmark {

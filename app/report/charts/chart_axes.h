@@ -10,7 +10,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "core/base/display_units.h"
 
 namespace noonmark {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/report/book/book.h"
-#include "app/report/files/answer_source.h"
 #include "app/report/maps/change_scale.h"
+#include "app/report/sheets/answer_source.h"
 #include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
 #include "scenarios/impact/impact_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/report/maps/map_view.h"
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "core/city/city.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 
 #include "app/report/maps/palette.h"
 #include "app/report/maps/shadow_measure.h"
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

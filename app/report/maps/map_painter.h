@@ -10,7 +10,7 @@
 #include "app/report/maps/field_image.h"
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/map_view.h"
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "core/study/study.h"
 
 namespace noonmark {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "app/report/maps/style.h"
 #include "app/report/sheets/study_words.h"
-#include "app/report/sheets/style.h"
 
 namespace noonmark {
 

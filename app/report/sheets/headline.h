@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 #include "core/study/study.h"
 
 namespace noonmark {

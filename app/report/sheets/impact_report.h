@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/report/files/answer_source.h"
 #include "app/report/maps/impact_legend.h"
+#include "app/report/sheets/answer_source.h"
 #include "app/report/sheets/sheet.h"
 #include "scenarios/impact/impact_text.h"
 

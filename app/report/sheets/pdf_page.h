@@ -2,8 +2,8 @@
 
 #include <QString>
 
+#include "app/report/maps/style.h"
 #include "app/report/sheets/sheet.h"
-#include "app/report/sheets/style.h"
 
 class QPdfWriter;
 

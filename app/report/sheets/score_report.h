@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/report/files/answer_source.h"
+#include "app/report/sheets/answer_source.h"
 #include "app/report/sheets/sheet.h"
 #include "scenarios/weights/score_text.h"
 

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

@@ -3,7 +3,7 @@
 #include <stop_token>
 
 #include "core/io/cityjson/cityjson_model.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <stop_token>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/io/cityjson/cityjson_model.h"
-#include "core/io/read_city.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

@@ -13,9 +13,9 @@
 
 #include "core/base/warnings.h"
 #include "core/city/meshes/surface_mesher.h"
-#include "core/io/footprints/feature_value.h"
-#include "core/io/footprints/field_roles.h"
-#include "core/io/footprints/unknown_fields.h"
+#include "core/io/heights/feature_value.h"
+#include "core/io/heights/field_roles.h"
+#include "core/io/heights/unknown_fields.h"
 
 namespace noonmark {
 

@@ -11,7 +11,7 @@
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/distance.h"
 #include "core/geo/longitude.h"
-#include "core/io/footprints/place_advice.h"
+#include "core/io/settings/place_advice.h"
 
 namespace noonmark {
 
@@ -152,7 +152,7 @@ void toLocal(CityJsonData& data, const Frame& frame) {
 Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file,
                         const std::stop_token& stop) {
     const std::string text = data.crs.empty() ? settings.crs.value_or("") : data.crs;
-    if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice);
+    if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice());
     const Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)

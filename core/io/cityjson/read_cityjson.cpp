@@ -3,7 +3,7 @@
 #include "core/io/cityjson/cityjson_buildings.h"
 #include "core/io/cityjson/cityjson_load.h"
 #include "core/io/cityjson/cityjson_place.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 

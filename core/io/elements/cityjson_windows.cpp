@@ -15,7 +15,7 @@
 #include "core/geo/earth_drop.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/stoppable_stream.h"
-#include "core/io/footprints/place_advice.h"
+#include "core/io/settings/place_advice.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -240,7 +240,7 @@ Result<WindowsRead> readCityJsonWindows(const std::filesystem::path& file, const
         return limitReached(fmt::format("It holds more than {} windows", WindowFileSettings::mostWindows),
                             name, "Divide the file");
     const std::string stated = finder.crs().empty() ? settings.crs.value_or("") : finder.crs();
-    if (stated.empty()) return failure("The city has no coordinate reference system", name, crsAdvice);
+    if (stated.empty()) return failure("The city has no coordinate reference system", name, crsAdvice());
     const auto crs = CrsToLonLat::of(stated);
     if (!crs) return failure(crs.error().what, name, crs.error().advice);
     placeOpenings(finder.openings(), *crs, city, settings, read);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/io/osm/osm_semantics.h"
+#include "core/io/footprints/osm_semantics.h"
 
 namespace noonmark {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/footprints/place_features.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 

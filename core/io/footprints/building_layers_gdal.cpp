@@ -9,7 +9,8 @@
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/building_layers.h"
 #include "core/io/footprints/layer_sample.h"
-#include "core/io/footprints/name_words.h"
+#include "core/io/heights/name_words.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 
@@ -96,8 +97,8 @@ std::vector<OGRLayer*> chooseBuildingLayers(GDALDataset& dataset, Warnings& warn
             warnings.push_back(
                 {WarningKind::leftOut,
                  fmt::format("a layer that was taken for no layer of buildings, since {}; if it "
-                             "is one, read it with --layer",
-                             whyLeft(one, best)),
+                             "is one, read it with {}",
+                             whyLeft(one, best), readOption("layer")),
                  readableText(one.layer->GetName())});
     if (chosen.size() > 1)
         for (OGRLayer* layer : chosen)

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/warnings.h"
-#include "core/io/footprints/feature_value.h"
+#include "core/io/heights/feature_value.h"
 #include "core/io/heights/height_reading.h"
 
 namespace noonmark {

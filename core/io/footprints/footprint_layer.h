@@ -8,11 +8,11 @@
 
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/footprints/feature_facts.h"
-#include "core/io/footprints/field_roles.h"
 #include "core/io/footprints/kml_altitudes.h"
 #include "core/io/footprints/layer_sample.h"
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/footprints/place_features.h"
+#include "core/io/heights/field_roles.h"
 #include "core/io/heights/height_origins.h"
 
 class OGRFeature;

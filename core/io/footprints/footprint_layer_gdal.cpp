@@ -8,10 +8,10 @@
 #include "core/city/plausible_heights.h"
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/footprint_layer.h"
-#include "core/io/footprints/place_advice.h"
+#include "core/io/footprints/other_tags.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/layers/feature_stream.h"
-#include "core/io/osm/other_tags.h"
+#include "core/io/settings/place_advice.h"
 
 namespace noonmark {
 
@@ -379,10 +379,10 @@ Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
     const auto most = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
     if (most(broken_))
         return failure(fmt::format("Its coordinates cannot belong to {}", toLonLat_.name()), source_.file,
-                       crsAdvice);
+                       crsAdvice());
     if (publishedPlane_ && most(nearZero_))
         return failure(fmt::format("Its coordinates look like degrees, not like {}", toLonLat_.name()),
-                       source_.file, std::string(crsAdvice) + ", perhaps EPSG:4326");
+                       source_.file, crsAdvice() + ", perhaps EPSG:4326");
     if (most(implausible_))
         warnings.push_back(
             {WarningKind::assumed,

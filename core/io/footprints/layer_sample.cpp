@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "core/base/display_units.h"
-#include "core/io/footprints/height_units.h"
-#include "core/io/footprints/name_words.h"
 #include "core/io/heights/height_text.h"
+#include "core/io/heights/height_units.h"
+#include "core/io/heights/name_words.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 
@@ -153,8 +154,8 @@ std::vector<HeightDoubt> doubtHeights(const std::vector<KnownField>& fields, con
     if (auto doubt = doubtUnit(*median, field->unit)) return {{file, field->name, *std::move(doubt)}};
     if (!field->meaning.maybeInches || field->unit != LengthUnit::metres) return {};
     return {{file, field->name,
-             "its name breaks off before its unit, and metres are assumed; if its heights are feet: "
-             "--height-unit ft"}};
+             "its name breaks off before its unit, and metres are assumed; if its heights are feet: " +
+                 readOption("height_unit", entryOf(LengthUnit::feet).key)}};
 }
 
 void dropRoofsAlone(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/io/read_window.h"
+#include "core/geo/lon_lat_box.h"
+#include "core/io/settings/read_settings.h"
 
 class OGRLayer;
 

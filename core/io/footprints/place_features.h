@@ -5,7 +5,7 @@
 
 #include "core/geo/frame.h"
 #include "core/io/footprints/part_grouping.h"
-#include "core/io/read_city.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

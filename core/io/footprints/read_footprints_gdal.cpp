@@ -17,9 +17,8 @@
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/footprints/layer_window.h"
 #include "core/io/footprints/map_remarks.h"
-#include "core/io/osm/read_osm_buildings.h"
-#include "core/io/osm/read_osm_footprints.h"
-#include "core/io/read_part.h"
+#include "core/io/formats/format.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 
@@ -225,7 +224,6 @@ void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::strin
 Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                  std::stop_token stop, const LonLatBox* window) try {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
-    if (const auto osm = findOsmFormat(file)) return readOsmFootprints(file, *osm, settings, progress, stop);
     const GdalCalls calls(stop);
     auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());
@@ -253,7 +251,6 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
 Result<FootprintScan> scanFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                      std::stop_token stop) try {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
-    if (const auto osm = findOsmFormat(file)) return scanOsmFootprints(file, *osm, settings, progress, stop);
     const GdalCalls calls(stop);
     auto open = openFile(file);
     if (!open) return tl::make_unexpected(open.error());

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/shell_word.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 
@@ -80,17 +81,18 @@ std::string describe(const BaseFit& fit) {
 
 std::string selectingOptions(const UnknownField& field) {
     const std::string name = quoteForShell(field.field);
-    const std::string unit = field.unit.empty() ? "" : " --height-unit " + field.unit;
+    const std::string unit = field.unit.empty() ? "" : ' ' + readOption("height_unit", field.unit);
     switch (field.kind) {
         case FieldKind::storeys:
-            return "--levels-field " + name;
+            return readOption("levels_field", name);
         case FieldKind::either:
-            return fmt::format("--levels-field {0} or --height-field {0}", name);
+            return fmt::format("{} or {}", readOption("levels_field", name),
+                               readOption("height_field", name));
         case FieldKind::heights:
         case FieldKind::elevations:
             break;
     }
-    return "--height-field " + name + unit;
+    return readOption("height_field", name) + unit;
 }
 
 std::string describe(const HeightDoubt& doubt) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/footprints/field_roles.h"
-#include "core/io/footprints/unknown_fields.h"
+#include "core/io/heights/field_roles.h"
+#include "core/io/heights/unknown_fields.h"
 
 namespace noonmark {
 

@@ -11,7 +11,7 @@
 
 #include "core/base/warnings.h"
 #include "core/city/building.h"
-#include "core/io/footprints/feature_value.h"
+#include "core/io/heights/feature_value.h"
 
 namespace noonmark {
 

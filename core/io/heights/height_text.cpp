@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/base/display_units.h"
-#include "core/describe/text.h"
 #include "core/io/files/fold_text.h"
 
 namespace noonmark {
@@ -132,22 +131,6 @@ bool repeats(Reader& reader, double metres, double bareUnitM) {
 }
 
 }  // namespace
-
-std::span<const LengthUnitEntry> listLengthUnits() {
-    static constexpr std::array units{
-        LengthUnitEntry{LengthUnit::metres, "m", "m", NM_TEXT("metres"), 1},
-        LengthUnitEntry{LengthUnit::feet, "ft", "ft", NM_TEXT("feet"), metresPerFoot},
-        LengthUnitEntry{LengthUnit::usSurveyFeet, "us-ft", "US survey ft", NM_TEXT("US survey feet"),
-                        1200.0 / 3937.0},
-        LengthUnitEntry{LengthUnit::centimetres, "cm", "cm", NM_TEXT("centimetres"), 0.01},
-        LengthUnitEntry{LengthUnit::millimetres, "mm", "mm", NM_TEXT("millimetres"), 0.001},
-        LengthUnitEntry{LengthUnit::inches, "in", "in", NM_TEXT("inches"), inchM},
-        LengthUnitEntry{LengthUnit::decimetres, "dm", "dm", NM_TEXT("decimetres"), 0.1},
-    };
-    return units;
-}
-
-const LengthUnitEntry& entryOf(LengthUnit unit) { return listLengthUnits()[std::size_t(unit)]; }
 
 std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit) {
     const std::string folded = foldText(text);

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
-#include "core/io/read_city.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 
@@ -21,20 +20,5 @@ std::optional<double> parseLevels(std::string_view text);
 /// Turns "12,5 m" into "12.5 m", for files whose numbers are text with a decimal comma. Other texts are
 /// returned unchanged, also "1,250": that could be a thousand.
 std::string withDecimalPoint(std::string_view text);
-
-/// A unit of lengths in data.
-struct LengthUnitEntry {
-    LengthUnit unit;
-    std::string_view key;     ///< as options take it: "us-ft"
-    std::string_view name;    ///< for people: "US survey ft"
-    std::string_view plural;  ///< "US survey feet"
-    double metres;
-};
-
-/// All units, in the order of LengthUnit.
-std::span<const LengthUnitEntry> listLengthUnits();
-
-const LengthUnitEntry& entryOf(LengthUnit unit);
-inline double metresPer(LengthUnit unit) { return entryOf(unit).metres; }
 
 }  // namespace noonmark

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "core/geo/crs_definition.h"
-#include "core/io/footprints/place_advice.h"
 #include "core/io/layers/feature_stream.h"
+#include "core/io/settings/place_advice.h"
 
 namespace noonmark {
 
@@ -67,14 +67,14 @@ Result<CrsToLonLat> findLayerCrs(OGRLayer& layer, const std::optional<std::strin
     const bool known = system != nullptr && system->GetName() != nullptr &&
                        !std::string_view(system->GetName()).starts_with("Undefined");
     // GeoPackage defines systems that mean "unknown".
-    if (!known) return failure("It does not state its coordinate reference system", file, crsAdvice);
+    if (!known) return failure("It does not state its coordinate reference system", file, crsAdvice());
     const std::string wkt = wktOf(system);
     if (auto harmless = checkNamesNoFile(wkt); !harmless)
-        return failure(harmless.error().what, file, crsAdvice);
+        return failure(harmless.error().what, file, crsAdvice());
     auto transform = CrsToLonLat::of(wkt);
     if (transform) return transform;
     return failure(fmt::format("Its coordinate reference system, {}, is not known", system->GetName()), file,
-                   crsAdvice);
+                   crsAdvice());
 }
 
 OGRSpatialReference findLayerSystem(OGRLayer& layer, const std::optional<std::string>& crs) {

@@ -1,4 +1,5 @@
 #include "core/io/meshes/ifc_site.h"
+#include "core/io/settings/read_fields.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -139,13 +140,13 @@ IfcSite readIfcSite(const std::filesystem::path& file, const std::stop_token& st
 std::string describe(const IfcSite& site) {
     Words words;
     if (site.place)
-        words.push_back(
-            fmt::format("its place (--mesh-anchor {:.6f},{:.6f})", site.place->lonDeg, site.place->latDeg));
+        words.push_back(fmt::format("its place ({} {:.6f},{:.6f})", readOption("mesh_anchor"),
+                                    site.place->lonDeg, site.place->latDeg));
     if (site.place && site.elevationM && *site.elevationM != 0)
         words.push_back(fmt::format("its elevation, {:g}", *site.elevationM));
     if (site.trueNorthDeg)
-        words.push_back(fmt::format("true north {:.4g} deg clockwise of its y axis (--mesh-north {:.4g})",
-                                    *site.trueNorthDeg, -*site.trueNorthDeg));
+        words.push_back(fmt::format("true north {:.4g} deg clockwise of its y axis ({} {:.4g})",
+                                    *site.trueNorthDeg, readOption("mesh_north_deg"), -*site.trueNorthDeg));
     if (!site.mapConversion.empty()) words.push_back("its place on a map, " + site.mapConversion);
     return fmt::format("{}", fmt::join(words, "; "));
 }

@@ -7,7 +7,7 @@
 
 #include "core/city/meshes/mesh.h"
 #include "core/io/meshes/mesh_scene.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 

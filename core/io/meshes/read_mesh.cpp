@@ -8,14 +8,16 @@
 
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/meshes/surface_mesher.h"
-#include "core/io/footprints/place_advice.h"
+#include "core/io/formats/format.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_buildings.h"
 #include "core/io/meshes/mesh_reader_process.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/meshes/up_axis.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
+#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 
@@ -117,7 +119,7 @@ struct SceneReader {
 Result<Frame> frameFor(const std::filesystem::path& file, const ReadSettings& settings) {
     if (settings.frame) return *settings.frame;
     if (settings.meshAnchor) return Frame(*settings.meshAnchor);
-    return failure("The mesh has no position", file.string(), anchorAdvice);
+    return failure("The mesh has no position", file.string(), anchorAdvice());
 }
 
 // A mesh in map coordinates has lost its precision: its numbers are float32.
@@ -168,8 +170,8 @@ ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene,
     decided.upAxis = guess.axis;
     warnings.push_back({WarningKind::assumed,
                         fmt::format("the file does not state which axis is up; {} was taken, since {} "
-                                    "(--up states it)",
-                                    guess.axis == UpAxis::z ? "z" : "y", guess.why),
+                                    "({} states it)",
+                                    guess.axis == UpAxis::z ? "z" : "y", guess.why, readOption("up")),
                         file.filename().string()});
     return decided;
 }
@@ -229,7 +231,7 @@ namespace {
 std::string placeAdvice(const std::filesystem::path& file, const std::stop_token& stop) {
     const std::string stated =
         formatOf(file) == ifcFormat ? describe(readIfcSite(file, stop)) : std::string();
-    return stated.empty() ? anchorAdvice : fmt::format("{}. The IFC states {}", anchorAdvice, stated);
+    return stated.empty() ? anchorAdvice() : fmt::format("{}. The IFC states {}", anchorAdvice(), stated);
 }
 
 }  // namespace

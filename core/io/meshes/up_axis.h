@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/io/meshes/mesh_scene.h"
-#include "core/io/read_city.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

@@ -6,11 +6,11 @@
 #include <string_view>
 
 #include "core/base/progress_share.h"
-#include "core/io/footprints/place_advice.h"
 #include "core/io/formats/format.h"
 #include "core/io/heights/height_origins.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_areas.h"
+#include "core/io/settings/place_advice.h"
 
 namespace noonmark {
 

@@ -4,6 +4,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/base/progress_share.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/footprints/build_footprints.h"
 #include "core/io/footprints/map_remarks.h"
 #include "core/io/layers/feature_stream.h"
@@ -36,6 +37,7 @@ Result<void> checkLayer(const Path& file, const ReadSettings& settings) {
 
 Result<OsmBuildings> readChecked(const Path& file, OsmFormat format, const ReadSettings& settings,
                                  Progress& progress, const std::stop_token& stop) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     ReadingProgress reading(progress);
     const GdalCalls calls;
     auto buildings = checkLayer(file, settings).and_then([&] {
@@ -51,10 +53,19 @@ Result<OsmBuildings> readChecked(const Path& file, OsmFormat format, const ReadS
     return buildings;
 }
 
+// A beginning that tells neither form is that of XML with long comments.
+OsmFormat formatOf(const Path& file) { return findOsmFormat(file).value_or(OsmFormat::xml); }
+
+tl::unexpected<Error> notRead(const std::exception& exception, const Path& file) {
+    return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
+                   "Check that it is complete, or export it again");
+}
+
 }  // namespace
 
-Result<FilePiece> readOsmFootprints(const Path& file, OsmFormat format, const ReadSettings& settings,
-                                    Progress& progress, const std::stop_token& stop) {
+Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
+                                    std::stop_token stop) try {
+    const OsmFormat format = formatOf(file);
     auto buildings = readChecked(file, format, settings, progress, stop);
     if (!buildings) return tl::make_unexpected(buildings.error());
     FilePiece piece{.warnings = std::move(buildings->warnings),
@@ -67,11 +78,13 @@ Result<FilePiece> readOsmFootprints(const Path& file, OsmFormat format, const Re
     if (!piece.buildings.empty()) return piece;
     return failure("None of its polygons can be used as a building", file.string(),
                    findCommonest(piece.warnings));
+} catch (const std::exception& exception) {
+    return notRead(exception, file);
 }
 
-Result<FootprintScan> scanOsmFootprints(const Path& file, OsmFormat format, const ReadSettings& settings,
-                                        Progress& progress, const std::stop_token& stop) {
-    const auto buildings = readChecked(file, format, settings, progress, stop);
+Result<FootprintScan> scanOsmFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
+                                        std::stop_token stop) try {
+    const auto buildings = readChecked(file, formatOf(file), settings, progress, stop);
     if (!buildings) return tl::make_unexpected(buildings.error());
     FootprintScan scan;
     scan.indexed = false;
@@ -82,6 +95,8 @@ Result<FootprintScan> scanOsmFootprints(const Path& file, OsmFormat format, cons
     }
     scan.frame = centres.frame(settings.farAwayM);
     return scan;
+} catch (const std::exception& exception) {
+    return notRead(exception, file);
 }
 
 }  // namespace noonmark

@@ -1,19 +1,16 @@
 #pragma once
 
 #include "core/io/footprints/footprint_scan.h"
-#include "core/io/osm/osm_map.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 
-/// readFootprints() for OpenStreetMap, which is read whole.
-Result<FilePiece> readOsmFootprints(const std::filesystem::path& file, OsmFormat format,
-                                    const ReadSettings& settings, Progress& progress,
-                                    const std::stop_token& stop);
+/// Reads the buildings of OpenStreetMap; always the whole file.
+Result<FilePiece> readOsmFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                    Progress& progress, std::stop_token stop);
 
-/// scanFootprints() for OpenStreetMap; its areas are in memory meanwhile.
-Result<FootprintScan> scanOsmFootprints(const std::filesystem::path& file, OsmFormat format,
-                                        const ReadSettings& settings, Progress& progress,
-                                        const std::stop_token& stop);
+/// scanFootprints() of OpenStreetMap; its areas are in memory meanwhile.
+Result<FootprintScan> scanOsmFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                        Progress& progress, std::stop_token stop);
 
 }  // namespace noonmark

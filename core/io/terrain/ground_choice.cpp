@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/io/settings/read_fields.h"
 #include "core/io/terrain/late_heights.h"
 #include "core/io/terrain/stand_on_terrain.h"
 #include "core/io/terrain/surface_model.h"
@@ -68,8 +69,9 @@ private:
                  where);
         else if (shows_ == TerrainShows::automatic)
             warn(WarningKind::assumed,
-                 "the terrain steps at the outlines of buildings, which would count twice: the ground around "
-                 "them is used instead (--terrain-shows ground uses it unchanged)",
+                 fmt::format("the terrain steps at the outlines of buildings, which would count twice: the "
+                             "ground around them is used instead ({} uses it unchanged)",
+                             readOption("terrain_shows", "ground")),
                  where);
     }
 
@@ -117,10 +119,10 @@ std::size_t countAssumed(const std::vector<GroundFile>& files) {
 void offerHeights(const std::vector<GroundFile>& files, const GroundFile* surface, Warnings& warnings) {
     const std::size_t assumed = surface != nullptr ? countAssumed(files) : 0;
     if (assumed > 0)
-        warnings.push_back(
-            {WarningKind::assumed,
-             "heights are assumed that the surface model shows: --heights-from-surface uses it",
-             fmt::format("{} buildings; {}", formatThousands(assumed), surface->name)});
+        warnings.push_back({WarningKind::assumed,
+                            fmt::format("heights are assumed that the surface model shows: {} uses it",
+                                        readOption("heights_from_surface")),
+                            fmt::format("{} buildings; {}", formatThousands(assumed), surface->name)});
 }
 
 void takeHeights(const std::vector<GroundFile>& files, const GroundFile* surface, GroundChoice& choice,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
 

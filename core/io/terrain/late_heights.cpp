@@ -8,7 +8,7 @@
 
 #include "core/city/plausible_heights.h"
 #include "core/geo/earth_drop.h"
-#include "core/io/footprints/unknown_fields.h"
+#include "core/io/heights/unknown_fields.h"
 #include "core/io/terrain/stand_on_terrain.h"
 
 namespace noonmark {

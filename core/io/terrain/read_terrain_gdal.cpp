@@ -15,9 +15,9 @@
 #include "core/geo/earth_drop.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/warp_words.h"
-#include "core/io/footprints/place_advice.h"
 #include "core/io/heights/height_text.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
+#include "core/io/settings/place_advice.h"
 #include "core/io/terrain/terrain_grid.h"
 
 namespace noonmark {
@@ -71,7 +71,7 @@ Result<Source> openSource(const std::filesystem::path& file, const ReadSettings&
     source.crs = wktOf(source.dataset->GetSpatialRef());
     if (source.crs.empty()) source.crs = settings.crs.value_or("");
     if (source.crs.empty())
-        return failure("The terrain has no coordinate reference system", source.file, crsAdvice);
+        return failure("The terrain has no coordinate reference system", source.file, crsAdvice());
     if (source.dataset->GetGeoTransform(source.geoTransform.data()) != CE_None)
         return failure("The raster does not state its position", source.file,
                        "Export it as a georeferenced GeoTIFF");
@@ -321,7 +321,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     Result<Source> source = openSource(file, settings);
     if (!source) return tl::make_unexpected(source.error());
     const Result<CrsToLonLat> crs = CrsToLonLat::of(source->crs);
-    if (!crs) return failure(crs.error().what, source->file, crsAdvice);
+    if (!crs) return failure(crs.error().what, source->file, crsAdvice());
     learnUnit(*source, *crs, settings);
     if (const auto whole = checkCells(*source); !whole) return tl::make_unexpected(whole.error());
     learnNoData(*source, stop);

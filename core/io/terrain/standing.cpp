@@ -10,6 +10,7 @@
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_parts.h"
 #include "core/geo/earth_drop.h"
+#include "core/io/settings/read_fields.h"
 #include "core/io/terrain/stand_on_terrain.h"
 
 namespace noonmark {
@@ -328,20 +329,23 @@ std::shared_ptr<const Building> Standing::place(std::size_t i) const {
 
 Warnings describeStanding(const BaseFit& fit, bool asked) {
     Warnings warnings;
+    const std::string leave = fmt::format(" ({} leaves them)", readOption("stand", "absolute"));
     if (!asked && fit.rule == StandRule::shifted)
         warnings.push_back({WarningKind::assumed,
                             "the bases of its buildings lie off the terrain by one height: all were shifted "
-                            "onto it (--stand absolute leaves them)",
+                            "onto it" +
+                                leave,
                             describe(fit)});
     if (!asked && fit.rule == StandRule::setDown)
-        warnings.push_back({WarningKind::assumed,
-                            "the bases of its buildings do not follow the terrain: each was set down on it "
-                            "(--stand absolute leaves them)",
-                            describe(fit)});
+        warnings.push_back(
+            {WarningKind::assumed,
+             "the bases of its buildings do not follow the terrain: each was set down on it" + leave,
+             describe(fit)});
     if (fit.apart > 0)
         warnings.push_back({WarningKind::assumed,
                             "buildings whose base is far from the terrain, unlike the others', were set down "
-                            "on it (--stand absolute leaves them)",
+                            "on it" +
+                                leave,
                             fmt::format("{} of {}", fit.apart, fit.file)});
     return warnings;
 }

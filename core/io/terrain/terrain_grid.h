@@ -12,7 +12,7 @@
 
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/grid.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/terrain/raster_place.h"
 
 namespace noonmark {

@@ -13,8 +13,8 @@
 #include "core/geo/earth_drop.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/stoppable_stream.h"
-#include "core/io/footprints/place_advice.h"
 #include "core/io/formats/format.h"
+#include "core/io/settings/place_advice.h"
 #include "core/study/elements/points_on_surfaces.h"
 
 namespace noonmark {
@@ -220,7 +220,7 @@ Result<CityJsonWithHours> copyWithHours(const std::filesystem::path& file, const
     CityJson none, *metadata = findMember(header, "metadata"), *transform = findMember(header, "transform");
     const std::string own = memberText(metadata ? *metadata : none, "referenceSystem");
     const std::string stated = own.empty() ? crs : own;
-    if (stated.empty()) return failure("The city has no coordinate reference system", name, crsAdvice);
+    if (stated.empty()) return failure("The city has no coordinate reference system", name, crsAdvice());
     const auto toLonLat = CrsToLonLat::of(stated);
     if (!toLonLat) return failure(toLonLat.error().what, name, toLonLat.error().advice);
     CityJson& placed = transform ? *transform : none;

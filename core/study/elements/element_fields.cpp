@@ -1,5 +1,7 @@
 #include "core/study/elements/element_fields.h"
 
+#include <fmt/format.h>
+
 #include "core/describe/text.h"
 #include "core/receivers/points/plane_points.h"
 
@@ -95,21 +97,15 @@ Result<std::vector<ListedPoint>> parsePoints(std::string_view csv) {
 
 std::string formatPoints(std::vector<ListedPoint> points) { return points.empty() ? "" : toCsv(points); }
 
-const Fields<ElementSettings>& pointFields() {
+const Fields<ElementSettings>& pointListFields() {
     static const Fields<ElementSettings> fields{
         textField(&ElementSettings::points, &formatPoints, &parsePoints, {.key = "points", .label = "Points"})
             .when(&onPoints)};
     return fields;
 }
 
-const Fields<ElementSettings>& placeFields() {
+const Fields<ElementSettings>& buildingFields() {
     static const Fields<ElementSettings> fields{
-        choiceField(&ElementSettings::places, elementPlaceChoices,
-                    {.key = "places",
-                     .flag = "--receivers",
-                     .label = "Receivers",
-                     .hint = "PLACES",
-                     .restated = true}),
         field(&ElementSettings::proposed, {.key = "proposed", .label = "Proposed buildings only"})
             .when(&onFacades),
         field(&ElementSettings::buildings, {.key = "buildings", .flag = "--facades-of", .label = "Of"})
@@ -118,7 +114,73 @@ const Fields<ElementSettings>& placeFields() {
     return fields;
 }
 
+constexpr std::string_view proposedFacades = "proposed";
+
+Value getFacadesOf(const ElementSettings& elements) {
+    return elements.proposed ? std::vector{std::string(proposedFacades)} : elements.buildings;
+}
+
+Result<void> setFacadesOf(ElementSettings& elements, const Value& value) {
+    const auto* names = std::get_if<std::vector<std::string>>(&value);
+    if (names == nullptr) return failure({});
+    const auto isOnly = [&](std::string_view word) { return names->size() == 1 && names->front() == word; };
+    elements.proposed = isOnly(proposedFacades);
+    elements.buildings = elements.proposed || isOnly(allFacades) ? std::vector<std::string>() : *names;
+    return {};
+}
+
+Value getPoints(const ElementSettings& elements) {
+    std::vector<std::string> texts;
+    for (const ListedPoint& point : elements.points) texts.push_back(formatText(point));
+    return texts;
+}
+
+Result<void> setPoints(ElementSettings& elements, const Value& value) {
+    const auto* texts = std::get_if<std::vector<std::string>>(&value);
+    if (texts == nullptr) return failure({});
+    for (const std::string& text : *texts) {
+        auto point = parsePoint(text);
+        if (!point) return tl::make_unexpected(point.error());
+        point->id = fmt::format("point {}", elements.points.size() + 1);
+        elements.points.push_back(*std::move(point));
+    }
+    return {};
+}
+
 }  // namespace
+
+const Fields<ElementSettings>& receiverFields() {
+    static const Fields<ElementSettings> fields{choiceField(
+        &ElementSettings::places, elementPlaceChoices,
+        {.key = "places", .flag = "--receivers", .label = "Receivers", .hint = "PLACES", .restated = true})};
+    return fields;
+}
+
+const Fields<ElementSettings>& facadesOfFields() {
+    static const Fields<ElementSettings> fields{
+        derivedField<ElementSettings>(
+            ValueKind::texts, &getFacadesOf, &setFacadesOf,
+            {.key = "facades_of",
+             .flag = "--facades-of",
+             .help = "Facades: buildings of the region by name or id (default: all, those whose middle is in "
+                     "the region), or those that a scenario of a project builds or changes; may be repeated",
+             .hint = "NAME,...|all|proposed"})
+            .when([](const ElementSettings& elements) { return onFacades(elements) && elements.proposed; })};
+    return fields;
+}
+
+const Fields<ElementSettings>& pointFields() {
+    static const Fields<ElementSettings> fields{
+        derivedField<ElementSettings>(ValueKind::texts, &getPoints, &setPoints,
+                                      {.key = "point",
+                                       .flag = "--point",
+                                       .help = "Points: one point; may be repeated",
+                                       .hint = "LON,LAT[,H[,FACING]]"})
+            .when([](const ElementSettings& elements) {
+                return onPoints(elements) && elements.pointsFile.empty();
+            })};
+    return fields;
+}
 
 const Fields<ElementSettings>& pointsFileFields() {
     static const Fields<ElementSettings> fields{
@@ -254,13 +316,14 @@ const Fields<ElementSettings>& planeFields() {
 
 const Fields<ElementSettings>& elementFields() {
     static const auto fields = Fields<ElementSettings>{}
-                                   .with(placeFields())
+                                   .with(receiverFields())
+                                   .with(buildingFields())
                                    .embed(&ElementSettings::faces, faceFields(), {}, &onWalls)
                                    .with(windowsFields())
                                    .embed(&ElementSettings::windowFile, windowFileFields(), {}, &onWindows)
                                    .with(planeFields())
                                    .with(lineFields())
-                                   .with(pointFields())
+                                   .with(pointListFields())
                                    .with(pointsFileFields())
                                    .with(facadeFields())
                                    .with(aboveFloorFields());

@@ -145,10 +145,8 @@ std::vector<CommandOption> listElementOptions(const ElementSettings& elements) {
     named.parcel = parcelName(elements);
     named.pointsFile = elements.pointsFile.filename();
     std::vector<CommandOption> options = listOptions(elementFields().of(named));
-    if (elements.places == ElementPlaces::facades && elements.proposed)
-        options.push_back({"--facades-of", {"proposed"}});
-    if (elements.places == ElementPlaces::points && elements.pointsFile.empty())
-        for (const ListedPoint& point : elements.points) options.push_back({"--point", {formatText(point)}});
+    for (const auto* fields : {&facadesOfFields(), &pointFields()})
+        std::ranges::move(listOptions(fields->of(named)), std::back_inserter(options));
     return options;
 }
 

@@ -1,6 +1,6 @@
 #include "core/study/provenance/provenance_json.h"
 
-#include "core/io/heights/read_settings_text.h"
+#include "core/io/settings/read_settings_text.h"
 #include "core/study/provenance/inputs_json.h"
 
 namespace noonmark {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/io/formats/format.h"
-#include "core/io/read_fields.h"
+#include "core/io/settings/read_fields.h"
 #include "core/study/provenance/city_files_command.h"
 #include "core/study/study_fields.h"
 #include "core/study/text/region_text.h"
@@ -33,10 +33,8 @@ StudySettings settingsToName(const RepeatQuestion& question) {
 
 void addSettings(CommandWords& line, const RepeatQuestion& question) {
     const StudySettings settings = settingsToName(question);
-    for (CommandOption option : listOptions(studyFields().of(settings))) {
-        if (option.name == "--from") option.name = question.hourOption;
+    for (const CommandOption& option : listOptions(studyFields().of(settings), question.flags))
         line.option(option);
-    }
     for (const CommandOption& option : question.options) line.option(option);
 }
 

@@ -15,7 +15,7 @@ struct RepeatQuestion {
     StudySettings settings;
     Provenance provenance;                 ///< its region must be set
     std::string engineKey;                 ///< the engine that was used; empty: the one of the settings
-    std::string hourOption = "--from";     ///< option for the wall-clock time of the first step
+    FlagNames flags{};                     ///< that differ on this command
     bool needsProject = false;             ///< the command takes no city files
     std::vector<CommandOption> options{};  ///< options of this command only
 };

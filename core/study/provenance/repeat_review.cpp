@@ -16,14 +16,14 @@ std::vector<std::string> namesOf(const std::vector<PlaceReview>& reviews) {
     return names;
 }
 
+}  // namespace
+
 void addRule(CommandWords& line, const Rule& rule) {
     line.option("--rule", rule.key);
     for (const auto& [choice, option] : rule.chosen)
         line.option("--choose", fmt::format("{}={}", choice, option));
     if (!rule.file.empty()) line.option("--rules", ".");
 }
-
-}  // namespace
 
 Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabels& labels,
                                       std::size_t width) {

@@ -22,6 +22,10 @@ struct ReviewLabels {
     std::vector<CommandOption> sheets{};
 };
 
+/// Adds the options that state a rule, the choices in it, and where it is found if it is one of the user's
+/// own.
+void addRule(CommandWords& line, const Rule& rule);
+
 /// The noonmark-cli command line that reproduces a review in a folder with a copy of the project file and of
 /// the rule's file, if the rule is one of the user's own. Error, with advice: the project was not saved in
 /// the state that was reviewed.

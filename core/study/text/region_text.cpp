@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-struct LonLatBox {
+struct StatedBox {
     LonLat low{1e9, 1e9};
     LonLat high{-1e9, -1e9};
 
@@ -28,7 +28,7 @@ double roundDegrees(double degrees, int decimals) {
     return value == 0 ? 0.0 : value;  // avoids -0
 }
 
-LonLatBox roundDegrees(const LonLatBox& box, int decimals) {
+StatedBox roundDegrees(const StatedBox& box, int decimals) {
     return {{roundDegrees(box.low.lonDeg, decimals), roundDegrees(box.low.latDeg, decimals)},
             {roundDegrees(box.high.lonDeg, decimals), roundDegrees(box.high.latDeg, decimals)}};
 }
@@ -39,7 +39,7 @@ LonLat placeOf(glm::dvec2 local, const Frame& frame) {
     return {wrapLongitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg};
 }
 
-bool isBox(const Region& region, const LonLatBox& box, const Frame& frame) {
+bool isBox(const Region& region, const StatedBox& box, const Frame& frame) {
     const auto made = makeRegionFromLonLatBox(frame, wrapLongitude(box.low.lonDeg), box.low.latDeg,
                                               wrapLongitude(box.high.lonDeg), box.high.latDeg);
     return made && made->polygons == region.polygons;
@@ -80,11 +80,11 @@ nlohmann::ordered_json polygonJson(const Footprint& polygon, const Frame& frame)
 
 std::optional<std::string> formatBox(const Region& region, const Frame& frame) {
     if (region.polygons.size() != 1 || !region.polygons[0].holes.empty()) return std::nullopt;
-    LonLatBox box;
+    StatedBox box;
     for (const glm::vec2 point : region.polygons[0].outer) box.add(placeOf(glm::dvec2(point), frame));
     constexpr int mostDecimals = 14;
     for (int decimals = 2; decimals <= mostDecimals; ++decimals) {
-        const LonLatBox stated = roundDegrees(box, decimals);
+        const StatedBox stated = roundDegrees(box, decimals);
         if (isBox(region, stated, frame))
             return fmt::format("{},{},{},{}", roundDegrees(wrapLongitude(stated.low.lonDeg), decimals),
                                stated.low.latDeg, roundDegrees(wrapLongitude(stated.high.lonDeg), decimals),

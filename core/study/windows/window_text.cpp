@@ -212,10 +212,12 @@ std::vector<CommandOption> makeRepeatOptions(const ElementSettings& windows) {
     std::vector<CommandOption> options = listElementOptions(windows);
     // The command measures nothing but windows, in their middle.
     std::erase_if(options, [](const CommandOption& option) {
-        return option.name == "--receivers" || option.name == "--above-floor";
+        return hasFlag(receiverFields().rows(), option.name) ||
+               hasFlag(aboveFloorFields().rows(), option.name);
     });
     if (windows.places == ElementPlaces::facades && !windows.proposed && windows.buildings.empty())
-        options.insert(options.begin(), {"--facades-of", {"all"}});
+        options.insert(options.begin(),
+                       {std::string(facadesOfFields().rows().front().flag), {std::string(allFacades)}});
     return options;
 }
 
@@ -233,10 +235,7 @@ Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabe
         addCityFiles(line, provenance);
     else
         line.file(provenance.project->file);
-    line.option("--rule", study.rule.key);
-    for (const auto& [choice, option] : study.rule.chosen)
-        line.option("--choose", fmt::format("{}={}", choice, option));
-    if (!study.rule.file.empty()) line.option("--rules", ".");
+    addRule(line, study.rule);
     if (!ofFiles) line.option("--from", labels.from);
     if (!ofFiles) line.option("--to", labels.to);
     line.option("--year", fmt::to_string(study.year));

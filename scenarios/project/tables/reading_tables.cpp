@@ -2,7 +2,7 @@
 #include <map>
 #include <utility>
 
-#include "core/io/heights/read_settings_text.h"
+#include "core/io/settings/read_settings_text.h"
 #include "core/study/text/height_facts_json.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/write_project.h"

@@ -5,7 +5,7 @@
 
 #include "core/io/files/file_kind.h"
 #include "core/io/meshes/stated_axes.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::tests {

@@ -12,7 +12,7 @@
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/read_parcels.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/temporary_folder.h"
 

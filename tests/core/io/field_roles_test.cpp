@@ -1,9 +1,9 @@
-#include "core/io/footprints/field_roles.h"
+#include "core/io/heights/field_roles.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/osm/other_tags.h"
+#include "core/io/footprints/other_tags.h"
 
 namespace noonmark {
 namespace {

@@ -6,7 +6,8 @@
 #include <ogrsf_frmts.h>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/read_part.h"
+#include "core/io/formats/format.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -19,7 +20,9 @@ class ReadFootprints : public testing::Test {
 protected:
     Result<FilePiece> tryRead(const std::filesystem::path& file) {
         NoProgress quiet;
-        return readFootprints(file, settings, quiet, {});
+        const Format* format = findByEnding(file, FileKind::footprints);
+        const auto read = format == nullptr ? readFootprints : format->reader.read;
+        return read(file, settings, quiet, {}, nullptr);
     }
     FilePiece read(const std::filesystem::path& file) {
         auto result = tryRead(file);

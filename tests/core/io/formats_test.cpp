@@ -10,7 +10,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/footprints/footprint_scan.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
 

@@ -15,8 +15,8 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/footprints/read_parcels.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
-#include "core/io/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/local_listener.h"
 #include "tests/core/io/planted_journal.h"

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/io/meshes/mesh_reader_process.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"
 

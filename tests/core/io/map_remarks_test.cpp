@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

@@ -1,11 +1,11 @@
-#include "core/io/footprints/name_words.h"
+#include "core/io/heights/name_words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/io/files/readable_text.h"
-#include "core/io/footprints/field_roles.h"
-#include "core/io/footprints/unknown_fields.h"
+#include "core/io/heights/field_roles.h"
+#include "core/io/heights/unknown_fields.h"
 
 namespace noonmark {
 namespace {

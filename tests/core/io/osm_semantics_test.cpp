@@ -1,11 +1,11 @@
-#include "core/io/osm/osm_semantics.h"
+#include "core/io/footprints/osm_semantics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/io/read_part.h"
+#include "core/io/osm/read_osm_footprints.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -22,7 +22,7 @@ class OsmSemantics : public testing::Test {
 protected:
     FilePiece read() {
         NoProgress quiet;
-        auto result = readFootprints(folder.file("test.osm", osm.xml()), settings, quiet, {});
+        auto result = readOsmFootprints(folder.file("test.osm", osm.xml()), settings, quiet, {});
         EXPECT_TRUE(result) << result.error().text();
         return result ? *std::move(result) : FilePiece();
     }

@@ -7,7 +7,7 @@
 #include "core/base/warnings.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/io/footprints/read_parcels.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/city/meshes/mesh_topology.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark::tests {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"

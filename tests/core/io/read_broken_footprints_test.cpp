@@ -5,7 +5,8 @@
 #include <random>
 #include <sstream>
 
-#include "core/io/read_part.h"
+#include "core/io/formats/format.h"
+#include "core/io/osm/read_osm_footprints.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
@@ -16,7 +17,7 @@ namespace {
 // Whatever a file holds, reading it gives a city or an error with a message.
 void readAndJudge(const std::filesystem::path& file) {
     NoProgress quiet;
-    const auto result = readFootprints(file, {}, quiet, {});
+    const auto result = findByEnding(file, FileKind::footprints)->reader.read(file, {}, quiet, {}, nullptr);
     if (!result) {
         EXPECT_FALSE(result.error().what.empty());
         return;
@@ -99,7 +100,7 @@ TEST(ReadBrokenFootprints, APbfThatBreaksOffIsAnError) {
     std::string content(1000000, '\0');
     stream.read(content.data(), std::streamsize(content.size()));
     NoProgress quiet;
-    const auto result = readFootprints(folder.file("cut.osm.pbf", content), {}, quiet, {});
+    const auto result = readOsmFootprints(folder.file("cut.osm.pbf", content), {}, quiet, {});
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().text().find("cut.osm.pbf"), std::string::npos);
 }

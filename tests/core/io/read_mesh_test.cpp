@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/city/meshes/mesh_topology.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/city/mesh_fixtures.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/city/terrain/building_ground.h"
-#include "core/io/read_part.h"
+#include "core/io/osm/read_osm_footprints.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark {
@@ -23,7 +23,7 @@ protected:
         const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
         if (!file) return;
         NoProgress quiet;
-        auto result = readFootprints(*file, {}, quiet, {});
+        auto result = readOsmFootprints(*file, {}, quiet, {});
         ASSERT_TRUE(result) << result.error().text();
         piece = std::make_unique<FilePiece>(*std::move(result));
     }

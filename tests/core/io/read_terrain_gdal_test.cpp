@@ -8,7 +8,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/geo/earth_drop.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/city/terrain/fill_gaps.h"
 #include "core/geo/earth_drop.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 #include "tests/core/engines/sweep_scenes.h"

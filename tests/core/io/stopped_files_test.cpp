@@ -10,8 +10,8 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/osm/osm_map.h"
 #include "core/io/pictures/read_ground_raster.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
-#include "core/io/read_part.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

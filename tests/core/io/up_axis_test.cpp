@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/footprints/place_advice.h"
 #include "core/io/meshes/ifc_site.h"
-#include "core/io/read_part.h"
+#include "core/io/pieces/read_part.h"
+#include "core/io/settings/place_advice.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
 

@@ -9,7 +9,7 @@
 #include <QPalette>
 #include <functional>
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 
 class QLabel;
 class QSettings;

@@ -10,7 +10,7 @@
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "core/io/formats/format.h"
-#include "core/io/read_fields.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 

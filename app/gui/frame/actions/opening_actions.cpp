@@ -12,7 +12,7 @@
 #include "app/gui/session/workbench.h"
 #include "app/input/load_city.h"
 #include "core/io/files/file_kind.h"
-#include "core/io/footprints/place_advice.h"
+#include "core/io/settings/place_advice.h"
 #include "core/study/text/height_words.h"
 
 namespace noonmark {

@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <QVariantMap>
 
-#include "core/io/heights/read_settings_text.h"
+#include "core/io/settings/read_settings_text.h"
 
 namespace noonmark {
 

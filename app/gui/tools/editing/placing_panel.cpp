@@ -10,7 +10,7 @@
 #include "app/gui/base/widgets/height_words.h"
 #include "app/gui/base/widgets/length_field.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "core/io/read_fields.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 

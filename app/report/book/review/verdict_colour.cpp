@@ -1,6 +1,6 @@
 #include "app/report/book/review/verdict_colour.h"
 
-#include "app/report/sheets/style.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

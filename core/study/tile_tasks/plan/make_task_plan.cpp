@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/io/settings/read_fields.h"
 #include "core/study/breakdown_check.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/provenance/study_hash.h"
@@ -23,8 +24,9 @@ Result<void> checkRequest(const TaskPlanRequest& request, const EngineList& engi
     if (settings.contributions)
         return failure("Contributions are not available for tiled studies", "study", "Leave them out");
     if (request.reading.terrainFromBases == TerrainFromBases::always)
-        return failure("A terrain from the bases of buildings needs the whole city", "--terrain-from-bases",
-                       "Give a terrain file, or --terrain-from-bases never");
+        return failure("A terrain from the bases of buildings needs the whole city",
+                       readOption("terrain_from_bases"),
+                       "Give a terrain file, or " + readOption("terrain_from_bases", "never"));
     if (request.tileCells < TiledStudySettings::minTileCells ||
         request.tileCells > TiledStudySettings::maxTileCells)
         return failure("The size of a tile is out of range", "tile size", "Choose 64 to 4096 cells");

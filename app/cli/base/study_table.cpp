@@ -1,0 +1,74 @@
+#include "app/cli/base/study_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/cli/base/table.h"
+#include "core/measures/has_runs.h"
+#include "core/study/text/error_words.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+std::string secondsText(const Study& study) {
+    std::string stages;
+    for (const auto& [stage, seconds] : study.seconds)
+        if (stage != "total")
+            stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage, seconds);
+    return fmt::format("{:.2f} s ({})", study.seconds.at("total"), stages);
+}
+
+void addCost(Table& table, const Study& study) {
+    const Cost& cost = study.field.cost;
+    table.add("buildings", fmt::format("{} of {} can reach a receiver", withCommas(cost.buildingsUsed),
+                                       withCommas(study.city.buildings.size())));
+    for (const auto& [reason, count] : cost.skipped)
+        if (count > 0) table.add("skipped", fmt::format("{} {}", withCommas(count), reason));
+    if (cost.rays > 0)
+        table.add("rays",
+                  fmt::format("{} ({:.1f} million/s)", withCommas(cost.rays),
+                              double(cost.rays) * 1e-6 / std::max(1e-9, study.seconds.at("accumulate"))));
+    table.add("time", secondsText(study));
+}
+
+}  // namespace
+
+void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
+    const ShadowStatistics& figures = study.statistics;
+    Table table;
+    if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
+    if (const auto headline = makeDoubtHeadline(study.heights)) table.add("unit of heights", *headline);
+    if (const auto headline = makeStandHeadline(study.heights)) table.add("bases", *headline);
+    table.add("period", formatText(study.settings.period));
+    table.add("engine", study.field.engine);
+    table.add("steps",
+              fmt::format("{} with the sun up, {} left out below the horizon; each counts {:.6g} min",
+                          withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon),
+                          study.field.stepMinutes));
+    table.add("receivers", fmt::format("{} cells of {:g} m, {:.0f} m2", withCommas(figures.receivers),
+                                       study.receivers.grid.cellM, figures.receiverAreaM2));
+    addWater(table, figures.waterM2);
+    table.add("shadow area",
+              fmt::format("{:.1f} m2 (share of the sunlit time x area)", figures.shadowAreaM2));
+    table.add("gross shadow",
+              fmt::format("mean {:.1f}, largest {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
+                          figures.maxGrossMin, study.field.sunlitMinutesPerDay));
+    table.add("continuous shadow", hasRuns(figures)
+                                       ? fmt::format("mean {:.1f}, longest {:.1f} min",
+                                                     figures.meanContinuousMin, figures.maxContinuousMin)
+                                       : "not counted");
+    if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
+    for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
+    addCost(table, study);
+    table.print(out);
+    out << "\nFiles\n";
+    for (const auto& file : files) out << "  " << file.string() << '\n';
+    printWarnings(out, study.warnings);
+}
+
+}  // namespace noonmark::cli

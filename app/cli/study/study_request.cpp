@@ -1,0 +1,176 @@
+#include "app/cli/study/study_request.h"
+
+#include <filesystem>
+
+#include "app/cli/options/project_question.h"
+#include "app/cli/study/load_city.h"
+#include "app/input/all_engines.h"
+#include "app/input/find_element_parts.h"
+#include "app/input/load_photograph.h"
+#include "app/input/load_places.h"
+#include "app/input/load_project.h"
+#include "app/report/files/output_folder.h"
+#include "core/base/stopwatch.h"
+#include "core/io/elements/read_point_file.h"
+#include "core/io/read_region.h"
+#include "core/receivers/place_names.h"
+#include "core/study/text/region_text.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+// A place of an OpenStreetMap file by its name, where the text is no box, polygon or file. The error names
+// places that are spelled alike.
+Result<Region> regionOfPlace(const std::string& name, const std::vector<std::string>& files, const City& city,
+                             Error drawn, Progress& progress, const std::stop_token& stop) {
+    const auto read = loadCityPlaces(files, {.streets = true, .unnamed = false}, city.frame, progress, stop);
+    if (!read) return tl::make_unexpected(read.error());
+    if (read->places.empty()) return tl::make_unexpected(std::move(drawn));
+    return findPlace(read->places, name).map([](const Place& place) { return regionOf(place); });
+}
+
+Result<Region> regionFrom(const StudyOptions& options, const City& city, Progress& progress,
+                          const std::stop_token& stop) {
+    const std::string& text = options.region;
+    if (text == "city") return cityRegion(city);
+    auto drawn = readRegion(text, city.frame);
+    std::error_code ignored;
+    const bool mayBeName = text.find_first_of(",(") == text.npos && !std::filesystem::exists(text, ignored);
+    if (drawn || !mayBeName) return drawn;
+    return regionOfPlace(text, options.read.files, city, drawn.error(), progress, stop);
+}
+
+Result<ElementSettings> readPointsOf(const StudyOptions& options) {
+    ElementSettings elements = options.elements;
+    if (options.points != ElementPlaces::points || elements.pointsFile.empty()) return elements;
+    auto points = readPointFile(elements.pointsFile);
+    if (!points) return tl::make_unexpected(points.error());
+    elements.points = *std::move(points);
+    return elements;
+}
+
+// Places of an OpenStreetMap file are read only where faces look at one.
+Result<ElementSettings> elementsOfFiles(const StudyOptions& options, const City& city, Progress& progress,
+                                        const std::stop_token& stop) {
+    auto elements = readPointsOf(options);
+    if (!elements) return elements;
+    PlacesRead read;
+    if (!elements->faces.place.empty()) {
+        auto places = loadCityPlaces(options.read.files, {.streets = true, .unnamed = false}, city.frame,
+                                     progress, stop);
+        if (!places) return tl::make_unexpected(places.error());
+        read = *std::move(places);
+    }
+    return findElementParts(*std::move(elements), read.places, city);
+}
+
+Result<Period> periodOfFiles(const StudyOptions& options) {
+    if (!options.period.states("--start") && options.periodName.empty())
+        return failure("The start date is missing", "period", "Give --start DATE");
+    if (options.periodName.empty()) return periodFrom(options.period);
+    return failure("Only a project has periods by name", "--period " + options.periodName,
+                   "Give --start DATE, or a project file");
+}
+
+Result<StudyRequest> requestOfFiles(const StudyOptions& options, Progress& progress,
+                                    const std::stop_token& stop) {
+    if (!options.scenario.empty())
+        return failure("Only a project has scenarios", "--scenario " + options.scenario,
+                       "Give one project file, NAME.noonmark.gpkg");
+    StudySettings settings = options.settings;
+    const auto period = periodOfFiles(options);
+    if (!period) return tl::make_unexpected(period.error());
+    settings.period = *period;
+    auto loaded = noonmark::loadCity(options.read.files, options.read.settings, progress, stop);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    auto region = regionFrom(options, loaded->read.city, progress, stop);
+    if (!region) return tl::make_unexpected(region.error());
+    settings.region = *std::move(region);
+    auto elements = elementsOfFiles(options, loaded->read.city, progress, stop);
+    if (!elements) return tl::make_unexpected(elements.error());
+    return StudyRequest{*std::move(loaded), std::move(settings), *std::move(elements), std::nullopt};
+}
+
+Result<StudyRequest> requestOfProject(const StudyOptions& options, Progress& progress,
+                                      const std::stop_token& stop) {
+    const std::string& file = options.read.files.front();
+    if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
+    const Stopwatch watch;
+    const auto disk = ProjectFile::open(file);
+    if (!disk) return tl::make_unexpected(disk.error());
+    Warnings photographs;
+    const Project project = withPhotographAtHand(disk->project(), photographs, progress, stop);
+    const std::string scenario = options.scenario.empty() ? existingCity : options.scenario;
+    auto city = cityOf(project, scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    StudySettings settings = options.settings;
+    const auto period = periodIn(project, options.periodName, options.period);
+    if (!period) return tl::make_unexpected(period.error());
+    settings.period = *period;
+    auto region = regionIn(project, city->city, options.region);
+    if (!region) return tl::make_unexpected(region.error());
+    settings.region = *std::move(region);
+    auto elements = readPointsOf(options).and_then(
+        [&](ElementSettings read) { return findElementParts(std::move(read), project, city->city); });
+    if (!elements) return tl::make_unexpected(elements.error());
+    LoadedCity loaded = loadProjectCity(project, file);
+    loaded.read.city = std::move(city->city);
+    loaded.read.warnings.insert(loaded.read.warnings.end(), photographs.begin(), photographs.end());
+    loaded.seconds = watch.seconds();
+    Provenance provenance = provenanceOf(project, &*disk, {scenario, {}, settings.region, {}});
+    return StudyRequest{std::move(loaded), std::move(settings), *std::move(elements), std::move(provenance)};
+}
+
+Result<void> checkBeforeReading(const StudyOptions& options, const std::vector<std::string>& files) {
+    const StudySettings& settings = options.settings;
+    return makeEngine(settings.engine, settings.engineSettings, enginesWith(settings.engine))
+        .and_then([&](const auto&) { return checkOutputs(options.out, files, outputRulesOf(options, {})); });
+}
+
+bool needsRegionFile(const StudyRequest& request) {
+    const Region& region = request.settings.region;
+    return (request.provenance ? request.provenance->region
+                               : formatRegion(region, request.loaded.read.city)) == regionFileName;
+}
+
+}  // namespace
+
+OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs) {
+    OutputRules rules = outputRules(options.read.files, inputs, options.overwrite);
+    addPlace(rules, options.region);
+    const ElementSettings& elements = options.elements;
+    for (const std::string& file : {elements.windows.string(), elements.pointsFile.string(), elements.parcel})
+        if (!file.empty()) addPlace(rules, file);
+    return rules;
+}
+
+tl::expected<StudyRequest, Failure> parseStudyRequest(const StudyOptions& options,
+                                                      std::vector<std::string> files, Progress& progress,
+                                                      const std::stop_token& stop) {
+    if (auto may = orCode(checkBeforeReading(options, files), exitUsage); !may)
+        return tl::make_unexpected(may.error());
+    auto request = orCode(namesProject(options.read) ? requestOfProject(options, progress, stop)
+                                                     : requestOfFiles(options, progress, stop),
+                          exitUsage);
+    if (!request) return request;
+    if (needsRegionFile(*request)) files.emplace_back(regionFileName);
+    const OutputRules rules = outputRulesOf(options, request->loaded.inputs);
+    if (auto may = orCode(checkOutputs(options.out, files, rules), exitUsage); !may)
+        return tl::make_unexpected(may.error());
+    if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
+        return tl::make_unexpected(folder.error());
+    return request;
+}
+
+Provenance provenanceOf(const StudyRequest& request) {
+    return request.provenance ? *request.provenance : provenanceOf(request.loaded);
+}
+
+void addSource(Study& study, const StudyRequest& request) {
+    addReading(study, request.loaded);
+    study.provenance = provenanceOf(request);
+}
+
+}  // namespace noonmark::cli

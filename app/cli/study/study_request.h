@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/cli/base/console.h"
+#include "app/cli/options/study_options.h"
+#include "app/input/load_city.h"
+#include "app/input/output_rules.h"
+
+namespace noonmark::cli {
+
+/// An error and the exit code of the program.
+struct Failure {
+    Error error;
+    ExitCode code = exitFailed;
+};
+
+template <class T>
+tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
+    return std::move(result).map_error([code](Error error) { return Failure{std::move(error), code}; });
+}
+
+/// The settings and the city that the options ask for.
+struct StudyRequest {
+    LoadedCity loaded;
+    StudySettings settings;
+    ElementSettings elements;              ///< with their parts
+    std::optional<Provenance> provenance;  ///< for a scenario of a project
+};
+
+Provenance provenanceOf(const StudyRequest& request);
+
+/// Adds the time and warnings of reading, and the provenance of the city.
+void addSource(Study& study, const StudyRequest& request);
+
+/// Reads the city and the region and checks the output folder, so that all errors in the input appear before
+/// the computation. `files`: names of the output files, except region.geojson.
+tl::expected<StudyRequest, Failure> parseStudyRequest(const StudyOptions& options,
+                                                      std::vector<std::string> files, Progress& progress,
+                                                      const std::stop_token& stop);
+
+/// Which files the outputs may replace. `inputs`: the files from which the city was read, as far as known.
+OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs);
+
+}  // namespace noonmark::cli

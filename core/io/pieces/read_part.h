@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/warnings.h"
+#include "core/city/city.h"
+#include "core/geo/lon_lat_box.h"
+#include "core/io/heights/height_facts.h"
+#include "core/io/heights/height_reading.h"
+#include "core/io/settings/read_settings.h"
+
+namespace noonmark {
+
+/// The result of one reader for one file, in the frame that was given or that it chose. readCity() joins
+/// these pieces.
+struct FilePiece {
+    std::optional<Frame> frame;  ///< set if the reader chose it
+    std::vector<std::shared_ptr<const Building>> buildings;
+    /// Local z of the ground that each building stands on, as the file states it; nothing if it does not, so
+    /// that readCity() places the building on the terrain. One for each building.
+    std::vector<std::optional<float>> groundM;
+    /// Elevations of roofs that are all that the data have of a height: readCity() takes the height above the
+    /// terrain. One for each building; empty if there is none.
+    std::vector<std::optional<RoofElevation>> roofs;
+    /// z counts from a zero of the file's own, of unknown elevation, and not from that of the frame (meshes).
+    bool ownZero = false;
+    std::shared_ptr<const Terrain> terrain;
+    Warnings warnings;
+    std::string format;
+    std::size_t features = 0;
+    std::string attribution;
+    HeightFacts heights;
+};
+
+/// What a mesh says that was read without the position of its origin.
+inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";
+
+/// One reader per family of formats (core_formats.cpp); OpenStreetMap has osm/read_osm_footprints.h.
+/// `settings.frame` is set if an earlier file fixed it; otherwise the reader chooses the middle of its data.
+/// `window`: null for the whole file.
+Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                 Progress& progress, std::stop_token stop,
+                                 const LonLatBox* window = nullptr);  ///< defined in read_footprints_gdal.cpp
+Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings,
+                               Progress& progress,
+                               std::stop_token stop);  ///< defined in read_cityjson.cpp
+Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
+                           Progress& progress,
+                           std::stop_token stop);  ///< defined in read_mesh.cpp
+Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
+                              Progress& progress,
+                              std::stop_token stop);  ///< defined in read_terrain_gdal.cpp
+
+}  // namespace noonmark

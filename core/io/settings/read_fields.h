@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/describe/field.h"
+#include "core/io/settings/read_settings.h"
+
+namespace noonmark {
+
+/// All settings of reading a city but the frame, which no user sets; the two tables below are part of it.
+const Fields<ReadSettings>& readSettingsFields();
+
+/// Where buildings stand: also of a proposal being read.
+const Fields<ReadSettings>& standFields();
+
+/// The axis and the unit of a mesh's coordinates: also of a proposal being read.
+const Fields<ReadSettings>& meshAxesFields();
+
+/// How a user states the field with this key on the command line, for messages: "--stand absolute".
+std::string readOption(std::string_view key, std::string_view value = {});
+
+}  // namespace noonmark
