@@ -40,6 +40,11 @@ std::vector<CommandOption> listOptions(const Described& settings, const FlagName
     return options;
 }
 
+std::string_view flagOf(std::span<const Field> fields, std::string_view key) {
+    const auto field = std::ranges::find(fields, key, &Field::key);
+    return field == fields.end() ? key : field->flag;
+}
+
 bool hasFlag(std::span<const Field> fields, std::string_view flag) {
     return std::ranges::any_of(fields, [&](const Field& field) { return field.flag == flag; });
 }

@@ -24,6 +24,9 @@ using FlagNames = std::map<std::string_view, std::string>;
 /// default or are always restated. A list of texts gives one option for each, as do named numbers.
 std::vector<CommandOption> listOptions(const Described& settings, const FlagNames& names = {});
 
+/// The flag of the field with this key, which the table has.
+std::string_view flagOf(std::span<const Field> fields, std::string_view key);
+
 /// Whether a table has a field with this flag.
 bool hasFlag(std::span<const Field> fields, std::string_view flag);
 

@@ -10,6 +10,7 @@
 #include "core/receivers/city_above_plane.h"
 #include "core/receivers/parcels/line_belts.h"
 #include "core/receivers/plane_receivers.h"
+#include "core/study/elements/element_fields.h"
 
 namespace noonmark {
 
@@ -138,9 +139,10 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
                                      const std::vector<Place>& places, const ReviewSettings& settings,
                                      const std::stop_token& stop) {
     if (rule.receivers.surface == RuleSurface::windows)
-        return unsupported(
-            "The rule is about windows, not about places", rule.key,
-            "Review windows with noonmark-cli review run --windows FILE or --facades-of NAMES");
+        return unsupported("The rule is about windows, not about places", rule.key,
+                           fmt::format("Review windows with noonmark-cli review run {} FILE or {} NAMES",
+                                       flagOf(windowsFields().rows(), "windows"),
+                                       flagOf(facadesOfFields().rows(), "facades_of")));
     CastingCities casting = chooseCasters(rule, baseline, scenario);
     auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());

@@ -19,6 +19,7 @@
 #include "core/bench/horizon/horizon_bench.h"
 #include "core/bench/paper/paper_bench.h"
 #include "core/bench/points/point_bench.h"
+#include "core/describe/command_flags.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {
@@ -114,7 +115,7 @@ int runBench(const Bench& bench, const BenchOptions& options, const Console& con
 }
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
-    command.add_option("--out", options.out, "Folder for the tables, the report and summary.json")
+    command.add_option(flags::out, options.out, "Folder for the tables, the report and summary.json")
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);

@@ -11,6 +11,7 @@
 #include "app/cli/study/study_request.h"
 #include "app/input/all_engines.h"
 #include "app/report/files/output_folder.h"
+#include "core/describe/command_flags.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/breakdown_text.h"
@@ -89,7 +90,7 @@ void addCityStudyCommand(CLI::App& app, Run& run) {
         "city-study", "Run a study over a region of any size, tile by tile; resume it after an interruption");
     addStudyOptions(*command, options->study);
     addMonthOption(*command, options->study.settings);
-    command->add_option("--tile", options->tileCells, "Cells per side of a tile")
+    command->add_option(flags::tile, options->tileCells, "Cells per side of a tile")
         ->capture_default_str()
         ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))
         ->type_name("CELLS");

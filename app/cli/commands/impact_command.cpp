@@ -14,6 +14,8 @@
 #include "app/cli/options/study_options.h"
 #include "app/cli/study/run_measure.h"
 #include "app/report/files/answer_files.h"
+#include "core/describe/command_flags.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -101,10 +103,10 @@ void addImpactCommand(CLI::App& app, Run& run) {
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
-    command->add_option("--from", options->from, "The baseline: the scenario to compare with")
+    command->add_option(flags::from, options->from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->add_option("--to", options->to, "The scenario to measure")->required()->type_name("NAME");
+    command->add_option(flags::to, options->to, "The scenario to measure")->required()->type_name("NAME");
     command
         ->add_option("--threshold", options->thresholds,
                      "Thresholds of the change, minutes a day; one or more")

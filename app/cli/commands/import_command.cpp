@@ -5,6 +5,7 @@
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/study/load_city.h"
 #include "app/input/output_rules.h"
+#include "core/describe/command_flags.h"
 
 namespace noonmark::cli {
 
@@ -33,7 +34,7 @@ void addImportCommand(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("import", "Read a city, repair it, and write it as one GeoPackage");
     addReadOptions(*command, options->read);
-    command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
+    command->add_option(flags::out, options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
     command->add_flag("--json", options->json, "Report what was written as JSON");
     command->callback([options, &run] {

@@ -17,6 +17,7 @@
 #include "app/cli/study/load_city.h"
 #include "app/input/output_rules.h"
 #include "app/report/skyline/skyline_svg.h"
+#include "core/describe/command_flags.h"
 #include "core/io/files/write_text.h"
 #include "core/study/point_cases.h"
 #include "core/study/text/point_text.h"
@@ -223,7 +224,7 @@ void addPointCommand(CLI::App& app, Run& run) {
         ->check(within(1.0 / 60, 60.0))
         ->type_name("MIN");
     command
-        ->add_option("--scenario", options->scenario,
+        ->add_option(flags::scenario, options->scenario,
                      "A scenario of the project: what it takes from the point")
         ->type_name("NAME");
     command

@@ -4,6 +4,7 @@
 #include "app/cli/base/save_city.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/input/load_city.h"
+#include "core/describe/command_flags.h"
 #include "core/io/files/check_output.h"
 #include "core/samples/sample_city.h"
 
@@ -36,7 +37,7 @@ void addSampleCommand(CLI::App& app, Run& run) {
         ->required()
         ->check(CLI::IsMember({"central-park-south", "grid"}))
         ->type_name("NAME");
-    command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
+    command->add_option(flags::out, options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
     command->add_option("--buildings", options->grid.buildings, "grid: number of buildings")
         ->capture_default_str()

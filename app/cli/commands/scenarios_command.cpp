@@ -19,6 +19,7 @@
 #include "app/report/scenarios/scenario_text.h"
 #include "core/base/display_units.h"
 #include "core/base/progress_share.h"
+#include "core/describe/command_flags.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/scenario_list.h"
 
@@ -149,7 +150,7 @@ void addScenariosCommand(CLI::App& app, Run& run) {
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
     command
-        ->add_option("--scenario", options->names,
+        ->add_option(flags::scenario, options->names,
                      "A scenario to measure; may be repeated; the first is what the others are compared with "
                      "(default: the existing city and all scenarios)")
         ->type_name("NAME");

@@ -12,6 +12,8 @@
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/study/run_measure.h"
 #include "app/report/files/answer_files.h"
+#include "core/describe/command_flags.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -72,7 +74,7 @@ void addScoreCommand(CLI::App& app, Run& run) {
     addPictureOption(*command, options->measure.pictureWidth);
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
-    command->add_option("--scenario", options->scenario, "The scenario to measure")
+    command->add_option(flags::scenario, options->scenario, "The scenario to measure")
         ->default_val(existingCity)
         ->type_name("NAME");
     command->add_option("--weights", options->weights, "A time-weight table of the project")

@@ -11,6 +11,7 @@
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/period_options.h"
 #include "app/cli/options/project_question.h"
+#include "core/describe/command_flags.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/measures/place_screening.h"
@@ -169,10 +170,12 @@ void addScreenCommand(CLI::App& app, Run& run) {
     command->add_option("--place", options->places, "Only this place; may be repeated (default: all)")
         ->allow_extra_args(false)
         ->type_name("NAME");
-    command->add_option("--from", options->from, "The baseline: the scenario to compare with")
+    command->add_option(flags::from, options->from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->add_option("--to", options->to, "The scenario with the proposal")->required()->type_name("NAME");
+    command->add_option(flags::to, options->to, "The scenario with the proposal")
+        ->required()
+        ->type_name("NAME");
     command
         ->add_option("--length-factor", options->settings.lengthFactor,
                      "Longest shadow per metre of height (default: by the lowest sun; New York takes 4.3)")

@@ -12,6 +12,7 @@
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/period_options.h"
 #include "app/cli/options/project_question.h"
+#include "core/describe/command_flags.h"
 #include "core/engines/auto_engine.h"
 #include "core/study/place_study.h"
 #include "core/study/text/timeline_text.h"
@@ -193,10 +194,10 @@ void addTimelineCommand(CLI::App& app, Run& run) {
         ->allow_extra_args(false)
         ->required()
         ->type_name("NAME");
-    command->add_option("--from", options->from, "The baseline: the scenario to compare with")
+    command->add_option(flags::from, options->from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->add_option("--to", options->to, "The scenario to measure (default: the baseline alone)")
+    command->add_option(flags::to, options->to, "The scenario to measure (default: the baseline alone)")
         ->type_name("NAME");
     const std::vector<CLI::Option*> before = command->get_options();
     addPeriodOptions(*command, options->period);

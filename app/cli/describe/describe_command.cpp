@@ -8,6 +8,7 @@
 #include "app/input/build_facts.h"
 #include "app/input/window_arguments.h"
 #include "core/base/version.h"
+#include "core/describe/command_flags.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/io/files/write_text.h"
 #include "core/review/library/rule_library.h"
@@ -102,7 +103,7 @@ void addDescribeCommand(CLI::App& app, Run& run) {
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish", "help"}))
         ->type_name("FORMAT");
     command
-        ->add_option("--out", options->out,
+        ->add_option(flags::out, options->out,
                      "Existing folder for the files, which are replaced (default: print)")
         ->type_name("DIR");
     command->callback([options, &app, &run] {

@@ -5,6 +5,7 @@
 #include "app/cli/options/project_question.h"
 #include "app/cli/options/study_options.h"
 #include "app/input/output_rules.h"
+#include "core/describe/command_flags.h"
 
 namespace noonmark::cli {
 
@@ -21,7 +22,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
     addNamedPeriod(command, before, options.periodName);
     addCellOptions(command, options.settings);
     addEngineOptions(command, options.settings);
-    command.add_option("--out", options.out, "Folder for GeoTIFF, picture, PDF page, CSV and JSON")
+    command.add_option(flags::out, options.out, "Folder for GeoTIFF, picture, PDF page, CSV and JSON")
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);

@@ -7,6 +7,7 @@
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/project_question.h"
+#include "core/describe/command_flags.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/study_fields.h"
 
@@ -60,7 +61,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
     options.read.filesHelp += ", or one project: NAME.noonmark.gpkg";
     addReadOptions(command, options.read);
     command
-        .add_option("--scenario", options.scenario,
+        .add_option(flags::scenario, options.scenario,
                     "Scenario of the project to measure (default: the existing city)")
         ->type_name("NAME");
     const std::vector<CLI::Option*> before = command.get_options();
@@ -79,7 +80,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
     addPlacesOption(command, options, choice);
     addEngineOptions(command, settings);
     addErrorOptions(command, settings.errorSample);
-    command.add_option("--out", options.out, "Folder for the maps, the report and study.json")
+    command.add_option(flags::out, options.out, "Folder for the maps, the report and study.json")
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/describe/command_flags.h"
 #include "scenarios/edits/building_ids.h"
 
 namespace noonmark::cli {
@@ -31,7 +32,7 @@ Result<std::string> editOne(const BuildingsOptions& options, Project& project, c
 }  // namespace
 
 void addScenarioOption(CLI::App& command, EditOptions& options) {
-    command.add_option("--scenario", options.scenario, "The scenario to change")
+    command.add_option(flags::scenario, options.scenario, "The scenario to change")
         ->required()
         ->type_name("NAME");
 }

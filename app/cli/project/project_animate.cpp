@@ -15,6 +15,7 @@
 #include "app/cli/project/project_commands.h"
 #include "app/input/output_rules.h"
 #include "app/report/movie/shadow_movie.h"
+#include "core/describe/command_flags.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -86,13 +87,13 @@ int runAnimate(const AnimateOptions& options, const Console& console) {
 
 void addQuestion(CLI::App& command, AnimateOptions& options) {
     addProjectFile(command, options.file);
-    command.add_option("--from", options.from, "The baseline: the scenario to compare with")
+    command.add_option(flags::from, options.from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command.add_option("--to", options.to, "The scenario to show (default: the baseline alone)")
+    command.add_option(flags::to, options.to, "The scenario to show (default: the baseline alone)")
         ->type_name("NAME");
     CLI::Option* day = addDrawnTimeOptions(command, options.when);
-    CLI::Option* year = command.add_option("--year", options.year, "All days of a year, at --times")
+    CLI::Option* year = command.add_option(flags::year, options.year, "All days of a year, at --times")
                             ->check(within(1901, 2099));
     year->type_name("YEAR")->excludes(day);
     command.add_flag("--swipe", options.swipe,
@@ -114,7 +115,7 @@ void addPicture(CLI::App& command, AnimateOptions& options) {
         ->capture_default_str()
         ->check(within(0.5, 60))
         ->type_name("N");
-    command.add_option("--out", options.out, "The file to write: .mp4 or .gif")
+    command.add_option(flags::out, options.out, "The file to write: .mp4 or .gif")
         ->required()
         ->type_name("FILE");
     addOverwriteOption(command, options.overwrite);

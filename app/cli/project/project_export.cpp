@@ -5,6 +5,7 @@
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/project/project_commands.h"
 #include "app/input/output_rules.h"
+#include "core/describe/command_flags.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -36,10 +37,10 @@ void addProjectExport(CLI::App& project, Run& run) {
     const auto options = std::make_shared<ExportOptions>();
     CLI::App* command = project.add_subcommand("export", "Write the city of a scenario as a GeoPackage");
     addProjectFile(*command, options->file);
-    command->add_option("--scenario", options->scenario, "The scenario to write")
+    command->add_option(flags::scenario, options->scenario, "The scenario to write")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
+    command->add_option(flags::out, options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
     command->add_flag("--json", options->json, "Report what was written as JSON");
     command->callback([options, &run] {

@@ -6,6 +6,7 @@
 #include "app/cli/base/interrupt.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
+#include "core/describe/command_flags.h"
 #include "core/io/footprints/read_parcels.h"
 #include "core/io/formats/format.h"
 #include "core/io/read_region.h"
@@ -153,7 +154,7 @@ void addAdd(CLI::App& group, Run& run) {
     CLI::Option* of = where->add_option("--of", options->building, "A building whose outline becomes the lot")
                           ->type_name("BUILDING");
     where->require_option(1);
-    command->add_option("--scenario", options->scenario, "The scenario of the building")
+    command->add_option(flags::scenario, options->scenario, "The scenario of the building")
         ->default_val(existingCity)
         ->needs(of)
         ->type_name("NAME");

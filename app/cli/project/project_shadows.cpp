@@ -16,6 +16,7 @@
 #include "app/cli/project/project_commands.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/shadow_files.h"
+#include "core/describe/command_flags.h"
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/place_run.h"
 #include "core/study/shadow_drawings.h"
@@ -166,10 +167,10 @@ int runShadows(const ShadowOptions& options, const Console& console) {
 
 void addQuestion(CLI::App& command, ShadowOptions& options) {
     addProjectFile(command, options.file);
-    command.add_option("--from", options.from, "The baseline: the scenario to compare with")
+    command.add_option(flags::from, options.from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command.add_option("--to", options.to, "The scenario to draw (default: the baseline alone)")
+    command.add_option(flags::to, options.to, "The scenario to draw (default: the baseline alone)")
         ->type_name("NAME");
     addDrawnTimeOptions(command, options.when)->required();
     command
@@ -198,7 +199,7 @@ void addOutputs(CLI::App& command, ShadowOptions& options) {
         ->capture_default_str()
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
-    command.add_option("--out", options.out, "Folder for the files")->required()->type_name("DIR");
+    command.add_option(flags::out, options.out, "Folder for the files")->required()->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--json", options.json, "Print only JSON to standard output");
 }

@@ -17,6 +17,7 @@
 #include "app/cli/review/review_source.h"
 #include "app/report/files/review_files.h"
 #include "core/base/progress_share.h"
+#include "core/describe/command_flags.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
@@ -181,7 +182,7 @@ Result<std::vector<std::filesystem::path>> writeFiles(const ReviewAnswer& answer
 Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
     const bool isOfWindows = rule.receivers.surface == RuleSurface::windows;
     if (options.windows.asked() && !options.places.empty())
-        return failure("Places and windows are not reviewed together", "--places",
+        return failure("Places and windows are not reviewed together", flags::places,
                        "Omit --places, or --windows and --facades-of");
     if (isOfWindows && !options.windows.asked())
         return failure("The rule is about windows", rule.key,
@@ -225,18 +226,18 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
 void addQuestion(CLI::App& command, ReviewRunOptions& options) {
     options.read.filesHelp = "The project; of rules about windows also city files, as of `study`";
     addReadOptions(command, options.read);
-    command.add_option("--rule", options.rule, "Key of the rule (`review list`)")
+    command.add_option(flags::rule, options.rule, "Key of the rule (`review list`)")
         ->required()
         ->type_name("KEY");
-    command.add_option("--from", options.from, "The baseline: the scenario to compare with")
+    command.add_option(flags::from, options.from, "The baseline: the scenario to compare with")
         ->default_str(existingCity)
         ->type_name("NAME");
     command
-        .add_option("--to", options.to,
+        .add_option(flags::to, options.to,
                     "The scenario to review; needed for a project. City files have the existing city alone")
         ->type_name("NAME");
     command
-        .add_option("--places", options.places,
+        .add_option(flags::places, options.places,
                     "Places of the project by name, or all; of rules about parcels: its lots. Rules about "
                     "windows take --windows or --facades-of instead")
         ->type_name("all|NAME...");
@@ -247,7 +248,7 @@ void addQuestion(CLI::App& command, ReviewRunOptions& options) {
 
 void addSettings(CLI::App& command, ReviewRunOptions& options) {
     command
-        .add_option("--year", options.settings.year,
+        .add_option(flags::year, options.settings.year,
                     "Year of the days (default: that of the first period, or 2026)")
         ->check(within(1901, 2099))
         ->type_name("YEAR");
@@ -262,7 +263,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
     addRuleChoices(command, options.rules);
     command
         .add_option(
-            "--out", options.out,
+            flags::out, options.out,
             "Folder for review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg; of windows "
             "review.json, windows.csv, windows.gpkg and sheets.pdf")
         ->required()

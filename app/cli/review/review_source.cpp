@@ -4,6 +4,7 @@
 #include "app/cli/options/project_question.h"
 #include "app/cli/study/load_city.h"
 #include "app/input/project_of.h"
+#include "core/describe/command_flags.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
@@ -13,7 +14,7 @@ namespace {
 Result<ReviewSource> openScenarios(const ReviewRunOptions& options, const Console& console) {
     if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
     if (options.to.empty())
-        return failure("The scenario to review is missing", "--to", "Give --to NAME, a scenario");
+        return failure("The scenario to review is missing", flags::to, "Give --to NAME, a scenario");
     return openProject(options.read.files.front(), console).map([](ProjectFile disk) {
         return ReviewSource{disk.project(), std::move(disk), std::nullopt};
     });

@@ -9,6 +9,7 @@
 #include "app/cli/options/place_options.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
+#include "core/describe/command_flags.h"
 #include "core/study/remaining_time.h"
 #include "core/study/tile_tasks/merge/merge_timelines.h"
 
@@ -113,10 +114,11 @@ void addMergeTiles(CLI::App& tiles, Run& run) {
     command->add_option("folder", options->folder, "Folder of the plan; files go into its folder merged")
         ->required()
         ->type_name("DIR");
-    command->add_option("--places", options->places, "Polygon layer whose places get statistics (places.csv)")
+    command
+        ->add_option(flags::places, options->places, "Polygon layer whose places get statistics (places.csv)")
         ->type_name("FILE");
     addPlaceOptions(*command, options->place);
-    command->add_flag("--partial", options->partial, "Merge what is done, even if tiles are missing");
+    command->add_flag(flags::partial, options->partial, "Merge what is done, even if tiles are missing");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runMerge(*options, console); }; });
 }

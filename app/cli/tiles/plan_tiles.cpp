@@ -16,6 +16,7 @@
 #include "app/input/load_city.h"
 #include "app/input/output_rules.h"
 #include "app/report/files/output_folder.h"
+#include "core/describe/command_flags.h"
 #include "core/io/formats/format.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/plan/pack_tasks.h"
@@ -169,8 +170,8 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
     const auto options = std::make_shared<PlanOptions>();
     CLI::App* command = tiles.add_subcommand("plan", "Plan the tiles and tasks of a study");
     addTileStudyOptions(*command, options->question);
-    command->get_option("--out")->description("Folder for plan.json, tiles.gpkg and the tiles");
-    command->add_option("--tile", options->tileCells, "Cells per side of a tile")
+    command->get_option(flags::out)->description("Folder for plan.json, tiles.gpkg and the tiles");
+    command->add_option(flags::tile, options->tileCells, "Cells per side of a tile")
         ->capture_default_str()
         ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))
         ->type_name("CELLS");
@@ -192,8 +193,9 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
         ->type_name("KM");
     command->add_flag("--built-up", options->builtUpOnly, "Leave out tiles without a building");
     command->callback([options, command, &run] {
-        auto words = listArguments(*command, {"--out", "--overwrite", "--json", "--tile", "--task-seconds",
-                                              "--task-memory", "--district", "--built-up", "--timelines"});
+        auto words =
+            listArguments(*command, {flags::out, flags::overwrite, "--json", flags::tile, "--task-seconds",
+                                     "--task-memory", "--district", "--built-up", "--timelines"});
         if (std::string& timelines = options->question.timelines; !timelines.empty()) {
             timelines = absolutePath(timelines);
             words.push_back("--timelines=" + timelines);

@@ -1,4 +1,5 @@
 #include "app/cli/tiles/study_arguments.h"
+#include "core/describe/command_flags.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
         command
             .add_option("--baseline", options.baseline,
                         "Measure the impact of the project's --scenario: the scenario to compare it with")
-            ->needs(command.get_option("--scenario"))
+            ->needs(command.get_option(flags::scenario))
             ->type_name("NAME");
     CLI::Option* weights = command
                                .add_option("--weights", options.weights,

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "core/describe/command_flags.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/formats/format.h"
 
@@ -103,13 +104,17 @@ Result<void> checkReplaceable(const fs::path& file, OutputKind kind, const Outpu
         .and_then([&] { return checkKind(file, kind); });
 }
 
+std::string addOverwrite(const char* what, const char* other) {
+    return fmt::format("Add {} to replace {}, or name another {}", flags::overwrite, what, other);
+}
+
 Result<void> areThere(const fs::path& folder, const std::vector<std::string>& names) {
     if (names.size() == 1)
         return failure("There is a file of this name already", (folder / names.front()).string(),
-                       "Add --overwrite to replace it, or name another folder");
+                       addOverwrite("it", "folder"));
     return failure(
         fmt::format("{} and {} more of the files to write exist already", names.front(), names.size() - 1),
-        folder.string(), "Add --overwrite to replace them, or name another folder");
+        folder.string(), addOverwrite("them", "folder"));
 }
 
 }  // namespace
@@ -121,8 +126,7 @@ Result<void> checkOutput(const fs::path& file, OutputKind kind, const OutputRule
     if (auto free = checkNoJournal(file, kind); !free) return free;
     if (!*there) return checkNoInputFolder(file, rules.inputs);
     if (auto may = checkReplaceable(file, kind, rules); !may || rules.overwrite) return may;
-    return failure("There is a file of this name already", file.string(),
-                   "Add --overwrite to replace it, or name another file");
+    return failure("There is a file of this name already", file.string(), addOverwrite("it", "file"));
 }
 
 Result<void> checkOutputs(const fs::path& folder, const std::vector<std::string>& names,

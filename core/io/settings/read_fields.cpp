@@ -1,9 +1,9 @@
 #include "core/io/settings/read_fields.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/describe/command_options.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -223,9 +223,7 @@ const Fields<ReadSettings>& readSettingsFields() {
 }
 
 std::string readOption(std::string_view key, std::string_view value) {
-    const auto rows = readSettingsFields().rows();
-    const auto row = std::ranges::find(rows, key, &Field::key);
-    std::string option(row == rows.end() ? key : row->flag);
+    std::string option(flagOf(readSettingsFields().rows(), key));
     if (!value.empty()) option.append(" ").append(value);
     return option;
 }

@@ -7,7 +7,9 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
+#include "core/describe/command_options.h"
 #include "core/study/elements/element_sample.h"
+#include "core/study/study_fields.h"
 
 namespace noonmark {
 
@@ -30,7 +32,8 @@ Result<void> chooseEngine(ElementStudy& study) {
         return unsupported(fmt::format("The engine '{}' does not measure points", engine), "engine",
                            "Choose one of: auto, horizon, ray");
     if (!study.settings.engineSettings.empty())
-        return unsupported("Engines have no options for points", "engine", "Omit --option");
+        return unsupported("Engines have no options for points", "engine",
+                           fmt::format("Omit {}", flagOf(engineFields().rows(), "options")));
     study.engineKey = engine == referenceEngine ? std::string(referenceEngine) : "horizon";
     return {};
 }

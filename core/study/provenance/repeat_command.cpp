@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "core/describe/command_flags.h"
 #include "core/io/formats/format.h"
 #include "core/io/settings/read_fields.h"
 #include "core/study/provenance/city_files_command.h"
@@ -81,7 +82,7 @@ void addSource(CommandWords& line, const RepeatQuestion& question) {
     const Provenance& provenance = question.provenance;
     if (namesProject(provenance)) {
         line.file(provenance.project->file);
-        if (!provenance.project->baseline) line.option("--scenario", provenance.project->scenario.name);
+        if (!provenance.project->baseline) line.option(flags::scenario, provenance.project->scenario.name);
         return;
     }
     addCityFiles(line, provenance);
@@ -110,7 +111,7 @@ Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_
     CommandWords line("noonmark-cli " + question.command);
     addSource(line, question);
     addSettings(line, question);
-    line.option("--out", "repeated");
+    line.option(flags::out, "repeated");
     return line.wrapped(width);
 }
 

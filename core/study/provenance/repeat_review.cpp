@@ -1,4 +1,7 @@
 #include "core/study/provenance/repeat_review.h"
+#include "core/describe/command_flags.h"
+#include "core/study/study_fields.h"
+#include "core/sun/period_fields.h"
 
 #include <fmt/format.h>
 
@@ -19,10 +22,10 @@ std::vector<std::string> namesOf(const std::vector<PlaceReview>& reviews) {
 }  // namespace
 
 void addRule(CommandWords& line, const Rule& rule) {
-    line.option("--rule", rule.key);
+    line.option(flags::rule, rule.key);
     for (const auto& [choice, option] : rule.chosen)
-        line.option("--choose", fmt::format("{}={}", choice, option));
-    if (!rule.file.empty()) line.option("--rules", ".");
+        line.option(flags::choose, fmt::format("{}={}", choice, option));
+    if (!rule.file.empty()) line.option(flags::rules, ".");
 }
 
 Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabels& labels,
@@ -36,14 +39,15 @@ Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabe
     CommandWords line("noonmark-cli review run");
     line.file(project->file);
     addRule(line, study.rule);
-    line.option("--from", labels.from);
-    line.option("--to", labels.to);
-    line.option({"--places", labels.places.empty() ? namesOf(study.places) : labels.places});
-    line.option("--year", fmt::to_string(study.year));
-    line.option("--zone", study.settings.zone);
-    line.option("--cell", fmt::format("{}", study.settings.cellM));
+    line.option(flags::from, labels.from);
+    line.option(flags::to, labels.to);
+    line.option({flags::places, labels.places.empty() ? namesOf(study.places) : labels.places});
+    line.option(flags::year, fmt::to_string(study.year));
+    line.option({std::string(flagOf(periodFields().rows(), "zone")), {study.settings.zone}});
+    line.option(
+        {std::string(flagOf(cellFields().rows(), "cell_m")), {fmt::format("{}", study.settings.cellM)}});
     for (const CommandOption& option : labels.sheets) line.option(option);
-    line.option("--out", "repeated");
+    line.option(flags::out, "repeated");
     return line.wrapped(width);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/describe/command_flags.h"
 #include "core/io/files/plain_file.h"
 
 namespace noonmark {
@@ -45,8 +46,8 @@ Result<TaskStatus> findMergeable(const std::filesystem::path& folder, const Task
     return failure(
         fmt::format("{} of {} tiles are missing", status->allTiles - status->doneTiles, status->allTiles),
         folder.string(),
-        "Run the tasks " + formatRanges(status->unfinishedTasks) +
-            " again, or merge what there is with --partial");
+        "Run the tasks " + formatRanges(status->unfinishedTasks) + " again, or merge what there is with " +
+            flags::partial);
 }
 
 std::string formatRanges(const std::vector<std::size_t>& numbers) {

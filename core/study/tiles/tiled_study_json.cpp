@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "core/describe/command_flags.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/months_json.h"
@@ -20,7 +21,7 @@ std::string tiledStudyJson(const TiledStudy& tiled) {
                      {"by_engine", tiled.tilesByEngine}};
     std::vector<CommandOption> tiles;
     if (tiled.plan.side != TiledStudySettings::usualTileCells)
-        tiles.push_back({"--tile", {std::to_string(tiled.plan.side)}});
+        tiles.push_back({flags::tile, {std::to_string(tiled.plan.side)}});
     addRepeat(json,
               makeRepeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));
     return toJsonText(json);

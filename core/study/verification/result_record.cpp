@@ -6,7 +6,9 @@
 #include <array>
 #include <string_view>
 
+#include "core/describe/command_flags.h"
 #include "core/study/provenance/command_words.h"
+#include "core/sun/period_fields.h"
 
 namespace noonmark {
 
@@ -51,14 +53,15 @@ bool leavesFolder(const std::string& word) {
 
 // "sunrise+1h..sunset-1h" is no path.
 bool isWindow(const std::string& word) {
-    return (word.starts_with("sunrise") || word.starts_with("--window=")) &&
+    return (word.starts_with("sunrise") ||
+            word.starts_with(std::string(flagOf(periodFields().rows(), "window")) + "=")) &&
            word.find_first_of("/\\") == word.npos;
 }
 
 // Into the project, which is the user's own file and no copy.
 bool saves(const std::string& word) {
     const std::string name = word.substr(0, word.find('='));
-    return name == "--save" || name == "--keep" || name == "--overwrite";
+    return name == flags::save || name == flags::keep || name == flags::overwrite;
 }
 
 Result<void> checkCommand(const std::vector<std::string>& words, const std::string& where) {
@@ -69,8 +72,8 @@ Result<void> checkCommand(const std::vector<std::string>& words, const std::stri
     if (words.size() < 2 || words[0] != "noonmark-cli" ||
         std::ranges::find(knownCommands, words[1]) == knownCommands.end())
         return refuse("it is not a study, an impact, a score or a review");
-    const auto out = std::ranges::find(words, std::string("--out"));
-    if (std::ranges::count_if(words, [](const auto& word) { return word.starts_with("--out"); }) != 1 ||
+    const auto out = std::ranges::find(words, std::string(flags::out));
+    if (std::ranges::count_if(words, [](const auto& word) { return word.starts_with(flags::out); }) != 1 ||
         out == words.end() || std::next(out) == words.end() || *std::next(out) != "repeated")
         return refuse("it does not write into the folder 'repeated'");
     for (const std::string& word : words)

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/stopwatch.h"
+#include "core/describe/command_flags.h"
 #include "core/engines/points/sky_factors.h"
 #include "core/measures/place_run.h"
 #include "core/review/windows/window_points.h"
@@ -218,7 +219,7 @@ Result<std::unique_ptr<const WindowScene>> prepareWindowScene(const Rule& rule, 
                                                               const std::stop_token& stop) {
     if (rule.receivers.surface != RuleSurface::windows)
         return unsupported("The rule is about places, not about windows", rule.key,
-                           "Give places of the project (--places) to review");
+                           fmt::format("Give places of the project ({}) to review", flags::places));
     const Stopwatch watch;
     auto days = computeRuleSun(rule, {observerOfPlaces(scenario), settings.zone, settings.year}, stop);
     if (!days) return tl::make_unexpected(days.error());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/version.h"
+#include "core/describe/command_flags.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
 #include "core/study/elements/element_fields.h"
@@ -16,6 +17,7 @@
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/criterion_json.h"
 #include "core/study/text/warnings_json.h"
+#include "core/sun/period_fields.h"
 
 namespace noonmark {
 
@@ -236,12 +238,12 @@ Result<std::string> makeRepeatCommand(const WindowStudy& study, const ReviewLabe
     else
         line.file(provenance.project->file);
     addRule(line, study.rule);
-    if (!ofFiles) line.option("--from", labels.from);
-    if (!ofFiles) line.option("--to", labels.to);
-    line.option("--year", fmt::to_string(study.year));
-    line.option("--zone", study.settings.zone);
+    if (!ofFiles) line.option(flags::from, labels.from);
+    if (!ofFiles) line.option(flags::to, labels.to);
+    line.option(flags::year, fmt::to_string(study.year));
+    line.option({std::string(flagOf(periodFields().rows(), "zone")), {study.settings.zone}});
     for (const CommandOption& option : labels.sheets) line.option(option);
-    line.option("--out", "repeated");
+    line.option(flags::out, "repeated");
     return line.wrapped(width);
 }
 

@@ -105,7 +105,7 @@ TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
     study.provenance.inputs = {{"it's.gpkg", 10, "ab"},
                                {"-x.shp", 10, "ab"},
                                {"-x.dbf", 10, "ab"},
-                               {"-x.tfw", 10, "ab"},
+                               {"-x.shx", 10, "ab"},
                                {"sample:grid", 0, ""}};
     study.settings.region = {"triangle", {{{{0, 0}, {100, 0}, {100, 100}}, {}}}};
     study.settings.period.window = SolarWindow{90min, 30min};

@@ -180,5 +180,47 @@ TEST(QuestionHash, OfAnEarlierVersionKnowsHoursOfTheSunRoofsAndOptions) {
               "5e2ac146beb833e9d4a45798e3e50d7f8610525546a6bce06f46178bdd55ad12");
 }
 
+TEST(SettingsFields, FacadesAndPointsOfACommandLineAreReadBackAsTheyAreStated) {
+    ElementSettings facades{.places = ElementPlaces::facades, .proposed = true};
+    const auto& words = facadesOfFields();
+    ASSERT_EQ(listOptions(words.of(std::as_const(facades))),
+              (std::vector<CommandOption>{{"--facades-of", {"proposed"}}}));
+    const Field& row = words.rows().front();
+    ASSERT_TRUE(words.of(facades).set(row, std::vector<std::string>{"A", "B"}));
+    EXPECT_FALSE(facades.proposed);
+    EXPECT_EQ(facades.buildings, (std::vector<std::string>{"A", "B"}));
+    ASSERT_TRUE(words.of(facades).set(row, std::vector{std::string(allFacades)}));
+    EXPECT_TRUE(facades.buildings.empty());
+
+    ElementSettings points{.places = ElementPlaces::points};
+    const std::vector<std::string> stated{"-73.98,40.75,1.5", "-73.97,40.76"};
+    ASSERT_TRUE(pointFields().of(points).set(pointFields().rows().front(), stated));
+    const auto options = listOptions(pointFields().of(std::as_const(points)));
+    ASSERT_EQ(options.size(), 2);
+    EXPECT_EQ(options[0].name, "--point");
+    ElementSettings again{.places = ElementPlaces::points};
+    ASSERT_TRUE(pointFields().of(again).set(pointFields().rows().front(),
+                                            std::vector{options[0].values[0], options[1].values[0]}));
+    EXPECT_EQ(again.points, points.points);
+    EXPECT_FALSE(pointFields().of(again).set(pointFields().rows().front(), std::vector<std::string>{"1"}));
+}
+
+TEST(SettingsFields, AFlagMayDifferOnACommand) {
+    Period period;
+    period.from = std::chrono::minutes(14 * 60);
+    const auto options = listOptions(periodFields().of(std::as_const(period)), periodFlagsBesideScenarios());
+    EXPECT_TRUE(std::ranges::any_of(options, [](const auto& option) { return option.name == "--at"; }));
+    EXPECT_FALSE(hasFlag(periodFields().rows(), "--at"));
+    EXPECT_EQ(flagOf(periodFields().rows(), "step_min"), "--step");
+}
+
+TEST(SettingsFields, MessagesNameOptionsThatExist) {
+    EXPECT_EQ(readOption("stand", "absolute"), "--stand absolute");
+    for (const char* key :
+         {"layer", "height_unit", "mesh_anchor", "mesh_north_deg", "up", "terrain_shows",
+          "heights_from_surface", "levels_field", "height_field", "terrain_from_bases", "crs"})
+        EXPECT_TRUE(readOption(key).starts_with("--")) << key;
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/progress_share.h"
+#include "core/describe/command_flags.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/blank_field.h"
 #include "core/io/files/pending_file.h"
@@ -135,7 +136,7 @@ private:
         }
         if (!places_.empty()) return {};
         return failure("Places get statistics of shadow, and these tiles have none", merge_.places->string(),
-                       "Leave --places out");
+                       fmt::format("Leave {} out", flags::places));
     }
 
     void addFigures(const std::map<std::string, double>& figures) {
