@@ -12,15 +12,54 @@
 
 namespace noonmark {
 
+/// What people read a number in. Areas are written in the units in use, all others as they are.
+enum class FigureUnit {
+    none,
+    squareMetres,
+    squareMetreHours,
+    minutes,
+    minutesADay,
+    hours,      ///< held in minutes
+    hoursADay,  ///< held in minutes a day
+    percent,
+};
+
+/// What a figure is to those who read it.
+enum class FigureUse {
+    result,
+    basis,  ///< what the results refer to: stands after them
+    file,   ///< in files only
+};
+
+/// How the figures of pieces become that of the whole.
+enum class Together {
+    sum,
+    mean,  ///< weighted by what the pieces count
+    max,
+};
+
+/// What a figure is a part of; its share is shown, too.
+enum class Whole { none, area, sunlitTime };
+
 /// What is written down about one number of a result: JSON, CSV, tables, sheets and the GUI take key, label
 /// and definition from here. Texts are in English and marked by NM_TEXT.
 struct FigureFacts {
     std::string_view key;              ///< of JSON and CSV, with its unit: "shadow_area_m2"
     std::string_view label = {};       ///< "Shadow area"
     std::string_view definition = {};  ///< begins in lower case and ends without a full stop
-    int decimals = 1;                  ///< in CSV and tables
+    int decimals = 1;                  ///< in CSV
     /// In saved results of versions that did not state it; none: it was always stated.
     std::optional<double> whenMissing = {};
+    FigureUnit unit = FigureUnit::none;
+    FigureUse use = FigureUse::result;
+    Whole whole = Whole::none;
+    int shownDecimals = 1;  ///< to people; areas are shown without
+    Together together = Together::sum;
+    bool isChange = false;      ///< shown with its sign
+    bool whenPositive = false;  ///< shown only then
+    bool byThreshold = false;   ///< counts what is over a threshold
+    bool compared = false;      ///< a column where scenarios stand side by side
+    bool inFiles = true;        ///< false: only people read it; it follows from others
 };
 
 /// A row of a table of figures. NaN stands for what was not counted. Its functions take the struct that the
@@ -47,6 +86,15 @@ Figure figure(M R::*member, FigureFacts facts) {
     return row;
 }
 
+/// The row of what follows from other members; it is not read back.
+template <class R>
+Figure derivedFigure(double (*get)(const R&), FigureFacts facts) {
+    Figure row{facts};
+    row.get = [get](const void* object) { return get(*static_cast<const R*>(object)); };
+    row.set = [](void*, double) {};
+    return row;
+}
+
 /// The figures of R, in the order in which surfaces state them. Keys are unique.
 template <class R>
 class Figures {
@@ -59,6 +107,10 @@ public:
 private:
     std::vector<Figure> rows_;
 };
+
+/// Adds the figures of a piece to those of the pieces before it. The weights are those of Together::mean.
+void addPiece(std::span<const Figure> figures, void* whole, double wholeWeight, const void* piece,
+              double pieceWeight);
 
 /// The row with this key, which must be in the table.
 const Figure& findFigure(std::span<const Figure> figures, std::string_view key);

@@ -1,14 +1,142 @@
 #include "core/describe/figure_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 
 #include "core/base/json_number.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr double minutesOfHour = 60;
+
+bool isTime(FigureUnit unit) {
+    return unit == FigureUnit::minutes || unit == FigureUnit::minutesADay || unit == FigureUnit::hours ||
+           unit == FigureUnit::hoursADay;
+}
+
+double computeShare(const Figure& figure, double value, const FigureContext& context) {
+    const double whole = figure.whole == Whole::area         ? context.areaM2
+                         : figure.whole == Whole::sunlitTime ? context.sunlitMin
+                                                             : 0;
+    return whole > 0 ? 100 * value / whole : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string trimmed(std::string number) {
+    if (number.find('.') == std::string::npos) return number;
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.')) number.pop_back();
+    return number;
+}
+
+std::string amountOf(const FigureLine& line, UnitSystem units) {
+    const FigureUnit unit = line.figure->unit;
+    if (unit == FigureUnit::squareMetres) return formatSmallArea(line.value, units);
+    if (unit == FigureUnit::squareMetreHours) return formatAreaHours(line.value, units);
+    const bool inHours = unit == FigureUnit::hours || unit == FigureUnit::hoursADay;
+    const double amount = inHours ? line.value / minutesOfHour : line.value;
+    const int decimals = line.figure->isCount ? 0 : line.figure->shownDecimals;
+    return trimmed(formatNumber(amount, decimals)) + std::string(unitText(unit));
+}
+
+}  // namespace
+
+std::string_view unitText(FigureUnit unit) {
+    switch (unit) {
+        case FigureUnit::minutes:
+            return NM_TEXT(" min");
+        case FigureUnit::minutesADay:
+            return NM_TEXT(" min a day");
+        case FigureUnit::hours:
+            return NM_TEXT(" h");
+        case FigureUnit::hoursADay:
+            return NM_TEXT(" h a day");
+        case FigureUnit::percent:
+            return NM_TEXT(" %");
+        default:
+            return {};
+    }
+}
+
+std::vector<FigureLine> listLines(const DescribedFigures& figures, FigureUse use,
+                                  const FigureContext& context) {
+    std::vector<FigureLine> lines;
+    for (const Figure& figure : figures.figures) {
+        const double value = figures.get(figure);
+        if (figure.use != use || (context.isInstant && isTime(figure.unit)) ||
+            (figure.whenPositive && !(value > 0)))
+            continue;
+        lines.push_back({&figure, value, computeShare(figure, value, context)});
+    }
+    return lines;
+}
+
+std::vector<FigureLine> listLines(const DescribedFigures& figures, const FigureContext& context) {
+    std::vector<FigureLine> lines = listLines(figures, FigureUse::result, context);
+    std::ranges::copy(listLines(figures, FigureUse::basis, context), std::back_inserter(lines));
+    return lines;
+}
+
+std::string labelOf(const FigureLine& line) {
+    if (line.measure.empty()) return std::string(line.figure->label);
+    const std::string over =
+        line.thresholdMin ? fmt::format(" > {} min", trimmed(formatNumber(*line.thresholdMin, 2))) : "";
+    return fmt::format("{}{}: {}", line.measure, over, lowered(line.figure->label));
+}
+
+std::string valueOf(const FigureLine& line, UnitSystem units) {
+    if (std::isnan(line.value)) return NM_TEXT("not counted");
+    const std::string share = std::isnan(line.sharePct)
+                                  ? std::string()
+                                  : fmt::format(" ({} %)", trimmed(formatNumber(line.sharePct, 1)));
+    const bool plus = line.figure->isChange && line.value > 0;
+    return fmt::format("{}{}{}", plus ? "+" : "", amountOf(line, units), share);
+}
+
+std::string joinLines(const std::vector<FigureLine>& lines) {
+    std::string text;
+    for (const FigureLine& line : lines)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", lowered(line.figure->label), valueOf(line));
+    return text;
+}
+
+std::string definitionsOf(const std::vector<FigureLine>& lines) {
+    std::string text;
+    std::set<const Figure*> defined;
+    for (const FigureLine& line : lines)
+        if (!line.figure->definition.empty() && defined.insert(line.figure).second)
+            text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", line.figure->label,
+                                line.figure->definition);
+    return text;
+}
+
+std::string lowered(std::string_view label) {
+    std::string text(label);
+    if (!text.empty()) text[0] = char(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+void addPiece(std::span<const Figure> figures, void* whole, double wholeWeight, const void* piece,
+              double pieceWeight) {
+    const double weight = wholeWeight + pieceWeight;
+    for (const Figure& figure : figures) {
+        const double a = figure.get(whole), b = figure.get(piece);
+        if (figure.together == Together::sum) figure.set(whole, a + b);
+        if (figure.together == Together::max) figure.set(whole, std::max(a, b));
+        if (figure.together == Together::mean)
+            figure.set(whole, weight > 0 ? (a * wholeWeight + b * pieceWeight) / weight : 0);
+    }
+}
 
 const Figure& findFigure(std::span<const Figure> figures, std::string_view key) {
     return *std::ranges::find(figures, key, &Figure::key);
@@ -17,6 +145,7 @@ const Figure& findFigure(std::span<const Figure> figures, std::string_view key) 
 Json figuresJson(const DescribedFigures& figures) {
     Json json = Json::object();
     for (const Figure& figure : figures.figures) {
+        if (!figure.inFiles) continue;
         const double value = figures.get(figure);
         json[std::string(figure.key)] = figure.isCount ? Json(std::uint64_t(value)) : Json(value);
     }
@@ -26,7 +155,7 @@ Json figuresJson(const DescribedFigures& figures) {
 Json definitionsJson(std::span<const Figure> figures) {
     Json json = Json::object();
     for (const Figure& figure : figures)
-        if (!figure.definition.empty()) json[std::string(figure.key)] = figure.definition;
+        if (figure.inFiles && !figure.definition.empty()) json[std::string(figure.key)] = figure.definition;
     return json;
 }
 
@@ -39,12 +168,14 @@ double figures::readFigure(const Figure& figure, const Json& json) {
 
 std::vector<std::string> listColumns(std::span<const Figure> figures) {
     std::vector<std::string> columns;
-    for (const Figure& figure : figures) columns.emplace_back(figure.key);
+    for (const Figure& figure : figures)
+        if (figure.inFiles) columns.emplace_back(figure.key);
     return columns;
 }
 
 void addFigures(CsvText& csv, const DescribedFigures& figures) {
     for (const Figure& figure : figures.figures) {
+        if (!figure.inFiles) continue;
         const double value = figures.get(figure);
         if (figure.isCount)
             csv.whole(std::uint64_t(value));

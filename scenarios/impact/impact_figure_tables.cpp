@@ -1,5 +1,6 @@
 #include "scenarios/impact/impact_figure_tables.h"
 
+#include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 
 namespace noonmark {
@@ -8,30 +9,41 @@ const Figures<ChangeFigures>& changeFigures() {
     static const Figures<ChangeFigures> figures{
         figure(&ChangeFigures::gainedM2,
                {.key = "gained_m2",
-                .label = "More shadow",
-                .definition = "area where the minutes rose by more than the threshold"}),
+                .label = NM_TEXT("More shadow"),
+                .definition = NM_TEXT("area where the minutes rose by more than the threshold"),
+                .unit = FigureUnit::squareMetres,
+                .byThreshold = true}),
         figure(&ChangeFigures::lostM2,
                {.key = "lost_m2",
-                .label = "Less shadow",
-                .definition = "area where the minutes fell by more than the threshold"}),
+                .label = NM_TEXT("Less shadow"),
+                .definition = NM_TEXT("area where the minutes fell by more than the threshold"),
+                .unit = FigureUnit::squareMetres,
+                .byThreshold = true}),
         figure(&ChangeFigures::touchedM2, {.key = "touched_m2",
-                                           .label = "Any more shadow",
-                                           .definition = "area where the minutes rose at all"}),
+                                           .label = NM_TEXT("Any more shadow"),
+                                           .definition = NM_TEXT("area where the minutes rose at all"),
+                                           .unit = FigureUnit::squareMetres}),
         figure(&ChangeFigures::easedM2, {.key = "eased_m2",
-                                         .label = "Any less shadow",
-                                         .definition = "area where the minutes fell at all"}),
+                                         .label = NM_TEXT("Any less shadow"),
+                                         .definition = NM_TEXT("area where the minutes fell at all"),
+                                         .unit = FigureUnit::squareMetres}),
         figure(&ChangeFigures::meanMin, {.key = "mean_min",
-                                         .label = "Mean change",
-                                         .definition = "mean of the change over the receivers",
-                                         .decimals = 3}),
+                                         .label = NM_TEXT("Mean change"),
+                                         .definition = NM_TEXT("mean of the change over the receivers"),
+                                         .decimals = 3,
+                                         .unit = FigureUnit::minutesADay,
+                                         .shownDecimals = 2,
+                                         .isChange = true}),
         figure(&ChangeFigures::mostGainedMin, {.key = "most_gained_min",
-                                               .label = "Most new shadow",
-                                               .definition = "the largest increase of a receiver",
-                                               .decimals = 2}),
+                                               .label = NM_TEXT("Largest increase"),
+                                               .definition = NM_TEXT("the largest increase of a receiver"),
+                                               .decimals = 2,
+                                               .unit = FigureUnit::minutesADay}),
         figure(&ChangeFigures::mostLostMin, {.key = "most_lost_min",
-                                             .label = "Most shadow taken away",
-                                             .definition = "the largest decrease of a receiver",
-                                             .decimals = 2}),
+                                             .label = NM_TEXT("Largest decrease"),
+                                             .definition = NM_TEXT("the largest decrease of a receiver"),
+                                             .decimals = 2,
+                                             .unit = FigureUnit::minutesADay}),
     };
     return figures;
 }
@@ -40,23 +52,31 @@ const Figures<ImpactFigures>& impactFigures() {
     static const Figures<ImpactFigures> figures{
         figure(&ImpactFigures::thresholdMin,
                {.key = "threshold_min",
-                .label = "Threshold",
-                .definition = "change that counts: minutes a day of gross shadow, minutes of "
-                              "continuous shadow"}),
+                .label = NM_TEXT("Threshold"),
+                .definition = NM_TEXT("change that counts: minutes a day of gross shadow, minutes of "
+                                      "continuous shadow"),
+                .unit = FigureUnit::minutes,
+                .use = FigureUse::file}),
         figure(&ImpactFigures::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2")),
         figure(&ImpactFigures::shadowAreaChangeM2,
                {.key = "shadow_area_change_m2",
-                .label = "Change of the shadow area",
-                .definition = "change of the sum over the receivers of (share of the sunlit time in "
-                              "shadow x cell area)"}),
+                .label = NM_TEXT("Change of the shadow area"),
+                .definition = NM_TEXT("change of the sum over the receivers of (share of the sunlit time in "
+                                      "shadow x cell area)"),
+                .unit = FigureUnit::squareMetres,
+                .isChange = true}),
         figure(&ImpactFigures::becameBuildingM2,
                {.key = "became_building_m2",
-                .label = "Ground built over",
-                .definition = "open ground before, under a building after: no receiver"}),
+                .label = NM_TEXT("Built over"),
+                .definition = NM_TEXT("open ground before, under a building after: no receiver"),
+                .unit = FigureUnit::squareMetres,
+                .use = FigureUse::basis}),
         figure(&ImpactFigures::becameGroundM2,
                {.key = "became_ground_m2",
-                .label = "Ground opened",
-                .definition = "under a building before, open ground after: no receiver"}),
+                .label = NM_TEXT("Became ground"),
+                .definition = NM_TEXT("under a building before, open ground after: no receiver"),
+                .unit = FigureUnit::squareMetres,
+                .use = FigureUse::basis}),
     };
     return figures;
 }

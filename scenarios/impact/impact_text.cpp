@@ -2,16 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/describe/figure_text.h"
+#include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/error_json.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/impact/impact_figure_tables.h"
+#include "scenarios/impact/impact_runs.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -91,6 +96,45 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer) {
         figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
                                       computeFigures(building.impact, answer.thresholdsMin.front())});
     return figures;
+}
+
+namespace {
+
+void addChange(std::vector<FigureLine>& lines, std::string_view measure, const ChangeFigures& change,
+               std::optional<double> thresholdMin) {
+    const DescribedFigures figures = changeFigures().of(change);
+    for (const Figure& figure : figures.figures)
+        if (figure.byThreshold == thresholdMin.has_value())
+            lines.push_back({.figure = &figure,
+                             .value = figures.get(figure),
+                             .measure = measure,
+                             .thresholdMin = thresholdMin});
+}
+
+}  // namespace
+
+std::vector<FigureLine> listLines(const ComparisonFigures& figures) {
+    constexpr std::string_view gross = NM_TEXT("Gross"), continuous = NM_TEXT("Continuous");
+    const ImpactFigures& first = figures.all.front();
+    std::vector<FigureLine> lines = listLines(impactFigures().of(first), FigureUse::result);
+    for (const ImpactFigures& one : figures.all) addChange(lines, gross, one.gross, one.thresholdMin);
+    for (const ImpactFigures& one : figures.all)
+        if (hasRuns(one)) addChange(lines, continuous, one.continuous, one.thresholdMin);
+    if (!hasRuns(first))
+        lines.push_back({.figure = &findFigure(changeFigures().rows(), "mean_min"),
+                         .value = first.continuous.meanMin,
+                         .measure = continuous});
+    addChange(lines, gross, first.gross, std::nullopt);
+    std::ranges::copy(listLines(impactFigures().of(first), FigureUse::basis), std::back_inserter(lines));
+    if (figures.waterM2 > 0)
+        lines.push_back({&findFigure(shadowFigures().rows(), "water_m2"), figures.waterM2});
+    return lines;
+}
+
+std::vector<FigureLine> listThresholdLines(const ImpactFigures& figures) {
+    std::vector<FigureLine> lines;
+    addChange(lines, {}, figures.gross, figures.thresholdMin);
+    return lines;
 }
 
 Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width) {

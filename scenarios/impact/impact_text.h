@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "core/describe/figure_text.h"
 #include "scenarios/impact/impact_figures.h"
 
 namespace noonmark {
@@ -33,6 +33,12 @@ struct ComparisonFigures {
     double waterM2 = 0;  ///< of the region, left out
 };
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
+
+/// What people read of a comparison: the change of the shadow area, the change of gross and continuous shadow
+/// over each threshold, that of gross shadow in the whole, and what was compared.
+std::vector<FigureLine> listLines(const ComparisonFigures& figures);
+/// The areas of gross shadow over the threshold.
+std::vector<FigureLine> listThresholdLines(const ImpactFigures& figures);
 
 /// One entry of `impact` in impact.json.
 nlohmann::ordered_json figuresJson(const ImpactFigures& figures);

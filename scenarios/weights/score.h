@@ -52,8 +52,12 @@ struct Score {
 struct ScoreTotals {
     double scoreM2 = 0;
     double weightedShadeM2h = 0;  ///< NaN: not counted
+    double receiverAreaM2 = 0;
+    double waterM2 = 0;
 };
-inline ScoreTotals totalsOf(const Score& score) { return {score.scoreM2, score.weightedShadeM2h}; }
+inline ScoreTotals totalsOf(const Score& score) {
+    return {score.scoreM2, score.weightedShadeM2h, score.receiverAreaM2, score.waterM2};
+}
 
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other

@@ -1,5 +1,7 @@
 #include "scenarios/weights/score_figures.h"
 
+#include <algorithm>
+
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 
@@ -17,7 +19,9 @@ Figure weightedShade() {
          .definition =
              NM_TEXT("sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how "
                      "the weight table is cut into intervals does not change it"),
-         .whenMissing = std::numeric_limits<double>::quiet_NaN()});
+         .whenMissing = std::numeric_limits<double>::quiet_NaN(),
+         .unit = FigureUnit::squareMetreHours,
+         .isChange = true});
 }
 
 template <class R>
@@ -28,7 +32,9 @@ Figure scoreM2() {
          .label = NM_TEXT("Shadow score"),
          .definition =
              NM_TEXT("sum over the intervals of the weight table of weight x share of the interval's sunlit "
-                     "time in shadow, times cell area; an interval that is cut in two counts twice")});
+                     "time in shadow, times cell area; an interval that is cut in two counts twice"),
+         .unit = FigureUnit::squareMetres,
+         .isChange = true});
 }
 
 template <class R>
@@ -36,10 +42,29 @@ Figure shadowArea() {
     return figure(&R::shadowAreaM2, findFigure(shadowFigures().rows(), "shadow_area_m2"));
 }
 
+double scorePerArea(const ScoreTotals& totals) {
+    return totals.scoreM2 / std::max(1.0, totals.receiverAreaM2);
+}
+
+// Files state it beside the totals.
+Figure beside(Figure figure) {
+    figure.inFiles = false;
+    return figure;
+}
+
 }  // namespace
 
 const Figures<ScoreTotals>& scoreFigures() {
-    static const Figures<ScoreTotals> figures{weightedShade<ScoreTotals>(), scoreM2<ScoreTotals>()};
+    static const Figures<ScoreTotals> figures{
+        weightedShade<ScoreTotals>(), scoreM2<ScoreTotals>(),
+        derivedFigure(&scorePerArea, {.key = "score_per_m2",
+                                      .label = NM_TEXT("Score per m² of ground"),
+                                      .definition = NM_TEXT("score divided by the area of all receivers"),
+                                      .shownDecimals = 3,
+                                      .isChange = true,
+                                      .inFiles = false}),
+        beside(figure(&ScoreTotals::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2"))),
+        beside(figure(&ScoreTotals::waterM2, findFigure(shadowFigures().rows(), "water_m2")))};
     return figures;
 }
 
@@ -48,7 +73,9 @@ const Figures<MonthFigures>& scoreMonthFigures() {
         figure(&MonthFigures::sunlitMinutes,
                {.key = "sunlit_min",
                 .label = NM_TEXT("Sunlit time"),
-                .definition = NM_TEXT("minutes of the period with the sun above the horizon")}),
+                .definition = NM_TEXT("minutes of the period with the sun above the horizon"),
+                .unit = FigureUnit::minutes,
+                .shownDecimals = 0}),
         weightedShade<MonthFigures>(), shadowArea<MonthFigures>(), scoreM2<MonthFigures>()};
     return figures;
 }
@@ -59,7 +86,8 @@ const Figures<IntervalFigures>& scoreIntervalFigures() {
                {.key = "weight",
                 .label = NM_TEXT("Weight"),
                 .definition = NM_TEXT("from -1 (shadow is unwanted) to 1 (shade is wanted)"),
-                .decimals = 3}),
+                .decimals = 3,
+                .shownDecimals = 3}),
         weightedShade<IntervalFigures>(), shadowArea<IntervalFigures>(), scoreM2<IntervalFigures>()};
     return figures;
 }

@@ -83,7 +83,8 @@ TEST_F(StudyPoints, WindowsThatCannotBeMeasuredAreListed) {
     EXPECT_THAT(warnings, HasSubstr("has no height"));
     EXPECT_THAT(warnings, HasSubstr("inside a building"));
     const Spoken table = study({"--receivers", "windows", "--windows", windows_});
-    EXPECT_THAT(table.out, HasSubstr("1 points on windows"));
+    EXPECT_THAT(table.out, testing::ContainsRegex("\npoints +1\n"));
+    EXPECT_THAT(table.out, testing::ContainsRegex("receivers on +windows\n"));
     EXPECT_THAT(table.out, HasSubstr("inside a building"));
 }
 

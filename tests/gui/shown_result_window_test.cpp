@@ -35,7 +35,7 @@ TEST_F(AnswersWindow, GrossShadowAloneStandsForContinuousAndSaysSo) {
     EXPECT_TRUE(legend.note().endsWith(QStringLiteral("Continuous shadow was not counted")))
         << legend.note().toStdString();
     EXPECT_EQ(legend.legend()->title, QStringLiteral("Gross shadow"));
-    EXPECT_EQ(figures().at(figures().indexOf(QStringLiteral("Continuous")) + 1),
+    EXPECT_EQ(figures().at(figures().indexOf(QStringLiteral("Mean continuous")) + 1),
               QStringLiteral("not counted"));
     EXPECT_FALSE(figures().join(QLatin1Char(' ')).contains(QStringLiteral("nan")));
     keep("Gross");

@@ -48,14 +48,14 @@ TEST(StudyWords, FiguresCarryTheirUnits) {
     ASSERT_FALSE(figures.empty());
     EXPECT_EQ(figures[0].name, "Shadow area");
     EXPECT_EQ(figures[0].value, "3,833 m² (41.7 %)");
-    EXPECT_EQ(figures[1].value, "150 min/day (41.7 %)");
+    EXPECT_EQ(figures[1].value, "150 min a day (41.7 %)");
 }
 
 TEST(StudyWords, ContinuousShadowThatWasNotCountedIsNoNumber) {
     QString text;
     for (const FigureText& figure : computeFigures(tests::grossOnly(tests::syntheticStudy())))
         text += figure.name + u'=' + figure.value + u';';
-    EXPECT_TRUE(text.contains("Continuous shadow=not counted;")) << text.toStdString();
+    EXPECT_TRUE(text.contains("Mean continuous=not counted;")) << text.toStdString();
     EXPECT_FALSE(text.contains("nan", Qt::CaseInsensitive)) << text.toStdString();
 }
 

@@ -6,7 +6,10 @@
 #include <ostream>
 
 #include "app/cli/base/table.h"
+#include "app/cli/table.h"
+#include "app/report/maps/shadow_measure.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/text/error_words.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
@@ -39,7 +42,6 @@ void addCost(Table& table, const Study& study) {
 }  // namespace
 
 void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
-    const ShadowStatistics& figures = study.statistics;
     Table table;
     if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
     if (const auto headline = makeDoubtHeadline(study.heights)) table.add("unit of heights", *headline);
@@ -50,18 +52,11 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
               fmt::format("{} with the sun up, {} left out below the horizon; each counts {:.6g} min",
                           withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon),
                           study.field.stepMinutes));
-    table.add("receivers", fmt::format("{} cells of {:g} m, {:.0f} m2", withCommas(figures.receivers),
-                                       study.receivers.grid.cellM, figures.receiverAreaM2));
-    addWater(table, figures.waterM2);
-    table.add("shadow area",
-              fmt::format("{:.1f} m2 (share of the sunlit time x area)", figures.shadowAreaM2));
-    table.add("gross shadow",
-              fmt::format("mean {:.1f}, largest {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
-                          figures.maxGrossMin, study.field.sunlitMinutesPerDay));
-    table.add("continuous shadow", hasRuns(figures)
-                                       ? fmt::format("mean {:.1f}, longest {:.1f} min",
-                                                     figures.meanContinuousMin, figures.maxContinuousMin)
-                                       : "not counted");
+    table.add("cells", fmt::format("{:g} m", study.receivers.grid.cellM));
+    table.add("sunlit time", fmt::format("{:.1f} min a day", study.field.sunlitMinutesPerDay));
+    addFigures(table, listLines(shadowFigures().of(study.statistics),
+                                {study.statistics.receiverAreaM2, study.field.sunlitMinutesPerDay,
+                                 isInstant(study.field)}));
     if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
     for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
     addCost(table, study);

@@ -17,8 +17,25 @@ void Table::print(std::ostream& out) const {
         out << fmt::format("{:<{}}  {}\n", cleanText(label), width, cleanText(value));
 }
 
-void addWater(Table& table, double waterM2) {
-    if (waterM2 > 0) table.add("water", fmt::format("{:.0f} m2 left out", waterM2));
+namespace {
+
+// Terminals may know ASCII only.
+std::string plainUnits(std::string text) {
+    constexpr std::string_view square = "m²";
+    for (std::size_t at = text.find(square); at != std::string::npos; at = text.find(square, at))
+        text.replace(at, square.size(), "m2");
+    return text;
+}
+
+}  // namespace
+
+void addFigures(Table& table, const std::vector<FigureLine>& lines) {
+    for (const FigureLine& line : lines)
+        table.add(plainUnits(lowered(labelOf(line))), plainUnits(valueOf(line)));
+}
+
+void addFigures(Table& table, std::string label, const std::vector<FigureLine>& lines) {
+    table.add(std::move(label), plainUnits(joinLines(lines)));
 }
 
 std::string withCommas(std::size_t number) { return formatNumber(double(number)); }

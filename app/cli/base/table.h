@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/warnings.h"
+#include "core/describe/figure_text.h"
 
 namespace noonmark::cli {
 
@@ -19,8 +20,10 @@ private:
     std::vector<std::pair<std::string, std::string>> rows_;
 };
 
-/// A line that says how much of the region was left out as water; nothing for none.
-void addWater(Table& table, double waterM2);
+/// A row for each figure.
+void addFigures(Table& table, const std::vector<FigureLine>& lines);
+/// The same on one row: "more shadow 12 m2, less shadow 0 m2".
+void addFigures(Table& table, std::string label, const std::vector<FigureLine>& lines);
 
 /// "1,234,567"
 std::string withCommas(std::size_t number);

@@ -36,39 +36,21 @@ ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
     return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
 }
 
-void addFigures(Table& table, const std::string& name, const Impact& impact,
-                const std::vector<double>& thresholds) {
-    for (const double threshold : thresholds) {
-        const ImpactFigures figures = computeFigures(impact, threshold);
-        table.add(
-            fmt::format("{}, over {:g} min", name, threshold),
-            fmt::format("{} m2 more shadow, {} m2 less", withCommas(std::size_t(figures.gross.gainedM2)),
-                        withCommas(std::size_t(figures.gross.lostM2))));
-    }
-}
-
 void printComparison(const Answer& compared, std::ostream& out) {
     const auto& answer = *compared.as<ImpactAnswer>();
     const Impact& impact = answer.study.total;
-    const ImpactFigures figures = computeFigures(impact, 0);
     Table table;
     table.add("from, to", fmt::format("{} -> {}", answer.from, answer.to));
     table.add("period", formatText(answer.settings.study.period));
     table.add("engine", impact.engine);
-    table.add("receivers", fmt::format("{:.0f} m2 of open ground in both", figures.receiverAreaM2));
-    table.add("no receivers", fmt::format("{:.0f} m2 became building, {:.0f} m2 became ground",
-                                          figures.becameBuildingM2, figures.becameGroundM2));
-    addWater(table, impact.waterM2);
-    table.add("touched", fmt::format("{:.0f} m2 more shadow, {:.0f} m2 less", figures.gross.touchedM2,
-                                     figures.gross.easedM2));
-    table.add("change",
-              fmt::format("mean {:.2f}, largest {:.1f} min a day of {:.1f} sunlit; shadow area {:+.0f} m2",
-                          figures.gross.meanMin, figures.gross.mostGainedMin, impact.sunlitMinutesPerDay,
-                          figures.shadowAreaChangeM2));
-    addFigures(table, "all", impact, answer.thresholdsMin);
+    table.add("sunlit time", fmt::format("{:.1f} min a day", impact.sunlitMinutesPerDay));
+    addFigures(table, listLines(computeFigures(answer)));
     for (const BuildingImpact& building : answer.study.byBuilding)
-        addFigures(table, building.name.empty() ? building.id : building.name, building.impact,
-                   answer.thresholdsMin);
+        for (const double threshold : answer.thresholdsMin)
+            addFigures(table,
+                       fmt::format("{}, over {:g} min", building.name.empty() ? building.id : building.name,
+                                   threshold),
+                       listThresholdLines(computeFigures(building.impact, threshold)));
     table.print(out);
     printWarnings(out, impact.warnings);
 }

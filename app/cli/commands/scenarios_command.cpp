@@ -20,6 +20,7 @@
 #include "core/base/display_units.h"
 #include "core/base/progress_share.h"
 #include "core/describe/command_flags.h"
+#include "core/measures/shadow_figures.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/scenario_list.h"
 
@@ -115,9 +116,9 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
     Table table;
     for (const ScenarioStudy& scenario : studies) {
         const ShadowStatistics& figures = scenario.study->statistics;
-        table.add(scenario.name, fmt::format("shadow area {:.0f} m2 ({:+.0f}), mean {:.2f} min a day{}",
-                                             figures.shadowAreaM2, computeShadowAreaChange(studies, scenario),
-                                             figures.meanGrossMin, describeBuilt(scenario)));
+        addFigures(table, scenario.name, listLines(shadowFigures().of(figures), FigureUse::result));
+        table.add("", fmt::format("shadow area {:+.0f} m2{}", computeShadowAreaChange(studies, scenario),
+                                  describeBuilt(scenario)));
     }
     table.print(out);
     printWarnings(out, collectWarnings(studies));

@@ -14,6 +14,7 @@
 #include "app/report/files/answer_files.h"
 #include "core/describe/command_flags.h"
 #include "scenarios/project/project_provenance.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark::cli {
 
@@ -34,16 +35,11 @@ void printScore(const Answer& weighed, std::ostream& out) {
     table.add("period", formatText(answer.settings.period));
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
-    table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
-    addWater(table, score.waterM2);
-    table.add("weighted shade", fmt::format("{:+.0f} m2 h ({:+.2f} h on every m2)", score.weightedShadeM2h,
-                                            score.weightedShadeM2h / std::max(1.0, score.receiverAreaM2)));
-    table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} per m2)", score.scoreM2,
-                                   score.scoreM2 / std::max(1.0, score.receiverAreaM2)));
+    const ScoreTotals totals = totalsOf(score);
+    addFigures(table, listLines(scoreFigures().of(totals)));
     for (const MonthFigures& month : score.months)
-        table.add(fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
-                  fmt::format("weighted shade {:+10.0f} m2 h, shadow area {:9.0f} m2, score {:+9.0f} m2",
-                              month.weightedShadeM2h, month.shadowAreaM2, month.scoreM2));
+        addFigures(table, fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
+                   listLines(scoreMonthFigures().of(month)));
     table.print(out);
     printWarnings(out, score.warnings);
 }

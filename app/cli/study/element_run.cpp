@@ -68,13 +68,8 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
     table.add("engine", describeEngine(study));
     table.add("steps", fmt::format("{} with the sun up, {} left out below the horizon",
                                    withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon)));
-    table.add("receivers", fmt::format("{} points on {}", withCommas(study.receivers.size()),
-                                       nameOf(study.elements.places)));
-    table.add("sun", fmt::format("mean {:.1f}, from {:.1f} to {:.1f} min a day of {:.1f}",
-                                 figures.meanSunlitMin, figures.leastSunlitMin, figures.mostSunlitMin,
-                                 study.minutes.possibleMin / double(study.sun.dayCount())));
-    table.add("continuous shadow", fmt::format("mean {:.1f}, longest {:.1f} min", figures.meanContinuousMin,
-                                               figures.mostContinuousMin));
+    table.add("receivers on", std::string(nameOf(study.elements.places)));
+    addFigures(table, listLines(elementFigures().of(figures), {.sunlitMin = figures.possibleMin}));
     table.add("error against rays", errorText(study));
     table.add("time", fmt::format("{:.2f} s", study.seconds.at("total")));
     table.print(out);

@@ -4,9 +4,7 @@
 #include <ostream>
 #include <string>
 
-#include "app/cli/base/command.h"
 #include "app/cli/base/console.h"
-#include "app/cli/base/open_project.h"
 #include "app/cli/options/measure_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/questions/question.h"

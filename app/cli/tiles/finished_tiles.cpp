@@ -10,6 +10,8 @@
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "core/describe/command_flags.h"
+#include "core/describe/figure_text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/remaining_time.h"
 #include "core/study/tile_tasks/merge/merge_timelines.h"
 
@@ -79,8 +81,7 @@ void print(const MergeReport& report, std::ostream& out) {
     const ShadowStatistics& shadow = report.statistics;
     out << fmt::format("{} receivers", shadow.receivers);
     if (!std::isnan(shadow.meanGrossMin))
-        out << fmt::format(", {:.0f} m2 shadow area, {:.1f} min/day gross", shadow.shadowAreaM2,
-                           shadow.meanGrossMin);
+        out << ", " << joinLines(listLines(shadowFigures().of(shadow), FigureUse::result));
     out << '\n';
     for (const auto& [name, value] : report.figures) out << fmt::format("{} {:.0f}\n", name, value);
 }

@@ -6,7 +6,10 @@
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/score_report.h"
+#include "core/describe/figure_text.h"
+#include "scenarios/impact/impact_figure_tables.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -14,10 +17,6 @@ namespace {
 
 constexpr std::size_t commandLetters = 60;  // in a line of a column
 constexpr double tablePt = 7.8;
-
-QString areaText(const BookSettings& settings, double m2) {
-    return QString::fromStdString(formatArea(m2, settings.units));
-}
 
 /// The map of a sheet beside its figures, or above them.
 BookPage mapPage(const PageSetup& setup, const Sheet& sheet, const SheetMap& map, const QString& bookmark,
@@ -99,23 +98,27 @@ BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, cons
     return page;
 }
 
+QString titleOf(const Figure& figure) { return plainText(figure.label); }
+
+void addCells(std::vector<QString>& row, const DescribedFigures& figures, const BookSettings& settings) {
+    for (const Figure& figure : figures.figures)
+        row.push_back(plainText(valueOf({&figure, figures.get(figure)}, settings.units)));
+}
+
 /// The sole contribution of each new building.
 std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSettings& settings) {
     const ComparisonFigures figures = computeFigures(answer);
     if (figures.byBuilding.empty()) return {};
-    PageTable table{
-        {QStringLiteral("Building"), QStringLiteral("Threshold"), QStringLiteral("More gross shadow"),
-         QStringLiteral("Any more gross shadow"), QStringLiteral("Largest increase")},
-        {},
-        {},
-        {},
-        tablePt * textScale(settings.setup)};
+    PageTable table{{QStringLiteral("Building"), QStringLiteral("Threshold")},
+                    {},
+                    {},
+                    {},
+                    tablePt * textScale(settings.setup)};
+    for (const Figure& figure : changeFigures().rows()) table.titles.push_back(titleOf(figure));
     for (const auto& building : figures.byBuilding) {
-        const auto& gross = building.figures.gross;
-        table.rows.push_back({plainText(building.name),
-                              describeAmount(building.figures.thresholdMin, 2) + QStringLiteral(" min a day"),
-                              areaText(settings, gross.gainedM2), areaText(settings, gross.touchedM2),
-                              describeAmount(gross.mostGainedMin) + QStringLiteral(" min a day")});
+        table.rows.push_back({plainText(building.name), describeAmount(building.figures.thresholdMin, 2) +
+                                                            QStringLiteral(" min a day")});
+        addCells(table.rows.back(), changeFigures().of(building.figures.gross), settings);
     }
     const QString title = QStringLiteral("Contributions");
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
@@ -126,27 +129,22 @@ QString monthText(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
-/// A chart of one figure by month; `chart` has its series and units.
-PageChart monthChart(const Score& score, double MonthFigures::*figure, BarChart chart,
-                     const QString& explanation) {
+/// A chart of one figure by month.
+PageChart monthChart(const Score& score, std::string_view key, QColor colour, const BookSettings& settings) {
+    const Figure& figure = findFigure(scoreMonthFigures().rows(), key);
+    BarChart chart{
+        {{titleOf(figure), colour}}, {}, figure.unit == FigureUnit::squareMetreHours, settings.units};
     for (const MonthFigures& month : score.months)
-        chart.groups.push_back({monthText(month.month), {month.*figure}});
-    const QString title = chart.series.front().name + QStringLiteral(" by month");
-    return {std::move(chart), {title, explanation}};
+        chart.groups.push_back({monthText(month.month), {figure.get(&month)}});
+    return {std::move(chart), {titleOf(figure) + QStringLiteral(" by month"), plainText(figure.definition)}};
 }
 
 BookPage monthPage(const Score& score, const BookSettings& settings) {
     const QString title = QStringLiteral("Months");
     BookPage page{title, {}, title, 0, {}};
     const QRectF all = contentArea(settings.setup);
-    const PageChart charts[]{
-        monthChart(
-            score, &MonthFigures::shadowAreaM2,
-            {{{QStringLiteral("Shadow area"), shade::proposal}}, {}, false, settings.units},
-            QStringLiteral("Sum over the cells of share of the month's sunlit time in shadow x cell area")),
-        monthChart(score, &MonthFigures::weightedShadeM2h,
-                   {{{QStringLiteral("Weighted shade"), shade::incremental}}, {}, true, settings.units},
-                   QStringLiteral("Positive: wanted shade outweighs unwanted shadow"))};
+    const PageChart charts[]{monthChart(score, "shadow_area_m2", shade::proposal, settings),
+                             monthChart(score, "weighted_shade_m2h", shade::incremental, settings)};
     const double gap = 14 * textScale(settings.setup);
     const double height = (all.height() - gap) / double(std::size(charts));
     double top = all.top();
@@ -158,18 +156,12 @@ BookPage monthPage(const Score& score, const BookSettings& settings) {
 }
 
 std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings) {
-    PageTable table{
-        {QStringLiteral("Interval"), QStringLiteral("Weight"), QStringLiteral("Weighted shade, m² h"),
-         QStringLiteral("Shadow area"), QStringLiteral("Score, m²")},
-        {},
-        {},
-        {},
-        tablePt * textScale(settings.setup)};
-    for (const IntervalFigures& interval : answer.score.intervals)
-        table.rows.push_back({plainText(interval.name), describeAmount(interval.weight, 3),
-                              describeAmount(interval.weightedShadeM2h, 0),
-                              areaText(settings, interval.shadowAreaM2),
-                              describeAmount(interval.scoreM2, 0)});
+    PageTable table{{QStringLiteral("Interval")}, {}, {}, {}, tablePt * textScale(settings.setup)};
+    for (const Figure& figure : scoreIntervalFigures().rows()) table.titles.push_back(titleOf(figure));
+    for (const IntervalFigures& interval : answer.score.intervals) {
+        table.rows.push_back({plainText(interval.name)});
+        addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings);
+    }
     if (table.rows.empty()) return {};
     const QString title = QStringLiteral("Weights");
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},

@@ -101,29 +101,22 @@ std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap
     return makeElevationPages(settings.setup, std::move(sheets), buildings);
 }
 
-QString hoursText(double minutes) { return describeAmount(minutes / minutesOfHour, 2); }
-
-TextBlocks summariseElements(const ElementStudy& study, const ElementMap& map) {
+TextBlocks summariseElements(const ElementStudy& study) {
     const ElementFigures figures = computeFigures(study);
     TextBlocks blocks{heading(QStringLiteral("Summary"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
-    add(QStringLiteral("%1 points on %2. %3.")
-            .arg(describeCount(map.elements.size()), plainText(nameOf(study.elements.places)),
-                 describePeriod(study.settings.period)));
-    add(QStringLiteral("Sun: mean %1 hours a day, from %2 to %3, of %4 with the sun up.")
-            .arg(hoursText(figures.meanSunlitMin), hoursText(figures.leastSunlitMin),
-                 hoursText(figures.mostSunlitMin), hoursText(map.possibleMin)));
-    add(QStringLiteral("Longest unbroken shadow: mean %1 hours, at most %2.")
-            .arg(hoursText(figures.meanContinuousMin), hoursText(figures.mostContinuousMin)));
+    add(QStringLiteral("Points on %1. %2.")
+            .arg(plainText(nameOf(study.elements.places)), describePeriod(study.settings.period)));
+    const auto lines = listLines(elementFigures().of(figures), {.sunlitMin = figures.possibleMin});
+    for (const FigureText& figure : figureTexts(lines))
+        add(QStringLiteral("%1: %2.").arg(figure.name, figure.value));
     blocks.push_back(heading(QStringLiteral("Method")));
     add(study.engineKey == referenceEngine
             ? QStringLiteral("Rays at every step of the sun.")
             : QStringLiteral("Horizons of the points, in bins of a quarter of a degree."));
     if (!study.whyRays.empty()) add(QStringLiteral("Chosen since %1.").arg(plainText(study.whyRays)));
     if (study.error) add(QStringLiteral("Error against rays: %1.").arg(plainText(describe(*study.error))));
-    add(QStringLiteral(
-        "Hours of sun: time a day that a point is in the sun, mean over the days. A point that "
-        "faces away from the sun is in shadow."));
+    add(defineFigures(lines));
     return blocks;
 }
 
@@ -150,8 +143,7 @@ Book makeElementBook(const ElementStudy& study, const ElementMap& map, const Boo
     const auto append = [&](std::vector<BookPage> pages) {
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
-    append(
-        makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study, map)));
+    append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study)));
     append(makeElevations(study, map, settings));
     append(makeTextPages(settings.setup, {QStringLiteral("Sources"), {}, QStringLiteral("Sources")},
                          describeSources(study)));

@@ -5,7 +5,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "app/report/sheets/period_words.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
@@ -18,38 +18,36 @@ QString describeWhere(const Study& study) {
            describePlace(study.settings.region, study.city.frame);
 }
 
-QString minutesText(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
-
 std::vector<QString> rowOf(const ScenarioStudies& scenarios, const ScenarioStudy& scenario,
                            UnitSystem units) {
-    const auto area = [units](double m2) { return QString::fromStdString(formatSmallArea(m2, units)); };
-    const ShadowStatistics& figures = scenario.study->statistics;
     const bool isFirst = &scenario == &scenarios.front();
     const double change = computeShadowAreaChange(scenarios, scenario);
-    return {plainText(scenario.name),
-            describeCount(countChanges(scenario)),
-            area(figures.shadowAreaM2),
-            isFirst ? QString() : (change > 0 ? QStringLiteral("+") : QString()) + area(change),
-            minutesText(figures.meanGrossMin),
-            hasRuns(figures) ? minutesText(figures.meanContinuousMin) : QStringLiteral("not counted")};
+    std::vector<QString> row{
+        plainText(scenario.name), describeCount(countChanges(scenario)),
+        isFirst ? QString()
+                : (change > 0 ? QStringLiteral("+") : QString()) + plainText(formatSmallArea(change, units))};
+    const DescribedFigures figures = shadowFigures().of(scenario.study->statistics);
+    for (const Figure& figure : figures.figures)
+        if (figure.compared) row.push_back(plainText(valueOf({&figure, figures.get(figure)}, units)));
+    return row;
 }
 
 std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSettings& settings) {
-    PageTable table{{QStringLiteral("Scenario"), QStringLiteral("Changes"), QStringLiteral("Shadow area"),
-                     QStringLiteral("Change of shadow area"), QStringLiteral("Mean gross shadow a day"),
-                     QStringLiteral("Mean continuous shadow")},
-                    {},
-                    {},
-                    {},
-                    figuresPt * textScale(settings.setup)};
+    PageTable table{
+        {QStringLiteral("Scenario"), QStringLiteral("Changes"), QStringLiteral("Change of the shadow area")},
+        {},
+        {},
+        {},
+        figuresPt * textScale(settings.setup)};
+    for (const Figure& figure : shadowFigures().rows())
+        if (figure.compared) table.titles.push_back(plainText(figure.label));
     for (const ScenarioStudy& scenario : scenarios)
         table.rows.push_back(rowOf(scenarios, scenario, settings.units));
     const Study& first = *scenarios.front().study;
     const QString title = QStringLiteral("Scenarios"),
-                  note = QStringLiteral(
-                             "Shadow area: sum over the receivers of share of the sunlit time in "
-                             "shadow x cell area. Change: from %1. Engine: %2.")
-                             .arg(plainText(scenarios.front().name), describeEngineUsed(first.field.engine));
+                  note = QStringLiteral("%1 Change: from %2. Engine: %3.")
+                             .arg(defineFigures(listLines(shadowFigures().of(first.statistics))),
+                                  plainText(scenarios.front().name), describeEngineUsed(first.field.engine));
     return makeTablePages(
         settings.setup,
         {title,

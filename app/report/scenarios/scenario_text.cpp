@@ -1,7 +1,9 @@
 #include "app/report/scenarios/scenario_text.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/describe/figure_text.h"
-#include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
@@ -60,11 +62,25 @@ Json usesJson(const ScenarioUses& uses) {
     return json;
 }
 
-void addMeasured(CsvText& csv, const ShadowStatistics& figures, double changeM2) {
-    csv.number(figures.receiverAreaM2, 1).number(figures.shadowAreaM2, 1).number(changeM2, 1);
-    csv.number(figures.meanGrossMin, 3);
-    csv.number(figures.meanContinuousMin, 3);  // nothing where no runs were counted
-    csv.number(hasRuns(figures) ? std::optional(figures.maxContinuousMin) : std::nullopt, 3);
+std::vector<Figure> listCompared() {
+    const auto all = shadowFigures().rows();
+    std::vector<Figure> compared;
+    std::ranges::copy_if(all, std::back_inserter(compared), &Figure::compared);
+    return compared;
+}
+
+// The change of the shadow area stands behind the shadow area.
+std::vector<std::string> columnsOfMeasured() {
+    std::vector<std::string> columns = listColumns(listCompared());
+    columns.insert(std::ranges::find(columns, "shadow_area_m2") + 1, "shadow_area_change_m2");
+    return columns;
+}
+
+void addMeasured(CsvText& csv, const ShadowStatistics& statistics, double changeM2) {
+    for (const Figure& figure : listCompared()) {
+        addFigures(csv, {{&figure, 1}, &statistics});
+        if (figure.key == "shadow_area_m2") csv.number(changeM2, 1);
+    }
 }
 
 void addImpact(CsvText& csv, const std::optional<ScenarioImpact>& impact) {
@@ -90,30 +106,13 @@ void addVerdicts(CsvText& csv, const std::optional<ScenarioVerdicts>& verdicts) 
 }  // namespace
 
 std::string scenariosCsv(const ScenarioStudies& scenarios) {
-    CsvText csv(withSourceColumns({"name",
-                                   "changes",
-                                   "receiver_area_m2",
-                                   "shadow_area_m2",
-                                   "shadow_area_change_m2",
-                                   "mean_gross_min",
-                                   "mean_continuous_min",
-                                   "max_continuous_min",
-                                   "height_m",
-                                   "gross_floor_m2",
-                                   "impact_baseline",
-                                   "impact_m2",
-                                   "impact_threshold_min",
-                                   "gained_m2",
-                                   "lost_m2",
-                                   "weights",
-                                   "weighted_shade_m2h",
-                                   "score_m2",
-                                   "rule",
-                                   "rule_baseline",
-                                   "pass",
-                                   "borderline",
-                                   "fail",
-                                   "not_judged"}));
+    std::vector<std::string> columns{"name", "changes"};
+    std::ranges::move(columnsOfMeasured(), std::back_inserter(columns));
+    columns.insert(columns.end(),
+                   {"height_m", "gross_floor_m2", "impact_baseline", "impact_m2", "impact_threshold_min",
+                    "gained_m2", "lost_m2", "weights", "weighted_shade_m2h", "score_m2", "rule",
+                    "rule_baseline", "pass", "borderline", "fail", "not_judged"});
+    CsvText csv(withSourceColumns(std::move(columns)));
     for (const ScenarioStudy& scenario : scenarios) {
         const ScenarioAnswers& answers = scenario.answers;
         csv.text(scenario.name).whole(countChanges(scenario));

@@ -10,19 +10,6 @@ namespace {
 
 QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QStringLiteral(" m²"); }
 
-QString describeSigned(double value, int decimals, const char* unit) {
-    return (value > 0 ? QStringLiteral("+") : QString()) + describeAmount(value, decimals) +
-           QString::fromUtf8(unit);
-}
-
-void addThreshold(std::vector<FigureText>& figures, const char* name, double threshold,
-                  const ChangeFigures& change) {
-    const QString over =
-        QStringLiteral("%1 > %2 min").arg(QString::fromUtf8(name), describeAmount(threshold, 2));
-    figures.push_back({over + QStringLiteral(" more"), describeArea(change.gainedM2)});
-    if (change.lostM2 > 0) figures.push_back({over + QStringLiteral(" less"), describeArea(change.lostM2)});
-}
-
 TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
     const auto unitOf = [&](ShadowMeasure measure) {
         return makeLegend(answer.study.total, measure, scale).unit;
@@ -30,11 +17,9 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
     return {body(QStringLiteral("Colours: gross shadow in %1; continuous shadow in %2.")
                      .arg(unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
             body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
-                                "cells; positive means more shadow. Gross: minutes in shadow a day, mean "
-                                "over the days. Continuous: longest unbroken run in shadow on any day. Areas "
-                                "are those of the cells whose change exceeds the threshold. Shadow area: sum "
-                                "over the cells of share of the sunlit time in shadow × cell area.")
-                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)))};
+                                "cells; positive means more shadow. %3")
+                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+                          defineFigures(listLines(computeFigures(answer)))))};
 }
 
 // The city after the change as a study, for the sections of a study's report. Their statements hold for both
@@ -90,31 +75,6 @@ SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& reg
             legend};
 }
 
-std::vector<FigureText> makeImpactFigures(const ComparisonFigures& all, const Impact& impact) {
-    const ImpactFigures& first = all.all.front();
-    std::vector<FigureText> figures{
-        {QStringLiteral("Shadow area"), describeSigned(first.shadowAreaChangeM2, 0, " m²")}};
-    for (const ImpactFigures& one : all.all) addThreshold(figures, "Gross", one.thresholdMin, one.gross);
-    if (hasRuns(impact))
-        for (const ImpactFigures& one : all.all)
-            addThreshold(figures, "Continuous", one.thresholdMin, one.continuous);
-    else
-        figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
-    figures.push_back({QStringLiteral("More gross shadow, any"), describeArea(first.gross.touchedM2)});
-    figures.push_back({QStringLiteral("Less gross shadow, any"), describeArea(first.gross.easedM2)});
-    figures.push_back(
-        {QStringLiteral("Largest increase"), describeSigned(first.gross.mostGainedMin, 1, " min/day")});
-    figures.push_back(
-        {QStringLiteral("Largest decrease"), describeSigned(-first.gross.mostLostMin, 1, " min/day")});
-    figures.push_back({QStringLiteral("Mean change"), describeSigned(first.gross.meanMin, 2, " min/day")});
-    figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
-    if (impact.waterM2 > 0)
-        figures.push_back({QStringLiteral("Water left out"), describeArea(impact.waterM2)});
-    figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
-    figures.push_back({QStringLiteral("Became ground"), describeArea(first.becameGroundM2)});
-    return figures;
-}
-
 Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale) {
     const Impact& impact = answer.study.total;
     const Region& region = answer.settings.study.region;
@@ -126,7 +86,7 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                                          isInstant(impact) ? QString() : sunlit),
                 .map = makeImpactMap(impact, source.city, region, ShadowMeasure::gross, scale),
                 .definitions = definitionsOf(answer, scale),
-                .figures = makeImpactFigures(computeFigures(answer), impact),
+                .figures = figureTexts(listLines(computeFigures(answer))),
                 .sections = sectionsOf(answer, source),
                 .credit = describeData(answer.provenance.attribution),
                 .record = {QStringLiteral("impact.json"), impactJson(answer)}};

@@ -11,10 +11,8 @@ namespace noonmark {
 /// figures per threshold, method, inputs and warnings. All arguments must outlive it.
 Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale);
 
-/// Map and figures of that page. `city` after the change; `impact`: the total. All arguments must outlive the
-/// map.
+/// The map of that page. `city` after the change; `impact`: the total. All arguments must outlive the map.
 SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& region, ShadowMeasure measure,
                        const ChangeScale& scale);
-std::vector<FigureText> makeImpactFigures(const ComparisonFigures& all, const Impact& impact);
 
 }  // namespace noonmark

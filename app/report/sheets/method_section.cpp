@@ -4,6 +4,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/text/error_words.h"
 #include "core/study/text/height_words.h"
@@ -160,15 +161,12 @@ TextBlocks definitionBlocks(const Study& study) {
         blocks.push_back(heading(QString::fromStdString(*headline)));
     if (const auto headline = makeStandHeadline(study.heights))
         blocks.push_back(heading(QString::fromStdString(*headline)));
-    blocks.push_back(
-        body(QStringLiteral("Shadow area: sum over the receivers of share of the sunlit time in shadow × "
-                            "cell area; in %, of the receivers' area.")));
-    if (isInstant(study.field)) return blocks;
-    blocks.push_back(body(
-        QStringLiteral("Gross shadow: minutes in shadow a day, mean over the days; in %, of the sunlit time. "
-                       "Continuous shadow%1. Means are over the receivers.")
-            .arg(hasRuns(study.statistics) ? QStringLiteral(": longest unbroken run in shadow on any day")
-                                           : QStringLiteral(" was not counted"))));
+    const QString shares = QStringLiteral(" Shares: of the receivers' area and of the sunlit time.");
+    blocks.push_back(body(defineFigures(listLines(shadowFigures().of(study.statistics),
+                                                  {.isInstant = isInstant(study.field)})) +
+                          shares));
+    if (!isInstant(study.field) && !hasRuns(study.statistics))
+        blocks.push_back(body(QStringLiteral("Continuous shadow was not counted.")));
     return blocks;
 }
 

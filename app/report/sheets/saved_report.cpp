@@ -8,7 +8,9 @@
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/score_report.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "scenarios/impact/impact_runs.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -73,9 +75,7 @@ std::vector<FigureText> figuresOf(const SavedStudy& study) {
     return makeStudyFigures(study.statistics, study.field, study.steps);
 }
 
-std::vector<FigureText> figuresOf(const SavedImpact& saved) {
-    return makeImpactFigures(saved.figures, saved.impact);
-}
+std::vector<FigureText> figuresOf(const SavedImpact& saved) { return figureTexts(listLines(saved.figures)); }
 
 std::vector<FigureText> figuresOf(const SavedScore& saved) { return makeScoreFigures(saved.score); }
 
@@ -94,19 +94,23 @@ QString describeTime(const SavedOrigin& origin) {
     return QStringLiteral("on ") + at;
 }
 
-TextBlocks definitionsOf(const SavedResult& result) {
-    if (result.kind == "study")
-        return {
-            body(QStringLiteral("Gross shadow: minutes in shadow a day, mean over the days. Shadow area: "
-                                "sum over the receivers of share of the sunlit time in shadow × cell "
-                                "area."))};
-    if (result.kind == "impact")
-        return {body(QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more shadow.")
-                         .arg(plainText(result.scenario), plainText(result.baseline)))};
-    return {
-        body(QStringLiteral("Score: sum over the intervals of the weight table of weight × share of the "
-                            "interval's sunlit time in shadow; over the region times the cell area."))};
+TextBlocks definitionsOf(const SavedResult&, const SavedStudy& study) {
+    return {body(defineFigures(
+        listLines(shadowFigures().of(study.statistics), {.isInstant = isInstant(study.field)})))};
 }
+
+TextBlocks definitionsOf(const SavedResult& result, const SavedImpact& saved) {
+    return {body(QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more shadow. %3")
+                     .arg(plainText(result.scenario), plainText(result.baseline),
+                          defineFigures(listLines(saved.figures))))};
+}
+
+TextBlocks definitionsOf(const SavedResult&, const SavedScore& saved) {
+    const ScoreTotals totals = totalsOf(saved.score);
+    return {body(defineFigures(listLines(scoreFigures().of(totals))))};
+}
+
+TextBlocks definitionsOf(const SavedResult&, const SavedElements&) { return {}; }
 
 TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source) {
     TextBlocks blocks{
@@ -201,7 +205,7 @@ Sheet makeSheet(const SavedResult& result, const SavedAnswer& answer, const Regi
         [&](const auto& saved) {
             Sheet sheet{.headline = headlineOf(result, answer.origin, region, source.city.frame),
                         .map = makeMainMap(saved, from),
-                        .definitions = definitionsOf(result),
+                        .definitions = definitionsOf(result, saved),
                         .figures = figuresOf(saved),
                         .sections = {originSection(result, answer.origin, source),
                                      methodSection(result, answer), inputsSection(result)},

@@ -1,8 +1,5 @@
 #include "app/report/sheets/score_report.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/report/maps/score_legend.h"
 #include "app/report/sheets/report_sections.h"
 #include "core/receivers/roof_receivers.h"
@@ -13,30 +10,20 @@ namespace noonmark {
 
 namespace {
 
-QString signedArea(double areaM2) {
-    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeAmount(areaM2, 0) + QStringLiteral(" m²");
-}
-
-QString signedShade(double shadeM2h) {
-    if (std::isnan(shadeM2h)) return QStringLiteral("not counted");
-    return (shadeM2h > 0 ? QStringLiteral("+") : QString()) + describeAmount(shadeM2h, 0) +
-           QStringLiteral(" m² h");
-}
-
 QString monthName(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
-QString definitionOf(std::string_view key) {
-    const std::string_view text = findFigure(scoreFigures().rows(), key).definition;
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+template <class R>
+QString joined(const Figures<R>& figures, const R& of) {
+    return QString::fromStdString(joinLines(listLines(figures.of(of))));
 }
 
-TextBlocks definitions() {
-    return {body(
-        QStringLiteral("Weighted shade: %1. Score: %2. Positive means that wanted shade outweighs unwanted "
-                       "shadow. The figures of the months add up to the total.")
-            .arg(definitionOf("weighted_shade_m2h"), definitionOf("score_m2")))};
+TextBlocks definitionsOf(const Score& score) {
+    const ScoreTotals totals = totalsOf(score);
+    return {body(defineFigures(listLines(scoreFigures().of(totals))) +
+                 QStringLiteral(" Positive means that wanted shade outweighs unwanted shadow. The figures of "
+                                "the months add up to the total."))};
 }
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
@@ -53,11 +40,8 @@ TextBlocks weightsOf(const ScoreAnswer& answer) {
         heading(QStringLiteral("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
     for (const IntervalFigures& interval : answer.score.intervals)
         if (interval.shadowAreaM2 > 0)
-            blocks.push_back(
-                body(QStringLiteral("%1 × %2: %3 weighted, %4 m² shadow, score %5")
-                         .arg(QString::fromStdString(interval.name), describeAmount(interval.weight, 3),
-                              signedShade(interval.weightedShadeM2h),
-                              describeAmount(interval.shadowAreaM2, 0), signedArea(interval.scoreM2))));
+            blocks.push_back(body(QStringLiteral("%1: %2").arg(QString::fromStdString(interval.name),
+                                                               joined(scoreIntervalFigures(), interval))));
     return blocks;
 }
 
@@ -89,19 +73,10 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
 }
 
 std::vector<FigureText> makeScoreFigures(const Score& score) {
-    const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
-    std::vector<FigureText> figures{
-        {QStringLiteral("Weighted shade"), signedShade(score.weightedShadeM2h)},
-        {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
-        {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
-        {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
-    if (score.waterM2 > 0)
-        figures.push_back(
-            {QStringLiteral("Water left out"), describeAmount(score.waterM2, 0) + QStringLiteral(" m²")});
+    const ScoreTotals totals = totalsOf(score);
+    std::vector<FigureText> figures = figureTexts(listLines(scoreFigures().of(totals)));
     for (const MonthFigures& month : score.months)
-        figures.push_back(
-            {monthName(month.month),
-             signedShade(month.weightedShadeM2h) + QStringLiteral(", score ") + signedArea(month.scoreM2)});
+        figures.push_back({monthName(month.month), joined(scoreMonthFigures(), month)});
     return figures;
 }
 
@@ -111,7 +86,7 @@ Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source) {
     for (TextBlocks& section : sourcesOf(answer, source)) sections.push_back(std::move(section));
     return {.headline = makeHeadline(answer.settings, source.city.frame, subject, {}),
             .map = makeScoreMap(answer.score, source.city, answer.settings.region),
-            .definitions = definitions(),
+            .definitions = definitionsOf(answer.score),
             .figures = makeScoreFigures(answer.score),
             .sections = std::move(sections),
             .credit = describeData(answer.provenance.attribution),

@@ -5,37 +5,13 @@
 #include "app/report/maps/shadow_measure.h"
 #include "core/base/display_units.h"
 #include "core/base/version.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
 namespace {
 
-QString describeMinutes(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
-
-QString describeMinutesADay(double sunlit, double minutes) {
-    const QString share =
-        sunlit > 0 ? QStringLiteral(" (%1 %)").arg(describeAmount(100 * minutes / sunlit)) : QString();
-    return describeAmount(minutes) + QStringLiteral(" min/day") + share;
-}
-
-QString describeShadowArea(const ShadowStatistics& s) {
-    const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
-    return QStringLiteral("%1 m² (%2 %)").arg(describeAmount(s.shadowAreaM2, 0), describeAmount(share));
-}
-
-void addMinutes(std::vector<FigureText>& figures, const ShadowStatistics& s, double sunlit) {
-    figures.push_back({QStringLiteral("Gross shadow, mean"), describeMinutesADay(sunlit, s.meanGrossMin)});
-    figures.push_back({QStringLiteral("Gross shadow, largest"), describeMinutesADay(sunlit, s.maxGrossMin)});
-    if (hasRuns(s)) {
-        figures.push_back({QStringLiteral("Continuous shadow, mean"), describeMinutes(s.meanContinuousMin)});
-        figures.push_back(
-            {QStringLiteral("Continuous shadow, largest"), describeMinutes(s.maxContinuousMin)});
-    } else {
-        figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
-    }
-    figures.push_back({QStringLiteral("Sunlit time"), describeAmount(sunlit) + QStringLiteral(" min/day")});
-}
+QString plainWords(const std::string& text) { return QString::fromStdString(text); }
 
 }  // namespace
 
@@ -89,20 +65,30 @@ QString describeProgram() {
     return QStringLiteral("Noonmark ") + QString::fromUtf8(number.data(), qsizetype(number.size()));
 }
 
+std::vector<FigureText> figureTexts(const std::vector<FigureLine>& lines) {
+    std::vector<FigureText> figures;
+    for (const FigureLine& line : lines)
+        figures.push_back({plainWords(labelOf(line)), plainWords(valueOf(line))});
+    return figures;
+}
+
+QString defineFigures(std::vector<FigureLine> lines) {
+    std::erase_if(lines, [](const FigureLine& line) { return line.figure->use != FigureUse::result; });
+    return plainWords(definitionsOf(lines)).replace(QStringLiteral(" x "), QStringLiteral(" × "));
+}
+
 std::vector<FigureText> computeFigures(const Study& study) {
     return makeStudyFigures(study.statistics, study.field, study.sun.steps.size());
 }
 
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& s, const ShadowField& field,
                                          std::uint64_t steps) {
-    std::vector<FigureText> figures{{QStringLiteral("Shadow area"), describeShadowArea(s)}};
-    if (!isInstant(field)) addMinutes(figures, s, field.sunlitMinutesPerDay);
-    figures.push_back({QStringLiteral("Receivers"), describeCount(s.receivers)});
-    figures.push_back(
-        {QStringLiteral("Area of receivers"), describeAmount(s.receiverAreaM2, 0) + QStringLiteral(" m²")});
-    if (s.waterM2 > 0)
+    const double sunlit = field.sunlitMinutesPerDay;
+    const FigureContext context{s.receiverAreaM2, sunlit, isInstant(field)};
+    std::vector<FigureText> figures = figureTexts(listLines(shadowFigures().of(s), context));
+    if (!context.isInstant)
         figures.push_back(
-            {QStringLiteral("Water left out"), describeAmount(s.waterM2, 0) + QStringLiteral(" m²")});
+            {QStringLiteral("Sunlit time"), describeAmount(sunlit) + QStringLiteral(" min a day")});
     figures.push_back(
         {QStringLiteral("Cell size"), describeAmount(field.grid.cellM, 2) + QStringLiteral(" m")});
     figures.push_back({QStringLiteral("Steps of the sun"), describeCount(steps)});

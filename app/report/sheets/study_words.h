@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "core/describe/figure_text.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -25,6 +26,9 @@ struct FigureText {
     QString name;
     QString value;  ///< including its unit
 };
+std::vector<FigureText> figureTexts(const std::vector<FigureLine>& lines);
+/// The definitions of those that are results as one paragraph.
+QString defineFigures(std::vector<FigureLine> lines);
 std::vector<FigureText> computeFigures(const Study& study);
 /// The same of a study whose settings are not known. `steps` of the sun.
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,

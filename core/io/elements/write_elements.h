@@ -15,9 +15,12 @@ namespace noonmark {
 /// A value of a table of elements: a text, a whole number, a number (NaN: none), or nothing.
 using ElementValue = std::variant<std::monostate, std::string, std::int64_t, double>;
 
+inline constexpr int placeDecimals = 8;  ///< degrees need more digits than metres
+
 struct ElementColumn {
     std::string name;   ///< lower case, unit at the end: "azimuth_deg"
     ElementValue kind;  ///< any value of the column's kind; not std::monostate
+    int decimals = 3;   ///< of numbers in CSV
 };
 
 /// One row for each element. Columns are the same for files of any format.

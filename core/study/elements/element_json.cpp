@@ -3,6 +3,7 @@
 
 #include "core/base/version.h"
 #include "core/city/height_counts.h"
+#include "core/describe/figure_text.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/elements/repeat_elements.h"
@@ -95,27 +96,16 @@ ElementJson elementErrorJson(const ElementStudy& study) {
             {"longest_sun", error.longestSun ? json(*error.longestSun) : ElementJson()}};
 }
 
-void addElementFigures(ElementJson& json, const ElementStudy& study) {
-    const ElementFigures figures = computeFigures(study);
-    const double possible = study.minutes.possibleMin / double(study.sun.dayCount());
-    json["receivers"] = study.receivers.size();
-    json["sunlit_min_per_day"] = possible;
-    json["mean_sunlit_min"] = figures.meanSunlitMin;
-    json["min_sunlit_min"] = figures.leastSunlitMin;
-    json["max_sunlit_min"] = figures.mostSunlitMin;
-    json["mean_gross_min"] = possible - figures.meanSunlitMin;
-    json["mean_continuous_min"] = figures.meanContinuousMin;
-    json["max_continuous_min"] = figures.mostContinuousMin;
+std::string_view definitionOf(std::string_view key) {
+    return findFigure(pointFigures().rows(), key).definition;
 }
 
 ElementJson elementDefinitions() {
     return {
-        {"sunlit", "minutes per day that a point is in the sun, averaged over the days of the period"},
-        {"gross",
-         "minutes per day that a point is in shadow, averaged over the days of the period; a point "
-         "that faces away from the sun is in shadow"},
-        {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
-        {"longest_sun", "longest unbroken run in the sun on any day of the period, minutes"},
+        {"sunlit", definitionOf("sunlit_min")},
+        {"gross", definitionOf("gross_min")},
+        {"continuous", definitionOf("continuous_min")},
+        {"longest_sun", definitionOf("longest_sun_min")},
         {"error",
          "of the engine against the ray reference on a sample of points and all steps: absolute differences, "
          "for gross in percent of the period's time with the sun up, for continuous and longest_sun of the "
@@ -183,7 +173,7 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["period"] = periodJson(study.settings.period, study.sun, observer);
     json["steps"] = study.sun.steps.size();
     json["steps_below_horizon"] = study.sun.belowHorizon;
-    addElementFigures(json, study);
+    json.update(figuresJson(elementFigures().of(computeFigures(study))));
     json["error"] = elementErrorJson(study);
     json["buildings"] = study.city.buildings.size();
     addElementCost(json, study, writeSeconds);
@@ -196,6 +186,7 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
     addRepeat(json, makeRepeatCommand(study));
     json["definitions"] = elementDefinitions();
+    json["definitions"].update(definitionsJson(elementFigures().rows()));
     json["warnings"] = warningsJson(study.warnings);
     return toJsonText(json);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/csv_text.h"
+#include "core/describe/text.h"
 #include "core/geo/earth_drop.h"
 
 namespace noonmark {
@@ -29,15 +30,12 @@ std::vector<ElementColumn> columnsOf(const std::vector<unsigned>& months) {
                                        {"building_name", text},
                                        {"floor", std::int64_t(0)},
                                        {"azimuth_deg", 0.0},
-                                       {"lon_deg", 0.0},
-                                       {"lat_deg", 0.0},
+                                       {"lon_deg", 0.0, placeDecimals},
+                                       {"lat_deg", 0.0, placeDecimals},
                                        {"elevation_m", 0.0},
-                                       {"above_ground_m", 0.0},
-                                       {"sunlit_min", 0.0},
-                                       {"sunlit_pct", 0.0},
-                                       {"gross_min", 0.0},
-                                       {"continuous_min", 0.0},
-                                       {"longest_sun_min", 0.0}};
+                                       {"above_ground_m", 0.0}};
+    for (const Figure& figure : pointFigures().rows())
+        columns.push_back({std::string(figure.key), 0.0, figure.decimals});
     for (const unsigned month : months) columns.push_back({fmt::format("sunlit_min_{:02}", month), 0.0});
     for (const char* name : sourceColumnNames) columns.push_back({name, text});
     return columns;
@@ -76,8 +74,8 @@ private:
     }
 
     void addMinutes(const MeasuredElement& element, std::vector<ElementValue>& row) const {
-        row.insert(row.end(), {element.sunlitMin, 100 * element.sunlitMin / map_.possibleMin,
-                               element.grossMin, element.continuousMin, element.longestSunMin});
+        const MapPoint point{&element, map_.possibleMin};
+        for (const Figure& figure : pointFigures().rows()) row.emplace_back(figure.get(&point));
         for (const unsigned month : months_) row.emplace_back(element.monthMin[month - 1]);
     }
 
@@ -87,10 +85,7 @@ private:
     std::vector<unsigned> months_;
 };
 
-// Degrees of places need more digits than metres. Minutes are sums of steps that count a hair more or less
-// than whole minutes: 179 of them are 179.00, and not 178.999.
-void addValue(CsvText& csv, const ElementValue& value, const std::string& column) {
-    const int decimals = column == "lon_deg" || column == "lat_deg" ? 8 : column.ends_with("_min") ? 2 : 3;
+void addValue(CsvText& csv, const ElementValue& value, int decimals) {
     if (const auto* text = std::get_if<std::string>(&value))
         csv.text(*text);
     else if (const auto* whole = std::get_if<std::int64_t>(&value))
@@ -120,14 +115,15 @@ std::string toCsv(const ElementTable& table) {
     for (const ElementColumn& column : table.columns) columns.push_back(column.name);
     CsvText csv(columns);
     for (const auto& row : table.rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) addValue(csv, row[i], columns[i]);
+        for (std::size_t i = 0; i < row.size(); ++i) addValue(csv, row[i], table.columns[i].decimals);
         csv.endRow();
     }
     return csv.take();
 }
 
 ElementFigures computeFigures(const ElementStudy& study) {
-    ElementFigures figures{.leastSunlitMin = 1e30};
+    ElementFigures figures{.points = study.receivers.size(), .leastSunlitMin = 1e30};
+    figures.possibleMin = study.minutes.possibleMin / double(study.sun.dayCount());
     const auto count = double(study.receivers.size());
     for (std::size_t point = 0; point < study.receivers.size(); ++point) {
         const double sunlit = study.minutes.sunlitOf(point) / double(study.sun.dayCount());
@@ -138,6 +134,107 @@ ElementFigures computeFigures(const ElementStudy& study) {
         figures.meanContinuousMin += run / count;
         figures.mostContinuousMin = std::max(figures.mostContinuousMin, run);
     }
+    figures.meanGrossMin = figures.possibleMin - figures.meanSunlitMin;
+    return figures;
+}
+
+const Figures<ElementFigures>& elementFigures() {
+    static const Figures<ElementFigures> figures{
+        figure(&ElementFigures::points, {.key = "receivers",
+                                         .label = NM_TEXT("Points"),
+                                         .definition = NM_TEXT("points where sun is measured"),
+                                         .use = FigureUse::basis}),
+        figure(&ElementFigures::possibleMin,
+               {.key = "sunlit_min_per_day",
+                .label = NM_TEXT("Sunlit time"),
+                .definition = NM_TEXT("mean minutes a day with the sun above the horizon: 100 % of the time"),
+                .unit = FigureUnit::minutesADay,
+                .use = FigureUse::basis}),
+        figure(&ElementFigures::meanSunlitMin,
+               {.key = "mean_sunlit_min",
+                .label = NM_TEXT("Mean sun"),
+                .definition = NM_TEXT("hours of sun a day, mean over days and points"),
+                .unit = FigureUnit::hoursADay,
+                .whole = Whole::sunlitTime,
+                .shownDecimals = 2}),
+        figure(&ElementFigures::leastSunlitMin,
+               {.key = "min_sunlit_min",
+                .label = NM_TEXT("Least sun"),
+                .definition = NM_TEXT("hours of sun a day at the darkest point"),
+                .unit = FigureUnit::hoursADay,
+                .whole = Whole::sunlitTime,
+                .shownDecimals = 2}),
+        figure(&ElementFigures::mostSunlitMin,
+               {.key = "max_sunlit_min",
+                .label = NM_TEXT("Most sun"),
+                .definition = NM_TEXT("hours of sun a day at the sunniest point"),
+                .unit = FigureUnit::hoursADay,
+                .whole = Whole::sunlitTime,
+                .shownDecimals = 2}),
+        figure(&ElementFigures::meanGrossMin,
+               {.key = "mean_gross_min",
+                .label = NM_TEXT("Mean gross"),
+                .definition = NM_TEXT("minutes in shadow per day, mean over days and points; a point that "
+                                      "faces away from the sun is in shadow"),
+                .whenMissing = std::nan(""),
+                .unit = FigureUnit::minutesADay,
+                .whole = Whole::sunlitTime}),
+        figure(&ElementFigures::meanContinuousMin,
+               {.key = "mean_continuous_min",
+                .label = NM_TEXT("Mean continuous"),
+                .definition = NM_TEXT("longest unbroken run in shadow on any day, mean over the points"),
+                .unit = FigureUnit::minutes}),
+        figure(&ElementFigures::mostContinuousMin,
+               {.key = "max_continuous_min",
+                .label = NM_TEXT("Max continuous"),
+                .definition = NM_TEXT("longest unbroken run in shadow at any point on any day"),
+                .unit = FigureUnit::minutes}),
+    };
+    return figures;
+}
+
+// Minutes are sums of steps that count a hair more or less than whole minutes: 179 of them are 179.00, and
+// not 178.999.
+const Figures<MapPoint>& pointFigures() {
+    using Point = const MapPoint&;
+    static const Figures<MapPoint> figures{
+        derivedFigure<MapPoint>(
+            [](Point point) { return point.element->sunlitMin; },
+            {.key = "sunlit_min",
+             .label = NM_TEXT("Sun"),
+             .definition = NM_TEXT("minutes per day that a point is in the sun, mean over the days"),
+             .decimals = 2,
+             .unit = FigureUnit::hoursADay,
+             .shownDecimals = 2}),
+        derivedFigure<MapPoint>(
+            [](Point point) { return 100 * point.element->sunlitMin / point.possibleMin; },
+            {.key = "sunlit_pct",
+             .label = NM_TEXT("Share of time"),
+             .definition = NM_TEXT("sun, of the time with the sun above the horizon"),
+             .decimals = 3,
+             .unit = FigureUnit::percent}),
+        derivedFigure<MapPoint>(
+            [](Point point) { return point.element->grossMin; },
+            {.key = "gross_min",
+             .label = NM_TEXT("Gross"),
+             .definition = NM_TEXT("minutes in shadow per day, mean over the days; a point "
+                                   "that faces away from the sun is in shadow"),
+             .decimals = 2,
+             .unit = FigureUnit::minutesADay}),
+        derivedFigure<MapPoint>([](Point point) { return point.element->continuousMin; },
+                                {.key = "continuous_min",
+                                 .label = NM_TEXT("Continuous"),
+                                 .definition = NM_TEXT("longest unbroken run in shadow on any day"),
+                                 .decimals = 2,
+                                 .unit = FigureUnit::minutes}),
+        derivedFigure<MapPoint>([](Point point) { return point.element->longestSunMin; },
+                                {.key = "longest_sun_min",
+                                 .label = NM_TEXT("Longest sun"),
+                                 .definition = NM_TEXT("longest unbroken run in the sun on any day"),
+                                 .decimals = 2,
+                                 .unit = FigureUnit::hours,
+                                 .shownDecimals = 2}),
+    };
     return figures;
 }
 

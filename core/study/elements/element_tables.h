@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/provenance/command_words.h"
@@ -29,11 +30,23 @@ std::string toCsv(const ElementTable& table);
 /// are. `writeSeconds`: of the files that were written before.
 std::string elementStudyJson(const ElementStudy& study, const std::map<std::string, double>& writeSeconds);
 
-/// Means over the points.
+/// Figures of all points together.
 struct ElementFigures {
+    std::size_t points = 0;
+    double possibleMin = 0;                                           ///< minutes a day with the sun up
     double meanSunlitMin = 0, leastSunlitMin = 0, mostSunlitMin = 0;  ///< a day
+    double meanGrossMin = 0;                                          ///< a day
     double meanContinuousMin = 0, mostContinuousMin = 0;
 };
 ElementFigures computeFigures(const ElementStudy& study);
+const Figures<ElementFigures>& elementFigures();
+
+/// A point of a map, for the figures of its row.
+struct MapPoint {
+    const MeasuredElement* element = nullptr;
+    double possibleMin = 0;  ///< ElementMap::possibleMin
+};
+/// The numbers that are measured at each point; without those of months.
+const Figures<MapPoint>& pointFigures();
 
 }  // namespace noonmark

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "core/base/csv_text.h"
+#include "core/describe/figure_text.h"
+#include "core/describe/text.h"
 #include "core/study/provenance/source_columns.h"
 
 namespace noonmark {
@@ -75,12 +77,48 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
                           breakdown.grid.cellAreaM2());
 }
 
+const Figures<MonthShadow>& monthFigures() {
+    static const Figures<MonthShadow> figures{
+        figure(&MonthShadow::sunlitMinutes,
+               {.key = "sunlit_min",
+                .label = NM_TEXT("Sunlit time"),
+                .definition = NM_TEXT("minutes of the month with the sun above the horizon"),
+                .unit = FigureUnit::minutes,
+                .use = FigureUse::basis}),
+        figure(&MonthShadow::shadowAreaM2,
+               {.key = "shadow_area_m2",
+                .label = NM_TEXT("Shadow area"),
+                .definition =
+                    NM_TEXT("sum over the receivers of (share of the sunlit time in shadow x cell area)"),
+                .decimals = 2,
+                .unit = FigureUnit::squareMetres,
+                .whole = Whole::area}),
+        figure(&MonthShadow::meanMinutes,
+               {.key = "mean_shadow_min",
+                .label = NM_TEXT("Mean shadow"),
+                .definition = NM_TEXT("minutes in shadow in the whole month, mean over the receivers"),
+                .decimals = 2,
+                .unit = FigureUnit::minutes})};
+    return figures;
+}
+
+nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const MonthShadow& month : months) {
+        json.push_back({{"month", month.month}});
+        json.back().update(figuresJson(monthFigures().of(month)));
+    }
+    return json;
+}
+
 std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance) {
-    CsvText csv(withSourceColumns({"month", "sunlit_min", "shadow_area_m2", "mean_shadow_min"}));
+    std::vector<std::string> columns = listColumns(monthFigures().rows());
+    columns.insert(columns.begin(), "month");
+    CsvText csv(withSourceColumns(std::move(columns)));
     const SourceValues source = sourceValues(provenance);
     for (const MonthShadow& month : months) {
-        csv.text(month.month).number(month.sunlitMinutes, 1).number(month.shadowAreaM2, 2);
-        csv.number(month.meanMinutes, 2);
+        csv.text(month.month);
+        addFigures(csv, monthFigures().of(month));
         addSource(csv, source);
         csv.endRow();
     }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "core/describe/figure.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -14,6 +16,8 @@ struct MonthShadow {
     double shadowAreaM2 = 0;  ///< share of the month's sunlit time x area
     double meanMinutes = 0;   ///< minutes in shadow in the whole month, mean over the receivers
 };
+/// Without the month's name.
+const Figures<MonthShadow>& monthFigures();
 std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown);
 
 /// The same from the sums over all receivers of a study in tiles. `minutes`: one sum for each set.
@@ -28,6 +32,9 @@ double sumOf(const std::vector<float>& minutes);
 double sumOf(const std::vector<double>& minM2);
 /// The breakdown's buildings, those with the most attributed shadow first.
 std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown);
+
+/// One object for each month: month, and its figures.
+nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months);
 
 /// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (source_columns.h); one
 /// row per set of the study's breakdown, which must exist.

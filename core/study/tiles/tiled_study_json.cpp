@@ -3,7 +3,7 @@
 #include "core/describe/command_flags.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
-#include "core/study/text/months_json.h"
+#include "core/study/text/breakdown_text.h"
 #include "core/study/text/warnings_json.h"
 #include "core/study/tiles/tiled_study.h"
 

@@ -46,7 +46,8 @@ std::vector<ElementColumn> windowColumns(const Rule& rule) {
     for (const char* name :
          {"day", "bands_before", "bands_after", "verdict_before", "verdict_after", "reason"})
         columns.push_back({name, text});
-    for (const char* name : {"lon_deg", "lat_deg", "elevation_m"}) columns.push_back({name, 0.0});
+    for (const char* name : {"lon_deg", "lat_deg"}) columns.push_back({name, 0.0, placeDecimals});
+    columns.push_back({"elevation_m", 0.0});
     for (const char* name : sourceColumnNames) columns.push_back({name, text});
     return columns;
 }

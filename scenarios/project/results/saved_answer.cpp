@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/json_number.h"
+#include "core/describe/figure_text.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/study_hash.h"
@@ -128,8 +129,7 @@ SavedElements elementsOf(const SavedResult& result, const Json& json) {
     if (result.elements.empty()) throw std::invalid_argument("its points are missing");
     SavedElements saved;
     saved.map = {result.elements, json.at("sunlit_min_per_day")};
-    saved.figures = {json.at("mean_sunlit_min"), json.at("min_sunlit_min"), json.at("max_sunlit_min"),
-                     json.at("mean_continuous_min"), json.at("max_continuous_min")};
+    saved.figures = readFigures(elementFigures(), json);
     saved.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
     saved.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     saved.seconds = json.at("seconds").value("accumulate", 0.0);

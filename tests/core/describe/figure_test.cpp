@@ -55,6 +55,77 @@ TEST(Figures, AreColumnsWithTheirDecimals) {
     EXPECT_EQ(definitionsJson(harvestFigures().rows()), (Json{{"apples", "number of apples"}}));
 }
 
+struct Wind {
+    double grossMin = 90, runMin = std::numeric_limits<double>::quiet_NaN();
+    double areaM2 = 1234, changeM2 = 12, waterM2 = 0, weight = 0.125, gusts = 6;
+};
+
+const Figures<Wind>& windFigures() {
+    static const Figures<Wind> figures{
+        figure(
+            &Wind::areaM2,
+            {.key = "area_m2", .label = "Area", .unit = FigureUnit::squareMetres, .use = FigureUse::basis}),
+        figure(&Wind::waterM2, {.key = "water_m2",
+                                .label = "Water",
+                                .unit = FigureUnit::squareMetres,
+                                .use = FigureUse::basis,
+                                .whenPositive = true}),
+        figure(&Wind::changeM2, {.key = "change_m2",
+                                 .label = "Change",
+                                 .definition = "more of it",
+                                 .unit = FigureUnit::squareMetres,
+                                 .whole = Whole::area,
+                                 .isChange = true}),
+        figure(&Wind::grossMin, {.key = "gross_min",
+                                 .label = "Wind",
+                                 .definition = "time of wind",
+                                 .unit = FigureUnit::hoursADay,
+                                 .together = Together::mean}),
+        figure(&Wind::runMin, {.key = "run_min", .label = "Longest", .unit = FigureUnit::minutes}),
+        figure(&Wind::weight,
+               {.key = "weight", .label = "Weight", .use = FigureUse::file, .together = Together::max}),
+        derivedFigure<Wind>([](const Wind& wind) { return wind.gusts / 2; },
+                            {.key = "pairs", .label = "Pairs of gusts", .inFiles = false})};
+    return figures;
+}
+
+std::string textOf(const std::vector<FigureLine>& lines) {
+    std::string text;
+    for (const FigureLine& line : lines) text += labelOf(line) + '=' + valueOf(line) + ';';
+    return text;
+}
+
+TEST(Figures, AreReadByPeopleWithUnitSignAndShareResultsFirst) {
+    EXPECT_EQ(textOf(listLines(windFigures().of(Wind{}), {.areaM2 = 48, .sunlitMin = 360})),
+              "Change=+12 m² (25 %);Wind=1.5 h a day;Longest=not counted;Pairs of gusts=3;Area=1,234 m²;");
+    EXPECT_EQ(textOf(listLines(windFigures().of(Wind{}), FigureUse::result, {.isInstant = true})),
+              "Change=+12 m²;Pairs of gusts=3;");
+    EXPECT_EQ(valueOf(listLines(windFigures().of(Wind{})).front(), UnitSystem::imperial), "+129 sq ft");
+    EXPECT_EQ(joinLines(listLines(windFigures().of(Wind{}), FigureUse::basis)), "area 1,234 m²");
+    EXPECT_EQ(definitionsOf(listLines(windFigures().of(Wind{}))), "Change: more of it. Wind: time of wind.");
+}
+
+TEST(Figures, SayWhichMeasureAndThresholdTheyAreOf) {
+    const Figure& change = findFigure(windFigures().rows(), "change_m2");
+    EXPECT_EQ(labelOf({.figure = &change, .measure = "Gross"}), "Gross: change");
+    EXPECT_EQ(labelOf({.figure = &change, .measure = "Gross", .thresholdMin = 30}), "Gross > 30 min: change");
+}
+
+TEST(Figures, ThatFollowFromOthersAreInNoFile) {
+    EXPECT_FALSE(figuresJson(windFigures().of(Wind{})).contains("pairs"));
+    EXPECT_EQ(listColumns(windFigures().rows()).back(), "weight");
+    EXPECT_EQ(readFigures(windFigures(), figuresJson(windFigures().of(Wind{.weight = 2}))).weight, 2);
+}
+
+TEST(Figures, OfPiecesAreAddedUp) {
+    Wind whole{.grossMin = 60, .changeM2 = 10, .weight = 3};
+    const Wind piece{.grossMin = 120, .changeM2 = 5, .weight = 2};
+    addPiece(windFigures().rows(), &whole, 3, &piece, 1);
+    EXPECT_EQ(whole.grossMin, 75);
+    EXPECT_EQ(whole.changeM2, 15);
+    EXPECT_EQ(whole.weight, 3);
+}
+
 TEST(Figures, OfShadowKeepTheirKeys) {
     EXPECT_EQ(listColumns(shadowFigures().rows()),
               (std::vector<std::string>{"receivers", "receiver_area_m2", "water_m2", "shadow_area_m2",

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/answers/figure_row.h"
+#include "core/study/elements/element_tables.h"
 
 namespace noonmark {
 
@@ -14,24 +16,22 @@ const std::string& textIn(const MeasuredElement& element, int column) {
     return element.buildingName.empty() ? element.building : element.buildingName;
 }
 
+constexpr double minutesOfHour = 60;
+
+const Figure& figureOf(int column) { return pointFigures().rows()[std::size_t(column - ElementModel::sun)]; }
+
+bool isInHours(const Figure& figure) {
+    return figure.unit == FigureUnit::hours || figure.unit == FigureUnit::hoursADay;
+}
+
 // NaN where there is none.
 double numberIn(const MeasuredElement& element, double possibleMin, int column) {
-    switch (column) {
-        case ElementModel::floor:
-            return element.floor ? *element.floor : std::nan("");
-        case ElementModel::facing:
-            return element.azimuthDeg;
-        case ElementModel::sun:
-            return element.sunlitMin / 60;
-        case ElementModel::share:
-            return 100 * element.sunlitMin / possibleMin;
-        case ElementModel::longestSun:
-            return element.longestSunMin / 60;
-        case ElementModel::gross:
-            return element.grossMin;
-        default:
-            return element.continuousMin;
-    }
+    if (column == ElementModel::floor) return element.floor ? *element.floor : std::nan("");
+    if (column == ElementModel::facing) return element.azimuthDeg;
+    const Figure& figure = figureOf(column);
+    const MapPoint point{&element, possibleMin};
+    const double value = figure.get(&point);
+    return isInHours(figure) ? value / minutesOfHour : value;
 }
 
 bool isText(int column) { return column == ElementModel::id || column == ElementModel::building; }
@@ -42,10 +42,7 @@ QVariant valueOf(const MeasuredElement& element, double possibleMin, int column)
     return std::isnan(number) ? QVariant() : QVariant(number);
 }
 
-int decimalsOf(int column) {
-    if (column == ElementModel::sun || column == ElementModel::longestSun) return 2;
-    return column == ElementModel::facing || column == ElementModel::floor ? 0 : 1;
-}
+int decimalsOf(int column) { return column < ElementModel::sun ? 0 : figureOf(column).shownDecimals; }
 
 QVariant textOf(const QVariant& value, int column) {
     if (!value.isValid() || isText(column)) return value;
@@ -64,7 +61,9 @@ int ElementModel::rowCount(const QModelIndex& parent) const {
     return map_ && !parent.isValid() ? int(map_->elements.size()) : 0;
 }
 
-int ElementModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(columns); }
+int ElementModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : sun + int(pointFigures().rows().size());
+}
 
 QVariant ElementModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
@@ -77,10 +76,8 @@ QVariant ElementModel::data(const QModelIndex& index, int role) const {
 
 QVariant ElementModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    const std::array<QString, columns> names{tr("Point"),          tr("Building"),     tr("Floor"),
-                                             tr("Facing, °"),      tr("Sun, h a day"), tr("Sun, % of time"),
-                                             tr("Longest sun, h"), tr("Gross, min"),   tr("Continuous, min")};
-    return names[std::size_t(section)];
+    const std::array<QString, sun> names{tr("Point"), tr("Building"), tr("Floor"), tr("Facing, °")};
+    return section < sun ? names[std::size_t(section)] : headingOf(figureOf(section));
 }
 
 ElementFilter::ElementFilter(QObject* parent) : QSortFilterProxyModel(parent) {

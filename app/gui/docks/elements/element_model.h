@@ -12,7 +12,8 @@ namespace noonmark {
 class ElementModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { id, building, floor, facing, sun, share, longestSun, gross, continuous, columns };
+    /// From `sun` on, the figures of points in the order of their table (pointFigures()).
+    enum Column { id, building, floor, facing, sun };
     static constexpr int valueRole = Qt::UserRole;  ///< a number where the text is one, for sorting
 
     using QAbstractTableModel::QAbstractTableModel;

@@ -2,28 +2,11 @@
 
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/answers/answer_viewer.h"
-#include "app/report/sheets/study_words.h"
-#include "scenarios/impact/impact_runs.h"
+#include "app/gui/session/answers/figure_row.h"
 
 namespace noonmark {
 
 namespace {
-
-QString describeSigned(double value, int decimals, const QString& unit) {
-    return (value > 0 ? QStringLiteral("+") : QString()) + formatAmount(value, decimals) + unit;
-}
-
-QString describeSignedArea(double areaM2) {
-    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeSmallArea(areaM2);
-}
-
-// Rows of one measure, one per threshold.
-void addThresholds(std::vector<ResultRow>& rows, const ComparisonFigures& figures, const QString& name,
-                   ChangeFigures ImpactFigures::*measure, const QString& meaning) {
-    for (const ImpactFigures& one : figures.all)
-        rows.push_back({QObject::tr("%1 > %2 min").arg(name).arg(one.thresholdMin),
-                        describeChangedArea(one.*measure), meaning});
-}
 
 void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures) {
     for (const auto& building : figures.byBuilding)
@@ -65,46 +48,14 @@ QString describeChangedArea(const ChangeFigures& figures) {
 }
 
 std::vector<ResultRow> makeRows(const ComparisonFigures& figures) {
-    const ImpactFigures& all = figures.all.front();
     std::vector<ResultRow> rows{
         {QObject::tr("Compared"),
          QObject::tr("%1\nwith %2")
              .arg(QString::fromStdString(figures.to), QString::fromStdString(figures.from)),
          QObject::tr(
              "Minutes of the first minus minutes of the second, with the same engine, steps and cells")}};
-    addThresholds(rows, figures, QObject::tr("Gross"), &ImpactFigures::gross,
-                  QObject::tr("Ground whose gross shadow increases or decreases by more than this"));
-    if (hasRuns(all))
-        addThresholds(rows, figures, QObject::tr("Continuous"), &ImpactFigures::continuous,
-                      QObject::tr("Ground whose continuous shadow increases or decreases by more than this"));
-    else
-        rows.push_back({QObject::tr("Continuous"), QObject::tr("not counted"),
-                        QObject::tr("The engine computed gross shadow only")});
-    rows.push_back({QObject::tr("Any change"),
-                    QObject::tr("%1 more\n%2 less")
-                        .arg(describeArea(all.gross.touchedM2), describeArea(all.gross.easedM2)),
-                    QObject::tr("Ground with any change of gross shadow")});
-    rows.push_back({QObject::tr("Largest increase"),
-                    describeSigned(all.gross.mostGainedMin, 1, QObject::tr(" min a day")),
-                    QObject::tr("The cell with the largest increase of gross shadow")});
-    rows.push_back({QObject::tr("Largest decrease"),
-                    describeSigned(-all.gross.mostLostMin, 1, QObject::tr(" min a day")),
-                    QObject::tr("The cell with the largest decrease of gross shadow")});
-    rows.push_back({QObject::tr("Mean change"),
-                    describeSigned(all.gross.meanMin, 2, QObject::tr(" min a day")),
-                    QObject::tr("Mean change of gross shadow over all cells that are open ground in both")});
-    rows.push_back(
-        {QObject::tr("Shadow area"), describeSignedArea(all.shadowAreaChangeM2),
-         QObject::tr(
-             "Change of the sum over the cells of (share of the sunlit time in shadow × cell area)")});
-    rows.push_back({QObject::tr("Built over"), describeArea(all.becameBuildingM2),
-                    QObject::tr("Formerly ground, now building; not included above")});
-    rows.push_back({QObject::tr("Became ground"), describeArea(all.becameGroundM2),
-                    QObject::tr("Formerly building, now ground; not included above")});
+    for (ResultRow& row : figureRows(listLines(figures))) rows.push_back(std::move(row));
     addBuildings(rows, figures);
-    rows.push_back({QObject::tr("Ground compared"), describeArea(all.receiverAreaM2),
-                    QObject::tr("Open ground in both")});
-    addWaterRow(rows, figures.waterM2);
     rows.push_back({QObject::tr("Period"), QString::fromStdString(figures.period), {}});
     rows.push_back(
         {QObject::tr("Engine"), QString::fromStdString(figures.engine), QObject::tr("Used for both")});

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <QString>
-#include <span>
-#include <string_view>
 #include <vector>
 
-#include "core/describe/figure.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/error_words.h"
@@ -20,12 +17,6 @@ struct ResultRow {
     QString value;
     QString meaning;
 };
-
-/// The row of the figure with this key: its label, `value`, and its definition as a tooltip.
-ResultRow figureRow(std::span<const Figure> figures, std::string_view key, const QString& value);
-
-/// Adds how much of the region was left out as water; nothing for none.
-void addWaterRow(std::vector<ResultRow>& rows, double waterM2);
 
 /// The meaning of the row of steps: "Positions of the sun above the horizon; 312 below it were left out".
 QString describeSteps(std::uint64_t belowHorizon);
@@ -48,8 +39,6 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures);
 /// The figures of a study at points, new or saved.
 struct PointFigures {
     ElementFigures figures;
-    std::size_t points = 0;
-    double possibleMin = 0;  ///< minutes a day with the sun up
     std::uint64_t steps = 0, belowHorizon = 0;
     double seconds = 0;
     std::string period;  ///< in words

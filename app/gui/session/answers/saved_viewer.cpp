@@ -39,9 +39,9 @@ std::vector<ResultRow> figureRows(const SavedScore& score, const SavedContent& r
 }
 
 std::vector<ResultRow> figureRows(const SavedElements& saved, const SavedContent& result) {
-    return makeRows(PointFigures{saved.figures, saved.map.elements.size(), saved.map.possibleMin, saved.steps,
-                                 saved.belowHorizon, saved.seconds, result.answer.origin.period, saved.error,
-                                 saved.byRays, result.answer.origin.engine});
+    return makeRows(PointFigures{saved.figures, saved.steps, saved.belowHorizon, saved.seconds,
+                                 result.answer.origin.period, saved.error, saved.byRays,
+                                 result.answer.origin.engine});
 }
 
 QString noteOf(const SavedContent& result) {

@@ -1,10 +1,9 @@
 #include <QLocale>
 #include <QObject>
-#include <algorithm>
-#include <cmath>
 
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/answers/answer_viewer.h"
+#include "app/gui/session/answers/figure_row.h"
 #include "app/report/sheets/study_words.h"
 #include "scenarios/weights/score_figures.h"
 
@@ -12,31 +11,16 @@ namespace noonmark {
 
 namespace {
 
-QString signedArea(double areaM2) {
-    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + formatAmount(areaM2, 0) + QStringLiteral(" m²");
-}
-
-QString signedShade(double shadeM2h) {
-    if (std::isnan(shadeM2h)) return QObject::tr("not counted");
-    return (shadeM2h > 0 ? QStringLiteral("+") : QString()) + formatAmount(shadeM2h, 0) +
-           QStringLiteral(" m² h");
-}
-
 // Of a month or an interval.
-template <class Figures>
-QString listFigures(const Figures& figures) {
-    return QObject::tr("%1 weighted, %2 m² shadow, score %3")
-        .arg(signedShade(figures.weightedShadeM2h), formatAmount(figures.shadowAreaM2, 0),
-             signedArea(figures.scoreM2));
+template <class R>
+QString joined(const Figures<R>& figures, const R& of) {
+    return joinFigures(listLines(figures.of(of)));
 }
 
 void addMonths(std::vector<ResultRow>& rows, const Score& score) {
     for (const MonthFigures& month : score.months)
-        rows.push_back({describeMonth(month.month), listFigures(month),
-                        QObject::tr("Weighted shade, shadow area over %1 sunlit minute(s), and the month's "
-                                    "contribution to the score",
-                                    "", pluralNumber(quint64(std::round(month.sunlitMinutes))))
-                            .arg(formatAmount(month.sunlitMinutes, 0))});
+        rows.push_back({describeMonth(month.month), joined(scoreMonthFigures(), month),
+                        QObject::tr("The month's contribution to the score")});
 }
 
 // Intervals without steps of the sun have neither shadow area nor score.
@@ -44,11 +28,8 @@ void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
     for (const IntervalFigures& interval : score.intervals)
         if (interval.shadowAreaM2 > 0)
             rows.push_back(
-                {QObject::tr("%1 × %2").arg(QString::fromStdString(interval.name)).arg(interval.weight),
-                 listFigures(interval),
-                 QObject::tr(
-                     "Interval of the table and its weight: weighted shade, shadow area in its sunlit time, "
-                     "and weight times shadow area")});
+                {QString::fromStdString(interval.name), joined(scoreIntervalFigures(), interval),
+                 QObject::tr("Interval of the table: its weight, and its contribution to the score")});
 }
 
 AnswerLayer layerOfScore(const std::shared_ptr<const Answer>& answer) {
@@ -85,21 +66,14 @@ QString describeMonth(std::chrono::year_month month) {
 
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period) {
-    const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
-    std::vector<ResultRow> rows{
-        figureRow(scoreFigures().rows(), "weighted_shade_m2h", signedShade(score.weightedShadeM2h)),
-        figureRow(scoreFigures().rows(), "score_m2", signedArea(score.scoreM2)),
-        {QObject::tr("per m² of ground"), groupDigits(perArea, 3),
-         QObject::tr("Score divided by the area of all receivers")},
-        {QObject::tr("Scored"),
-         QObject::tr("%1\nwith the weights %2")
-             .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
-         {}}};
+    const ScoreTotals totals = totalsOf(score);
+    std::vector<ResultRow> rows = figureRows(listLines(scoreFigures().of(totals)));
+    rows.push_back({QObject::tr("Scored"),
+                    QObject::tr("%1\nwith the weights %2")
+                        .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
+                    {}});
     addMonths(rows, score);
     addIntervals(rows, score);
-    rows.push_back({QObject::tr("Receivers"), formatAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²"),
-                    QObject::tr("Open ground of the region")});
-    addWaterRow(rows, score.waterM2);
     rows.push_back({QObject::tr("Period"), QString::fromStdString(period), {}});
     rows.push_back({QObject::tr("Engine"), QString::fromStdString(score.engine), {}});
     return rows;

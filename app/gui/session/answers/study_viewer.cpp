@@ -1,11 +1,8 @@
 #include <QObject>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/answer_viewer.h"
-#include "app/report/maps/shadow_measure.h"
-#include "app/report/sheets/study_words.h"
-#include "core/measures/has_runs.h"
+#include "app/gui/session/answers/figure_row.h"
 #include "core/measures/shadow_figures.h"
 
 namespace noonmark {
@@ -15,28 +12,6 @@ namespace {
 double accumulateSeconds(const Study& study) {
     const auto found = study.seconds.find("accumulate");
     return found == study.seconds.end() ? 0 : found->second;
-}
-
-ResultRow minutes(std::string_view key, double value) {
-    return figureRow(shadowFigures().rows(), key, formatAmount(value) + QStringLiteral(" min"));
-}
-
-std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
-    const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
-    std::vector<ResultRow> rows{
-        figureRow(shadowFigures().rows(), "shadow_area_m2", describeSmallArea(s.shadowAreaM2)),
-        {QObject::tr("Share of ground"), formatAmount(share) + QStringLiteral(" %"),
-         QObject::tr("Shadow area over the area of all receivers")}};
-    if (instant) return rows;
-    rows.push_back(minutes("mean_gross_min", s.meanGrossMin));
-    if (!hasRuns(s)) {
-        rows.push_back({QObject::tr("Continuous"), QObject::tr("not counted"),
-                        QObject::tr("The engine computed gross shadow only")});
-        return rows;
-    }
-    rows.push_back(minutes("mean_continuous_min", s.meanContinuousMin));
-    rows.push_back(minutes("max_continuous_min", s.maxContinuousMin));
-    return rows;
 }
 
 void addErrorRows(std::vector<ResultRow>& rows, const std::vector<ErrorLine>& errors) {
@@ -91,15 +66,6 @@ const AnswerViewer& studyViewer() {
     return viewer;
 }
 
-ResultRow figureRow(std::span<const Figure> figures, std::string_view key, const QString& value) {
-    const Figure& figure = findFigure(figures, key);
-    return {translated(figure.label), value, translatedSentence(figure.definition)};
-}
-
-void addWaterRow(std::vector<ResultRow>& rows, double waterM2) {
-    if (waterM2 > 0) rows.push_back(figureRow(shadowFigures().rows(), "water_m2", describeArea(waterM2)));
-}
-
 QString describeSteps(std::uint64_t belowHorizon) {
     return QObject::tr("Positions of the sun above the horizon; %1 below it was/were left out", "",
                        pluralNumber(belowHorizon))
@@ -107,10 +73,9 @@ QString describeSteps(std::uint64_t belowHorizon) {
 }
 
 std::vector<ResultRow> makeRows(const StudyFigures& figures) {
-    std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
-    rows.push_back({QObject::tr("Receivers"), formatCount(figures.statistics.receivers),
-                    QObject::tr("Cells in which shadow is measured")});
-    addWaterRow(rows, figures.statistics.waterM2);
+    const FigureContext context{figures.statistics.receiverAreaM2, figures.sunlitMinutesPerDay,
+                                figures.instant};
+    std::vector<ResultRow> rows = figureRows(listLines(shadowFigures().of(figures.statistics), context));
     rows.push_back(
         {QObject::tr("Steps of the sun"), formatCount(figures.steps), describeSteps(figures.belowHorizon)});
     rows.push_back({QObject::tr("Sunlit time"),

@@ -148,18 +148,8 @@ private:
         districts_.push_back({{"name", district.name}, {"tiles", tiles}});
         districts_.back().update(figuresJson(shadowFigures().of(figures)));
         ShadowStatistics& all = report_.statistics;
-        const double before = double(all.receivers), more = double(figures.receivers);
-        const auto mean = [&](double a, double b) {
-            return before + more > 0 ? (a * before + b * more) / (before + more) : 0;
-        };
-        all.meanGrossMin = mean(all.meanGrossMin, figures.meanGrossMin);
-        all.meanContinuousMin = mean(all.meanContinuousMin, figures.meanContinuousMin);
-        all.maxGrossMin = std::max(all.maxGrossMin, figures.maxGrossMin);
-        all.maxContinuousMin = std::max(all.maxContinuousMin, figures.maxContinuousMin);
-        all.receivers += figures.receivers;
-        all.receiverAreaM2 += figures.receiverAreaM2;
-        all.waterM2 += figures.waterM2;
-        all.shadowAreaM2 += figures.shadowAreaM2;
+        const auto before = double(all.receivers), more = double(figures.receivers);
+        addPiece(shadowFigures().rows(), &all, before, &figures, more);
     }
 
     Result<void> writeSummaries() {

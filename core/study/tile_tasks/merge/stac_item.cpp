@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/version.h"
+#include "core/describe/figure_text.h"
 #include "core/geo/lon_lat_box.h"
+#include "core/measures/shadow_figures.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -41,25 +43,23 @@ Json asset(const std::string& file, const char* type, const std::string& title) 
     return {{"href", "./" + file}, {"type", type}, {"title", title}, {"roles", {"data"}}};
 }
 
-Json numberOrNull(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
-
 Json propertiesOf(const District& district, const SunSteps& sun, const Period& period,
                   const ShadowStatistics& statistics) {
     const Grid& grid = district.tiles.whole;
-    return {{"datetime", nullptr},
-            {"start_datetime", formatUtc(sun.steps.front().at)},
-            {"end_datetime", formatUtc(sun.steps.back().at)},
-            {"title", "Shadow: " + formatText(period)},
-            {"processing:software", {{"Noonmark", std::string(version())}}},
-            {"gsd", grid.cellM},
-            {"proj:epsg", nullptr},
-            {"proj:shape", {grid.rows, grid.columns}},
-            {"proj:transform", {grid.cellM, 0.0, grid.westM, 0.0, -grid.cellM, grid.northM()}},
-            {"noonmark:proj_string", district.frame.projString()},
-            {"noonmark:receivers", statistics.receivers},
-            {"noonmark:mean_gross_min", statistics.meanGrossMin},
-            {"noonmark:shadow_area_m2", statistics.shadowAreaM2},
-            {"noonmark:mean_continuous_min", numberOrNull(statistics.meanContinuousMin)}};
+    Json properties{{"datetime", nullptr},
+                    {"start_datetime", formatUtc(sun.steps.front().at)},
+                    {"end_datetime", formatUtc(sun.steps.back().at)},
+                    {"title", "Shadow: " + formatText(period)},
+                    {"processing:software", {{"Noonmark", std::string(version())}}},
+                    {"gsd", grid.cellM},
+                    {"proj:epsg", nullptr},
+                    {"proj:shape", {grid.rows, grid.columns}},
+                    {"proj:transform", {grid.cellM, 0.0, grid.westM, 0.0, -grid.cellM, grid.northM()}},
+                    {"noonmark:proj_string", district.frame.projString()}};
+    const Json figures = figuresJson(shadowFigures().of(statistics));
+    for (const auto& [key, value] : figures.items())
+        properties["noonmark:" + key] = value.is_number() && std::isnan(value.get<double>()) ? Json() : value;
+    return properties;
 }
 
 }  // namespace
