@@ -22,7 +22,7 @@ std::vector<CommandOption> optionsOf(const Field& field, const Value& value, con
     } else if (field.kind == ValueKind::yesNo) {
         options.push_back({flag, {}});
     } else {
-        options.push_back({flag, {formatText(value)}});
+        options.push_back({flag, {formatShown(field, value)}});
     }
     return options;
 }

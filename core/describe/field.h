@@ -42,7 +42,8 @@ struct FieldFacts {
     std::string_view hint = {};   ///< stands for the value in the help of a flag: "MIN"
     std::string_view unit = {};   ///< "min", "m", "h", "hPa", "C", "deg"; empty: none
     std::optional<ValueRange> range = {};  ///< of a number, or of each in a list; both ends are included
-    std::string_view whenEmpty = {};       ///< stands in an empty text field: "found by name"
+    double shownTimes = 1;  ///< people write and read a number times this: 100 for a share in percent
+    std::string_view whenEmpty = {};  ///< stands in an empty text field: "found by name"
     SettingRole role = SettingRole::question;
     bool hasDefault = true;                       ///< false: a user states it, whatever a new struct holds
     bool restated = false;                        ///< repeat commands state the default too

@@ -19,9 +19,11 @@ std::vector<double> numbersIn(const Value& value) {
 
 tl::unexpected<Error> outOfRange(const Field& field, double number) {
     const std::string unit = field.unit.empty() ? std::string() : fmt::format(" {}", field.unit);
-    return failure(fmt::format("{}: {:g}{} is out of range", field.label, number, unit),
-                   std::string(nameOf(field)),
-                   fmt::format("Give {:g} to {:g}{}", field.range->min, field.range->max, unit));
+    const double times = field.shownTimes;
+    return failure(
+        fmt::format("{}: {:g}{} is out of range", field.label, number * times, unit),
+        std::string(nameOf(field)),
+        fmt::format("Give {:g} to {:g}{}", field.range->min * times, field.range->max * times, unit));
 }
 
 bool isStated(const Described& settings, const Field& field, bool extras) {

@@ -73,7 +73,8 @@ const Json* groupIn(const Json& json, std::string_view group) {
 
 bool isStated(const Described& settings, const Field& field, const Value& value, FieldJson::Which which) {
     if (which == FieldJson::Which::all) return true;
-    return settings.applies(field) && (which == FieldJson::Which::applying || value != field.standard);
+    return settings.applies(field) &&
+           (which == FieldJson::Which::applying || field.restated || value != field.standard);
 }
 
 }  // namespace

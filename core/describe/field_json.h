@@ -9,7 +9,7 @@ namespace noonmark {
 /// Which fields a JSON states, and how.
 struct FieldJson {
     /// Those that apply; all, for files that give back what does not apply now; or those that apply and
-    /// differ from their default.
+    /// differ from their default, with those that are always restated.
     enum class Which { applying, all, changed };
     /// Numbers count choices from 0, as projects of all versions do for the settings of reading a city.
     enum class Choices { keys, numbers };

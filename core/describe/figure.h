@@ -21,6 +21,7 @@ enum class FigureUnit {
     minutesADay,
     hours,      ///< held in minutes
     hoursADay,  ///< held in minutes a day
+    share,      ///< held as a share, 0 to 1
     percent,
 };
 
@@ -44,10 +45,11 @@ enum class Whole { none, area, sunlitTime };
 /// What is written down about one number of a result: JSON, CSV, tables, sheets and the GUI take key, label
 /// and definition from here. Texts are in English and marked by NM_TEXT.
 struct FigureFacts {
-    std::string_view key;              ///< of JSON and CSV, with its unit: "shadow_area_m2"
-    std::string_view label = {};       ///< "Shadow area"
-    std::string_view definition = {};  ///< begins in lower case and ends without a full stop
-    int decimals = 1;                  ///< in CSV
+    std::string_view key;                  ///< of JSON and CSV, with its unit: "shadow_area_m2"
+    std::string_view label = {};           ///< "Shadow area"
+    std::string_view definition = {};      ///< begins in lower case and ends without a full stop
+    int decimals = 1;                      ///< in CSV
+    std::optional<int> jsonDecimals = {};  ///< rounded to in JSON; none: all digits
     /// In saved results of versions that did not state it; none: it was always stated.
     std::optional<double> whenMissing = {};
     FigureUnit unit = FigureUnit::none;
@@ -58,7 +60,7 @@ struct FigureFacts {
     bool isChange = false;      ///< shown with its sign
     bool whenPositive = false;  ///< shown only then
     bool byThreshold = false;   ///< counts what is over a threshold
-    bool compared = false;      ///< a column where scenarios stand side by side
+    bool inTable = false;       ///< a column of the tables that show only some of the figures
     bool inFiles = true;        ///< false: only people read it; it follows from others
 };
 

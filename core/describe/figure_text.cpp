@@ -32,6 +32,11 @@ double computeShare(const Figure& figure, double value, const FigureContext& con
     return whole > 0 ? 100 * value / whole : std::numeric_limits<double>::quiet_NaN();
 }
 
+double rounded(const Figure& figure, double value) {
+    const double grains = figure.jsonDecimals ? std::pow(10, *figure.jsonDecimals) : 0;
+    return figure.jsonDecimals ? std::round(value * grains) / grains : value;
+}
+
 std::string trimmed(std::string number) {
     if (number.find('.') == std::string::npos) return number;
     number.erase(number.find_last_not_of('0') + 1);
@@ -44,7 +49,9 @@ std::string amountOf(const FigureLine& line, UnitSystem units) {
     if (unit == FigureUnit::squareMetres) return formatSmallArea(line.value, units);
     if (unit == FigureUnit::squareMetreHours) return formatAreaHours(line.value, units);
     const bool inHours = unit == FigureUnit::hours || unit == FigureUnit::hoursADay;
-    const double amount = inHours ? line.value / minutesOfHour : line.value;
+    const double amount = inHours                     ? line.value / minutesOfHour
+                          : unit == FigureUnit::share ? 100 * line.value
+                                                      : line.value;
     const int decimals = line.figure->isCount ? 0 : line.figure->shownDecimals;
     return trimmed(formatNumber(amount, decimals)) + std::string(unitText(unit));
 }
@@ -61,6 +68,7 @@ std::string_view unitText(FigureUnit unit) {
             return NM_TEXT(" h");
         case FigureUnit::hoursADay:
             return NM_TEXT(" h a day");
+        case FigureUnit::share:
         case FigureUnit::percent:
             return NM_TEXT(" %");
         default:
@@ -147,7 +155,8 @@ Json figuresJson(const DescribedFigures& figures) {
     for (const Figure& figure : figures.figures) {
         if (!figure.inFiles) continue;
         const double value = figures.get(figure);
-        json[std::string(figure.key)] = figure.isCount ? Json(std::uint64_t(value)) : Json(value);
+        json[std::string(figure.key)] =
+            figure.isCount ? Json(std::uint64_t(value)) : Json(rounded(figure, value));
     }
     return json;
 }

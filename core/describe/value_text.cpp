@@ -115,8 +115,16 @@ struct ToText {
 
 std::string formatText(const Value& value) { return std::visit(ToText(), value); }
 
+std::string formatShown(const Field& field, const Value& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? fmt::to_string(*number * field.shownTimes) : formatText(value);
+}
+
 Result<Value> parseValue(const Field& field, const std::string& text) {
-    if (auto value = valueIn(field, text)) return *std::move(value);
+    if (auto value = valueIn(field, text)) {
+        if (auto* number = std::get_if<double>(&*value)) *number /= field.shownTimes;
+        return *std::move(value);
+    }
     return unfitValue(field);
 }
 

@@ -10,7 +10,10 @@ namespace noonmark {
 /// Numbers have all the digits that tell them apart.
 std::string formatText(const Value& value);
 
-/// Parses what a user or a file wrote for this field. Error: not of the field's kind, or none of its choices.
+/// The same of a number that people read times Field::shownTimes.
+std::string formatShown(const Field& field, const Value& value);
+
+/// Parses what a user wrote for this field. Error: not of the field's kind, or none of its choices.
 Result<Value> parseValue(const Field& field, const std::string& text);
 
 }  // namespace noonmark

@@ -10,15 +10,11 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t longestUse = 60;
-constexpr int mostStoreysOfUse = 500;
 
 Result<void> checkUse(const FloorUse& use, bool last) {
     if (use.use.empty() || use.use.size() > longestUse)
         return failure("A use of storeys has no name, or a very long one", "uses",
                        fmt::format("Give 1 to {} letters, such as offices", longestUse));
-    if (use.storeys < 0 || use.storeys > mostStoreysOfUse)
-        return failure(fmt::format("{} storeys cannot be used for {}", use.storeys, use.use), "uses",
-                       "Give 1 to 500, or 0 for all storeys above");
     if (use.storeys > 0 || last) return {};
     return failure(fmt::format("{} takes all storeys above, and other uses follow", use.use), "uses",
                    "Give its number of storeys, or make it the last use");

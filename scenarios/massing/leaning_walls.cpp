@@ -95,16 +95,6 @@ private:
 
 }  // namespace
 
-Result<void> checkWalls(const WallShape& walls) {
-    if (!(walls.taper >= 0 && walls.taper <= 0.95))
-        return failure(fmt::format("A volume cannot taper by {:g} %", walls.taper * 100), "massing",
-                       "Give 0 to 95 %");
-    if (!(std::abs(walls.twistDeg) <= 360))
-        return failure(fmt::format("A volume cannot be twisted by {:g} degrees", walls.twistDeg), "massing",
-                       "Give -360 to 360");
-    return {};
-}
-
 Plate plateAt(const Tier& tier, double heightM) {
     return placePlate(tier.plate, scaleAt(tier, heightM), tier.walls.twistDeg * shareOfHeight(tier, heightM));
 }

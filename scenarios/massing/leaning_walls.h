@@ -5,9 +5,6 @@
 
 namespace noonmark {
 
-/// Error, with the range: a taper or a twist that no volume can have.
-Result<void> checkWalls(const WallShape& walls);
-
 /// The plate of a volume at `heightM` above the ground, between its bottom and its top.
 Plate plateAt(const Tier& tier, double heightM);
 /// Its area, m2, without making it.

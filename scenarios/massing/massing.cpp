@@ -12,6 +12,7 @@
 #include "scenarios/massing/floor_plate.h"
 #include "scenarios/massing/floor_uses.h"
 #include "scenarios/massing/leaning_walls.h"
+#include "scenarios/massing/massing_fields.h"
 
 namespace noonmark {
 
@@ -37,27 +38,12 @@ Result<void> checkSetbacks(const MassingSettings& settings, double fromM, double
     return {};
 }
 
-Result<void> checkShapes(const MassingSettings& settings) {
-    if (!(std::abs(settings.clockwiseDeg) <= 360))
-        return outOfRange("The turn in degrees", settings.clockwiseDeg, "Give -360 to 360");
-    std::vector<WallShape> shapes{settings.walls};
-    if (settings.podium) shapes.push_back(settings.podium->walls);
-    for (const Setback& setback : settings.setbacks) shapes.push_back(setback.walls);
-    for (const WallShape& walls : shapes)
-        if (const auto sound = checkWalls(walls); !sound) return sound;
-    return checkUses(settings.uses);
-}
-
 struct Heights {
     double podiumM = 0;
     double topM = 0;
 };
 
 Result<Heights> heightsOf(const MassingSettings& settings) {
-    if (!(settings.storeyHeightM >= 2 && settings.storeyHeightM <= 10))
-        return outOfRange("A storey's height in m", settings.storeyHeightM, "Give 2 to 10 m");
-    if (settings.storeys < 0 || settings.storeys > 500)
-        return outOfRange("The number of storeys", settings.storeys, "Give 1 to 500");
     if ((settings.storeys > 0) == (settings.heightM != 0))
         return failure("The height is given twice or not at all", "massing",
                        "Give either storeys or a total height");
@@ -213,11 +199,12 @@ Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double st
 Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings) {
     const auto ground = usable(lot);
     if (!ground) return tl::make_unexpected(ground.error());
+    if (const auto sound = checkRanges(settings); !sound) return tl::make_unexpected(sound.error());
     const auto heights = heightsOf(settings);
     if (!heights) return tl::make_unexpected(heights.error());
     if (const auto sound = checkSetbacks(settings, heights->podiumM, heights->topM); !sound)
         return tl::make_unexpected(sound.error());
-    if (const auto sound = checkShapes(settings); !sound) return tl::make_unexpected(sound.error());
+    if (const auto sound = checkUses(settings.uses); !sound) return tl::make_unexpected(sound.error());
     auto tiers = tiersOn(lot, settings, *heights);
     if (!tiers) return tl::make_unexpected(tiers.error());
     if (const auto inside = checkTwists(*tiers, lot); !inside) return tl::make_unexpected(inside.error());

@@ -2,8 +2,9 @@
 
 #include <stdexcept>
 
-#include "core/base/json_number.h"
-#include "core/city/plausible_heights.h"
+#include "core/describe/field_checks.h"
+#include "core/describe/field_json.h"
+#include "scenarios/massing/massing_fields.h"
 #include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
@@ -12,91 +13,52 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr NumberLimits storeyLimitsM{2, 10};
-constexpr NumberLimits aboveGroundLimitsM{0, tallestBuildingM};
-constexpr NumberLimits shareLimits{0, 1};
-constexpr NumberLimits areaLimitsM2{0, 1e12};
-constexpr NumberLimits turnLimitsDeg{-360, 360};
-constexpr int mostStoreys = 500;
 constexpr std::size_t mostEntries = 500;  // setbacks or uses of one tower
 
-Json toJson(const PlateSize& plate) {
-    Json json = Json::object();
-    if (plate.shareOfLot) json["share_of_lot"] = *plate.shareOfLot;
-    if (plate.areaM2) json["area_m2"] = *plate.areaM2;
+template <class S>
+Json partJson(const Fields<S>& fields, const S& settings) {
+    return fieldsJson(fields.of(settings), {.which = FieldJson::Which::changed});
+}
+
+// With its plate, even where that is the whole lot.
+template <class S>
+Json withPlate(Json json, const Fields<S>& fields, const S& settings) {
+    json.update(partJson(fields, settings));
+    if (!json.contains("plate")) json["plate"] = Json::object();
     return json;
 }
 
-void addWalls(Json& json, const WallShape& walls) {
-    if (walls.taper != 0) json["taper"] = walls.taper;
-    if (walls.twistDeg != 0) json["twist_clockwise_deg"] = walls.twistDeg;
-}
-
-Json toJson(const Podium& podium) {
-    Json json{{"storeys", podium.storeys}, {"plate", toJson(podium.plate)}};
-    addWalls(json, podium.walls);
-    return json;
-}
-
-Json toJson(const Setback& setback) {
-    Json json{{"above_m", setback.aboveM}, {"inset_m", setback.insetM}};
-    addWalls(json, setback.walls);
-    return json;
-}
-
-double numberIn(const Json& json, const char* member, const NumberLimits& limits) {
-    return json.contains(member) ? numberFrom(json.at(member), limits) : 0;
-}
-
-int storeysIn(const Json& json) {
-    const int storeys = wholeNumberIn<int>(json, "storeys", 0);
-    if (storeys < 0 || storeys > mostStoreys) throw std::invalid_argument("an impossible number of storeys");
-    return storeys;
-}
-
-PlateSize parsePlate(const Json& json) {
-    PlateSize plate;
-    if (json.contains("share_of_lot")) plate.shareOfLot = numberFrom(json.at("share_of_lot"), shareLimits);
-    if (json.contains("area_m2")) plate.areaM2 = numberFrom(json.at("area_m2"), areaLimitsM2);
-    return plate;
-}
-
-WallShape parseWalls(const Json& json) {
-    return {.taper = numberIn(json, "taper", shareLimits),
-            .twistDeg = numberIn(json, "twist_clockwise_deg", turnLimitsDeg)};
-}
-
-Setback parseSetback(const Json& json) {
-    return {.aboveM = numberFrom(json.at("above_m"), aboveGroundLimitsM),
-            .insetM = numberFrom(json.at("inset_m"), aboveGroundLimitsM),
-            .walls = parseWalls(json)};
+// Throws for what is missing, of another kind or out of range.
+template <class S>
+S partFrom(const Fields<S>& fields, const Json& json) {
+    S settings;
+    for (const Field& field : fields.rows())
+        if (field.restated) (void)json.at(std::string(field.key));
+    auto read = readFieldsJson(fields.of(settings), json);
+    if (read) read = checkRanges(fields.of(settings));
+    if (!read) throw std::invalid_argument(read.error().what);
+    return settings;
 }
 
 // An absent list is empty.
-template <class Parse>
-auto parseList(const Json& json, const char* member, Parse&& parse) {
-    std::vector<decltype(parse(json))> list;
+template <class S>
+std::vector<S> listFrom(const Json& json, const char* member, const Fields<S>& fields) {
+    std::vector<S> list;
     if (!json.contains(member)) return list;
     if (json.at(member).size() > mostEntries) throw std::invalid_argument("too many entries");
-    for (const Json& one : json.at(member)) list.push_back(parse(one));
+    for (const Json& one : json.at(member)) list.push_back(partFrom(fields, one));
     return list;
 }
 
 MassingSettings parseSettings(const Json& json) {
-    MassingSettings settings{.storeyHeightM = numberFrom(json.at("storey_height_m"), storeyLimitsM),
-                             .storeys = storeysIn(json),
-                             .heightM = numberIn(json, "height_m", aboveGroundLimitsM),
-                             .plate = parsePlate(json.at("plate"))};
+    (void)json.at("plate");
+    MassingSettings settings = partFrom(massingFields(), json);
     if (json.contains("podium")) {
-        const Json& podium = json.at("podium");
-        settings.podium = Podium{storeysIn(podium), parsePlate(podium.at("plate")), parseWalls(podium)};
+        (void)json.at("podium").at("plate");
+        settings.podium = partFrom(podiumFields(), json.at("podium"));
     }
-    settings.setbacks = parseList(json, "setbacks", parseSetback);
-    settings.clockwiseDeg = numberIn(json, "clockwise_deg", turnLimitsDeg);
-    settings.walls = parseWalls(json);
-    settings.uses = parseList(json, "uses", [](const Json& use) {
-        return FloorUse{use.at("use").get<std::string>(), storeysIn(use)};
-    });
+    settings.setbacks = listFrom(json, "setbacks", setbackFields());
+    settings.uses = listFrom(json, "uses", floorUseFields());
     return settings;
 }
 
@@ -107,16 +69,11 @@ Json toJson(const TowerDesign& design) {
     Json json{
         {"lot", design.lotName}, {"lot_outer", ringJson(design.lot.outer)}, {"lot_holes", Json::array()}};
     for (const Ring& hole : design.lot.holes) json["lot_holes"].push_back(ringJson(hole));
-    json["storey_height_m"] = settings.storeyHeightM;
-    if (settings.storeys > 0) json["storeys"] = settings.storeys;
-    if (settings.heightM > 0) json["height_m"] = settings.heightM;
-    json["plate"] = toJson(settings.plate);
-    if (settings.podium) json["podium"] = toJson(*settings.podium);
-    for (const Setback& setback : settings.setbacks) json["setbacks"].push_back(toJson(setback));
-    if (settings.clockwiseDeg != 0) json["clockwise_deg"] = settings.clockwiseDeg;
-    addWalls(json, settings.walls);
-    for (const FloorUse& use : settings.uses)
-        json["uses"].push_back({{"use", use.use}, {"storeys", use.storeys}});
+    json = withPlate(std::move(json), massingFields(), settings);
+    if (settings.podium) json["podium"] = withPlate(Json::object(), podiumFields(), *settings.podium);
+    for (const Setback& setback : settings.setbacks)
+        json["setbacks"].push_back(partJson(setbackFields(), setback));
+    for (const FloorUse& use : settings.uses) json["uses"].push_back(partJson(floorUseFields(), use));
     return json;
 }
 

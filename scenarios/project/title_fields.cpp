@@ -1,5 +1,7 @@
 #include "scenarios/project/title_fields.h"
 
+#include <array>
+
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -36,6 +38,24 @@ const Fields<TitleBlock>& titleFields() {
                                          .hint = "TEXT",
                                          .whenEmpty = NM_TEXT("example: A- for A-1, A-2...")}),
     };
+    return fields;
+}
+
+const Fields<SheetSettings>& sheetFields() {
+    static constexpr std::array<Choice<UnitSystem>, unitSystems.size()> units{
+        {{UnitSystem::metric, "metric", NM_TEXT("Metric")},
+         {UnitSystem::imperial, "imperial", NM_TEXT("Imperial")},
+         {UnitSystem::both, "both", NM_TEXT("Metric and imperial")}}};
+    static const auto fields =
+        Fields<SheetSettings>{}
+            .embed(&SheetSettings::titleBlock, titleFields())
+            .with({choiceField(&SheetSettings::units, units,
+                               {.key = "units",
+                                .flag = "--units",
+                                .label = NM_TEXT("Units"),
+                                .help = NM_TEXT("Units of lengths and areas in tables and sheets"),
+                                .hint = "UNITS",
+                                .hasDefault = false})});
     return fields;
 }
 

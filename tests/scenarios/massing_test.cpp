@@ -150,13 +150,13 @@ TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     const Footprint lot = box(0, 0, 40, 20);
     EXPECT_THAT(refusal(lot, {}), HasSubstr("either storeys or a total height"));
     EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("given twice"));
-    EXPECT_THAT(refusal(lot, {.heightM = -20}), HasSubstr("at most 2000 m"));
-    EXPECT_THAT(refusal(lot, {.storeys = -1}), HasSubstr("1 to 500"));
+    EXPECT_THAT(refusal(lot, {.heightM = -20}), HasSubstr("0 to 2000 m"));
+    EXPECT_THAT(refusal(lot, {.storeys = -1}), HasSubstr("0 to 500"));
     EXPECT_THAT(refusal(lot, {.storeyHeightM = 1, .storeys = 5}), HasSubstr("2 to 10"));
     EXPECT_THAT(refusal(lot, {.heightM = std::nan("")}), HasSubstr("2000"));
     EXPECT_THAT(refusal(lot, {.storeys = 5, .plate = {.areaM2 = 900}}),
                 AllOf(HasSubstr("900 m2 does not fit"), HasSubstr("800 m2")));
-    EXPECT_THAT(refusal(lot, {.storeys = 5, .plate = {.shareOfLot = 1.2}}), HasSubstr("up to 100 %"));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .plate = {.shareOfLot = 1.2}}), HasSubstr("0 to 100 %"));
     EXPECT_THAT(refusal(lot, {.storeys = 30, .setbacks = {{50, 12}}}),
                 AllOf(HasSubstr("leaves nothing"), HasSubstr("less than 10.0 m")));
     EXPECT_THAT(refusal(lot, {.storeys = 10, .setbacks = {{50, 2}}}), HasSubstr("between 0 and 35 m"));

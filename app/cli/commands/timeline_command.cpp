@@ -14,6 +14,7 @@
 #include "app/cli/options/project_question.h"
 #include "core/describe/command_flags.h"
 #include "core/engines/auto_engine.h"
+#include "core/measures/place_figures.h"
 #include "core/study/place_study.h"
 #include "core/study/text/timeline_text.h"
 #include "core/study/text/warnings_json.h"
@@ -126,20 +127,14 @@ void printDay(const DayTimeline& day, const TimelineAnswer& answer, std::ostream
     table.print(out);
 }
 
-void addSums(Table& table, const std::string& name, const AreaHours& sums) {
-    table.add(name, fmt::format("baseline {:.2f} %, scenario {:.2f} %, incremental {:.0f} m2 x h ({:.3f} %)",
-                                100 * sums.shareOf(sums.baselineM2h), 100 * sums.shareOf(sums.scenarioM2h),
-                                sums.incrementalM2h, 100 * sums.shareOf(sums.incrementalM2h)));
-}
-
 void printPeriod(const PlaceTimeline& place, std::ostream& out) {
     Table table;
     const PlaceSums& sums = place.sums;
-    table.add("theoretical",
-              fmt::format("{:.0f} m2 x h in {} days", sums.all().theoreticalM2h, sums.all().days));
-    addSums(table, "shaded", sums.all());
+    addFigures(table, listLines(areaHoursFigures().of(sums.all())));
     for (std::size_t i = 0; i < quarterNames.size(); ++i)
-        if (sums.quarters()[i].days > 0) addSums(table, quarterNames[i], sums.quarters()[i]);
+        if (sums.quarters()[i].days > 0)
+            addFigures(table, quarterNames[i],
+                       listLines(areaHoursFigures().of(sums.quarters()[i]), FigureUse::result));
     if (sums.mostIncremental())
         table.add("day of most incremental",
                   fmt::format("{}, {:.1f} m2 x h", formatText(sums.mostIncremental()->day),

@@ -30,9 +30,10 @@ private:
     CLI::Option* addOption(const Field& field) {
         if (field.kind == ValueKind::yesNo) return addYes(field);
         CLI::Option* option = isList(field) ? addList(field) : addSingle(field);
-        if (field.range) option->check(within(field.range->min, field.range->max));
-        if (!field.choices.empty()) option->check(CLI::IsMember(keysOf(field)));
-        if (showsDefault(field)) option->default_str(formatText(field.standard));
+        if (field.range)
+            option->check(within(field.range->min * field.shownTimes, field.range->max * field.shownTimes));
+        if (!field.choices.empty()) option->check(CLI::IsMember(keysOf(field), CLI::ignore_case));
+        if (showsDefault(field)) option->default_str(formatShown(field, field.standard));
         return option->type_name(hintOf(field));
     }
 

@@ -12,11 +12,8 @@ namespace noonmark::cli {
 
 /// How sheets.pdf is laid out, and what its title block states.
 struct SheetOptions {
-    std::string paper = "A4";
-    bool landscape = false;
+    BookSettings layout{};                       ///< with the texts of the title block that the user gave
     bool wanted = false;                         ///< --sheets
-    double scale = 0;                            ///< 0: chosen to fit
-    TitleBlock title{};                          ///< its texts that the user gave
     std::set<std::string, std::less<>> given{};  ///< flags of titleFields() that the user gave
     std::string logo;
 };

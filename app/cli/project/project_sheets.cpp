@@ -16,9 +16,9 @@ namespace {
 
 struct TitleBlockOptions {
     ChangeOptions change;
-    TitleBlock title{};
+    SheetSettings sheets{};
     std::set<std::string, std::less<>> given{};
-    std::optional<std::string> units, logo;
+    std::optional<std::string> logo;
 };
 
 std::string describe(const SheetSettings& sheets) {
@@ -38,8 +38,7 @@ std::string describe(const SheetSettings& sheets) {
 
 Result<std::string> change(const TitleBlockOptions& options, Project& project) {
     TitleBlock& block = project.sheets.titleBlock;
-    copyFields(titleFields().of(options.title), titleFields().of(block), options.given);
-    if (options.units) project.sheets.units = parseUnitSystem(*options.units).value_or(project.sheets.units);
+    copyFields(sheetFields().of(options.sheets), sheetFields().of(project.sheets), options.given);
     if (options.logo) {
         auto logo = options.logo->empty() ? Result<std::string>(std::string()) : readLogo(*options.logo);
         if (!logo) return tl::make_unexpected(logo.error());
@@ -56,13 +55,10 @@ void addProjectSheets(CLI::App& project, Run& run) {
     CLI::App* command =
         addChangeCommand(project, "sheets", "Set the title block of the sheets, and the units of results",
                          options, change, run);
-    addFieldOptions(*command, titleFields().of(options->title),
+    addFieldOptions(*command, sheetFields().of(options->sheets),
                     {.names = {{"--title-project", "--project,--title-project"}}, .given = &options->given});
     command->add_option("--logo", options->logo, "PNG or JPEG picture of at most 1 MiB; \"\" removes it")
         ->type_name("FILE");
-    command->add_option("--units", options->units, "Units of lengths and areas in tables and sheets")
-        ->check(CLI::IsMember({"metric", "imperial", "both"}))
-        ->type_name("UNITS");
     command->footer("noonmark-cli project sheets park.noonmark.gpkg --author \"A. Planner\" --units both");
 }
 

@@ -72,7 +72,11 @@ struct BookSettings {
     std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
     TitleBlock titleBlock;
     UnitSystem units = UnitSystem::metric;
+    bool operator==(const BookSettings&) const = default;
 };
+
+/// The scale alone; page and title block have fields of their own.
+const Fields<BookSettings>& scaleFields();
 
 struct Book {
     PageSetup setup;

@@ -9,6 +9,7 @@
 
 #include "app/report/sheets/period_words.h"
 #include "app/report/sheets/study_words.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
@@ -162,6 +163,20 @@ QString describeToday() {
     const QDate day = QDate::currentDate();
     return describeDates({std::chrono::year{day.year()}, std::chrono::month{unsigned(day.month())},
                           std::chrono::day{unsigned(day.day())}});
+}
+
+const Fields<BookSettings>& scaleFields() {
+    static const Fields<BookSettings> fields{
+        field(&BookSettings::scale,
+              {.key = "scale",
+               .flag = "--scale",
+               .label = NM_TEXT("Scale of diagrams"),
+               .help = NM_TEXT("Scale of diagrams and elevations: 2000 for 1:2000 (default: a round one that "
+                               "fits)"),
+               .hint = "NUMBER",
+               .range = ValueRange{BookSettings::leastScale, BookSettings::mostScale},
+               .role = SettingRole::none})};
+    return fields;
 }
 
 Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution) {

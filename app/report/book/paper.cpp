@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
 
-constexpr std::array<std::string_view, papers.size()> names{"A4", "A3", "A1", "Letter", "Tabloid"};
+constexpr std::array<Choice<Paper>, papers.size()> paperChoices{{{Paper::a4, "A4"},
+                                                                 {Paper::a3, "A3"},
+                                                                 {Paper::a1, "A1"},
+                                                                 {Paper::letter, "Letter"},
+                                                                 {Paper::tabloid, "Tabloid"}}};
 constexpr double marginPt = 22;
 constexpr double bindingPt = 36;  // left
 constexpr double titleBlockPt = 50;
@@ -22,12 +28,30 @@ bool equalInAnyCase(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string_view nameOf(Paper paper) { return names[std::size_t(paper)]; }
+std::string_view nameOf(Paper paper) { return keyOf<Paper>(paperChoices, paper); }
 
 std::optional<Paper> parsePaper(std::string_view name) {
     for (const Paper paper : papers)
         if (equalInAnyCase(name, nameOf(paper))) return paper;
     return std::nullopt;
+}
+
+const Fields<PageSetup>& pageFields() {
+    static const Fields<PageSetup> fields{
+        choiceField(&PageSetup::paper, paperChoices,
+                    {.key = "paper",
+                     .flag = "--paper",
+                     .label = NM_TEXT("Paper"),
+                     .help = NM_TEXT("Paper of the sheets: A4, A3, A1, Letter or Tabloid"),
+                     .hint = "PAPER",
+                     .role = SettingRole::none,
+                     .restated = true}),
+        field(&PageSetup::landscape, {.key = "landscape",
+                                      .flag = "--landscape",
+                                      .label = NM_TEXT("Landscape"),
+                                      .help = NM_TEXT("Sheets are wider than high"),
+                                      .role = SettingRole::none})};
+    return fields;
 }
 
 QPageSize pageSizeOf(Paper paper) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/describe/field.h"
+
 namespace noonmark {
 
 enum class Paper { a4, a3, a1, letter, tabloid };
@@ -21,6 +23,8 @@ struct PageSetup {
     bool landscape = false;
     bool operator==(const PageSetup&) const = default;
 };
+
+const Fields<PageSetup>& pageFields();
 
 QPageSize pageSizeOf(Paper paper);  ///< upright
 

@@ -28,7 +28,7 @@ std::vector<QString> rowOf(const ScenarioStudies& scenarios, const ScenarioStudy
                 : (change > 0 ? QStringLiteral("+") : QString()) + plainText(formatSmallArea(change, units))};
     const DescribedFigures figures = shadowFigures().of(scenario.study->statistics);
     for (const Figure& figure : figures.figures)
-        if (figure.compared) row.push_back(plainText(valueOf({&figure, figures.get(figure)}, units)));
+        if (figure.inTable) row.push_back(plainText(valueOf({&figure, figures.get(figure)}, units)));
     return row;
 }
 
@@ -40,7 +40,7 @@ std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSet
         {},
         figuresPt * textScale(settings.setup)};
     for (const Figure& figure : shadowFigures().rows())
-        if (figure.compared) table.titles.push_back(plainText(figure.label));
+        if (figure.inTable) table.titles.push_back(plainText(figure.label));
     for (const ScenarioStudy& scenario : scenarios)
         table.rows.push_back(rowOf(scenarios, scenario, settings.units));
     const Study& first = *scenarios.front().study;

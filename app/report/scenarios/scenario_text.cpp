@@ -65,7 +65,7 @@ Json usesJson(const ScenarioUses& uses) {
 std::vector<Figure> listCompared() {
     const auto all = shadowFigures().rows();
     std::vector<Figure> compared;
-    std::ranges::copy_if(all, std::back_inserter(compared), &Figure::compared);
+    std::ranges::copy_if(all, std::back_inserter(compared), &Figure::inTable);
     return compared;
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 
 namespace noonmark {
 
@@ -28,8 +28,8 @@ std::string hoursMinutes(double minutes) {
 }
 
 struct Column {
-    std::string_view key;
-    std::string (*text)(const PlaceReview&, const ReviewRow&);
+    std::string key;
+    std::function<std::string(const PlaceReview&, const ReviewRow&)> text;
 };
 
 using R = ReviewRow;
@@ -39,44 +39,18 @@ double shareOf(const P& review, double m2h) {
     return review.totals.theoreticalM2h > 0 ? m2h / review.totals.theoreticalM2h : 0;
 }
 
-const std::array columns{
-    Column{"place", [](const P& p, const R&) { return p.name; }},
-    Column{"day", [](const P&, const R& r) { return formatText(r.day); }},
-    Column{"enters", [](const P&, const R& r) { return orDash(r.entersText); }},
-    Column{"exits", [](const P&, const R& r) { return orDash(r.exitsText); }},
-    Column{"duration_min", [](const P&, const R& r) { return minutesText(r.durationMin); }},
-    Column{"duration_hm", [](const P&, const R& r) { return hoursMinutes(r.durationMin); }},
-    Column{"intervals", [](const P&, const R& r) { return fmt::to_string(r.intervals); }},
-    Column{"max_area_m2", [](const P&, const R& r) { return areaText(r.maxAreaM2); }},
-    Column{"max_area_ft2", [](const P&, const R& r) { return areaText(r.maxAreaM2 * ft2PerM2); }},
-    Column{"max_share", [](const P&, const R& r) { return percentText(r.maxShare); }},
-    Column{"max_at", [](const P&, const R& r) { return orDash(r.maxAtText); }},
-    Column{"max_point_min", [](const P&, const R& r) { return minutesText(r.maxPointMin); }},
-    Column{"max_point_hm", [](const P&, const R& r) { return hoursMinutes(r.maxPointMin); }},
-    Column{"max_point_run_min", [](const P&, const R& r) { return minutesText(r.maxPointRunMin); }},
-    Column{"full_cover_min", [](const P&, const R& r) { return minutesText(r.fullCoverMin); }},
-    Column{"total_duration_min", [](const P&, const R& r) { return minutesText(r.totalDurationMin); }},
-    Column{"total_max_area_m2", [](const P&, const R& r) { return areaText(r.totalMaxAreaM2); }},
-    Column{"total_max_area_ft2", [](const P&, const R& r) { return areaText(r.totalMaxAreaM2 * ft2PerM2); }},
-    Column{"total_max_point_min", [](const P&, const R& r) { return minutesText(r.totalMaxPointMin); }},
-    Column{"least_sun_min", [](const P&, const R& r) { return minutesText(r.leastSunMin); }},
-    Column{"least_sun_hm", [](const P&, const R& r) { return hoursMinutes(r.leastSunMin); }},
-    Column{"least_sun_run_min", [](const P&, const R& r) { return minutesText(r.leastSunRunMin); }},
-    Column{"least_longest_sun_min", [](const P&, const R& r) { return minutesText(r.leastLongestSunMin); }},
-    Column{"least_sun_intervals", [](const P&, const R& r) { return fmt::to_string(r.leastSunIntervals); }},
-    Column{"baseline_m2h", [](const P&, const R& r) { return areaText(r.baselineM2h); }},
-    Column{"scenario_m2h", [](const P&, const R& r) { return areaText(r.scenarioM2h); }},
-    Column{"incremental_m2h", [](const P&, const R& r) { return areaText(r.incrementalM2h); }},
-    Column{"gained_m2h", [](const P&, const R& r) { return areaText(r.gainedM2h); }},
-    Column{"baseline_ft2h", [](const P&, const R& r) { return areaText(r.baselineM2h * ft2PerM2); }},
-    Column{"scenario_ft2h", [](const P&, const R& r) { return areaText(r.scenarioM2h * ft2PerM2); }},
-    Column{"incremental_ft2h", [](const P&, const R& r) { return areaText(r.incrementalM2h * ft2PerM2); }},
-    Column{"gained_ft2h", [](const P&, const R& r) { return areaText(r.gainedM2h * ft2PerM2); }},
-    Column{
-        "incremental_share",
-        [](const P& p, const R& r) { return fmt::format("{:.4f} %", 100 * shareOf(p, r.incrementalM2h)); }},
-    Column{"window_min", [](const P&, const R& r) { return minutesText(r.windowMin); }},
-};
+std::string figureText(const Figure& figure, double value) {
+    switch (figure.unit) {
+        case FigureUnit::minutes:
+            return minutesText(value);
+        case FigureUnit::share:
+            return percentText(value);
+        case FigureUnit::none:
+            return fmt::format("{:.0f}", value);
+        default:
+            return areaText(value);
+    }
+}
 
 /// "max_area_ft2" of "max_area_m2"; empty for other keys.
 std::string imperialKey(std::string_view key) {
@@ -85,6 +59,33 @@ std::string imperialKey(std::string_view key) {
     const std::string_view rest = key.substr(at + 3);
     if (!rest.empty() && rest != "h") return {};
     return fmt::format("{}_ft2{}", key.substr(0, at), rest);
+}
+
+void addFigureColumns(std::vector<Column>& columns, const Figure& figure) {
+    const std::string key(figure.key);
+    columns.push_back({key, [&figure](const P&, const R& r) { return figureText(figure, figure.get(&r)); }});
+    if (figure.unit == FigureUnit::minutes)
+        columns.push_back({key.substr(0, key.rfind("_min")) + "_hm",
+                           [&figure](const P&, const R& r) { return hoursMinutes(figure.get(&r)); }});
+    if (const std::string imperial = imperialKey(key); !imperial.empty())
+        columns.push_back(
+            {imperial, [&figure](const P&, const R& r) { return areaText(figure.get(&r) * ft2PerM2); }});
+}
+
+const std::vector<Column>& listColumns() {
+    static const std::vector<Column> all = [] {
+        std::vector<Column> columns{{"place", [](const P& p, const R&) { return p.name; }},
+                                    {"day", [](const P&, const R& r) { return formatText(r.day); }},
+                                    {"enters", [](const P&, const R& r) { return orDash(r.entersText); }},
+                                    {"exits", [](const P&, const R& r) { return orDash(r.exitsText); }},
+                                    {"max_at", [](const P&, const R& r) { return orDash(r.maxAtText); }},
+                                    {"incremental_share", [](const P& p, const R& r) {
+                                         return fmt::format("{:.4f} %", 100 * shareOf(p, r.incrementalM2h));
+                                     }}};
+        for (const Figure& figure : reviewRowFigures().rows()) addFigureColumns(columns, figure);
+        return columns;
+    }();
+    return all;
 }
 
 /// "Largest area, sq ft" of "Largest area, m2"; a title without its unit gets one.
@@ -109,15 +110,129 @@ std::string criterionText(const PlaceReview& review, const ReviewRow& row, std::
 
 }  // namespace
 
+const Figures<ReviewRow>& reviewRowFigures() {
+    constexpr auto row = [](auto member, FigureFacts facts) {
+        facts.jsonDecimals = 4;
+        return figure(member, facts);
+    };
+    static const Figures<ReviewRow> figures{
+        row(&R::durationMin, {.key = "duration_min",
+                              .label = "Duration",
+                              .definition = "minutes with incremental shadow anywhere on the place",
+                              .decimals = 2,
+                              .unit = FigureUnit::minutes,
+                              .inTable = true}),
+        row(&R::maxAreaM2, {.key = "max_area_m2",
+                            .label = "Largest area",
+                            .definition = "largest incremental shadow at one step",
+                            .decimals = 1,
+                            .unit = FigureUnit::squareMetres,
+                            .inTable = true}),
+        row(&R::maxPointMin, {.key = "max_point_min",
+                              .label = "Most at one spot",
+                              .definition = "most minutes of incremental shadow at one spot",
+                              .decimals = 2,
+                              .unit = FigureUnit::minutes,
+                              .inTable = true}),
+        row(&R::fullCoverMin, {.key = "full_cover_min",
+                               .label = "All sun taken",
+                               .definition = "minutes in which all sun that the baseline leaves is gone",
+                               .decimals = 2,
+                               .unit = FigureUnit::minutes,
+                               .inTable = true}),
+        row(&R::intervals, {.key = "intervals",
+                            .label = "Intervals",
+                            .definition = "unbroken intervals of incremental shadow",
+                            .decimals = 0,
+                            .unit = FigureUnit::none,
+                            .inTable = true}),
+        row(&R::maxShare, {.key = "max_share",
+                           .label = "Largest share",
+                           .definition = "largest incremental shadow at one step, of the area",
+                           .decimals = 4,
+                           .unit = FigureUnit::share}),
+        row(&R::maxPointRunMin, {.key = "max_point_run_min",
+                                 .label = "Longest at one spot",
+                                 .definition = "longest unbroken incremental shadow at one spot",
+                                 .decimals = 2,
+                                 .unit = FigureUnit::minutes}),
+        row(&R::totalDurationMin, {.key = "total_duration_min",
+                                   .label = "Duration of all shadow",
+                                   .definition = "minutes with any shadow on the place",
+                                   .decimals = 2,
+                                   .unit = FigureUnit::minutes}),
+        row(&R::totalMaxAreaM2, {.key = "total_max_area_m2",
+                                 .label = "Largest area of all shadow",
+                                 .definition = "largest shadow at one step",
+                                 .decimals = 1,
+                                 .unit = FigureUnit::squareMetres}),
+        row(&R::totalMaxPointMin, {.key = "total_max_point_min",
+                                   .label = "Most of all shadow at one spot",
+                                   .definition = "most minutes of shadow at one spot",
+                                   .decimals = 2,
+                                   .unit = FigureUnit::minutes}),
+        row(&R::leastSunMin, {.key = "least_sun_min",
+                              .label = "Least sun",
+                              .definition = "minutes of sun of the spot with the least of it",
+                              .decimals = 2,
+                              .unit = FigureUnit::minutes}),
+        row(&R::leastSunRunMin, {.key = "least_sun_run_min",
+                                 .label = "Its longest sun",
+                                 .definition = "longest unbroken sun of the spot with the least sun",
+                                 .decimals = 2,
+                                 .unit = FigureUnit::minutes}),
+        row(&R::leastLongestSunMin, {.key = "least_longest_sun_min",
+                                     .label = "Shortest longest sun",
+                                     .definition = "longest unbroken sun of the spot where it is shortest",
+                                     .decimals = 2,
+                                     .unit = FigureUnit::minutes}),
+        row(&R::leastSunIntervals, {.key = "least_sun_intervals",
+                                    .label = "Its intervals",
+                                    .definition = "intervals of sun of the spot with the least sun",
+                                    .decimals = 0,
+                                    .unit = FigureUnit::none}),
+        row(&R::baselineM2h, {.key = "baseline_m2h",
+                              .label = "Baseline",
+                              .definition = "area x hours in shadow in the baseline",
+                              .decimals = 1,
+                              .unit = FigureUnit::squareMetreHours,
+                              .inTable = true}),
+        row(&R::scenarioM2h, {.key = "scenario_m2h",
+                              .label = "Scenario",
+                              .definition = "area x hours in shadow in the scenario",
+                              .decimals = 1,
+                              .unit = FigureUnit::squareMetreHours,
+                              .inTable = true}),
+        row(&R::incrementalM2h, {.key = "incremental_m2h",
+                                 .label = "Incremental",
+                                 .definition = "area x hours in shadow in the scenario, lit in the baseline",
+                                 .decimals = 1,
+                                 .unit = FigureUnit::squareMetreHours,
+                                 .inTable = true}),
+        row(&R::gainedM2h, {.key = "gained_m2h",
+                            .label = "Gained",
+                            .definition = "area x hours lit in the scenario, in shadow in the baseline",
+                            .decimals = 1,
+                            .unit = FigureUnit::squareMetreHours,
+                            .inTable = true}),
+        row(&R::windowMin, {.key = "window_min",
+                            .label = "Sunlit time",
+                            .definition = "minutes with the sun up in the hours of the rule",
+                            .decimals = 2,
+                            .unit = FigureUnit::minutes}),
+    };
+    return figures;
+}
+
 std::vector<std::string_view> reviewColumnKeys() {
     std::vector<std::string_view> keys;
-    for (const Column& column : columns) keys.push_back(column.key);
+    for (const Column& column : listColumns()) keys.push_back(column.key);
     return keys;
 }
 
 bool isReviewColumn(const Rule& rule, std::string_view key) {
     if (!key.starts_with(criterionPrefix))
-        return std::ranges::find(columns, key, &Column::key) != columns.end();
+        return std::ranges::find(listColumns(), key, &Column::key) != listColumns().end();
     return std::ranges::find(rule.criteria, key.substr(criterionPrefix.size()), &Criterion::key) !=
            rule.criteria.end();
 }
@@ -137,8 +252,8 @@ std::vector<RuleColumn> columnsIn(UnitSystem units, const std::vector<RuleColumn
 std::string columnText(const PlaceReview& review, const ReviewRow& row, std::string_view key) {
     if (key.starts_with(criterionPrefix))
         return criterionText(review, row, key.substr(criterionPrefix.size()));
-    const auto found = std::ranges::find(columns, key, &Column::key);
-    return found == columns.end() ? "-" : found->text(review, row);
+    const auto found = std::ranges::find(listColumns(), key, &Column::key);
+    return found == listColumns().end() ? "-" : found->text(review, row);
 }
 
 }  // namespace noonmark

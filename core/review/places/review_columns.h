@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "core/base/display_units.h"
+#include "core/describe/figure.h"
 #include "core/review/places/place_review.h"
 
 namespace noonmark {
+
+/// The numbers of a row. In JSON, CSV and, with "-" for nothing, in the tables of rules.
+const Figures<ReviewRow>& reviewRowFigures();
 
 /// Whether a rule's table may have a column of that key: one of reviewColumnKeys(), or "criterion.KEY" for
 /// the day's value of one of the rule's criteria.

@@ -1,7 +1,11 @@
 #include "core/study/text/review_text.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/base/csv_text.h"
 #include "core/base/version.h"
+#include "core/describe/figure_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
@@ -27,29 +31,11 @@ Json rowJson(const PlaceReview& review, const ReviewRow& row) {
     Json json{{"day", formatText(row.day)},
               {"enters", timeOrNull(row.entersText)},
               {"exits", timeOrNull(row.exitsText)},
-              {"duration_min", round4(row.durationMin)},
-              {"max_area_m2", round4(row.maxAreaM2)},
-              {"max_point_min", round4(row.maxPointMin)},
-              {"full_cover_min", round4(row.fullCoverMin)},
               {"enters_utc", utcOrNull(row.enters)},
               {"exits_utc", utcOrNull(row.exits)},
-              {"intervals", row.intervals},
-              {"max_share", round4(row.maxShare)},
               {"max_at", timeOrNull(row.maxAtText)},
-              {"max_point_run_min", round4(row.maxPointRunMin)},
-              {"total_duration_min", round4(row.totalDurationMin)},
-              {"total_max_area_m2", round4(row.totalMaxAreaM2)},
-              {"total_max_point_min", round4(row.totalMaxPointMin)},
-              {"least_sun_min", round4(row.leastSunMin)},
-              {"least_sun_run_min", round4(row.leastSunRunMin)},
-              {"least_longest_sun_min", round4(row.leastLongestSunMin)},
-              {"least_sun_intervals", row.leastSunIntervals},
-              {"baseline_m2h", round4(row.baselineM2h)},
-              {"scenario_m2h", round4(row.scenarioM2h)},
-              {"incremental_m2h", round4(row.incrementalM2h)},
-              {"gained_m2h", round4(row.gainedM2h)},
-              {"window_min", round4(row.windowMin)},
               {"weight", row.weight}};
+    json.update(figuresJson(reviewRowFigures().of(row)));
     Json criteria = Json::object();
     for (std::size_t i = 0; i < review.criteria.size(); ++i)
         criteria[review.criteria[i].key] = row.criteria[i] ? numberOrNull(*row.criteria[i]) : Json();
@@ -166,19 +152,20 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
 }
 
 std::string reviewCsv(const ReviewStudy& study, const ReviewLabels& labels) {
-    CsvText csv({"rule", "from", "to", "place", "kind", "verdict", "day", "enters", "exits", "duration_min",
-                 "max_area_m2", "max_point_min", "full_cover_min", "intervals", "baseline_m2h",
-                 "scenario_m2h", "incremental_m2h", "gained_m2h", "reason"});
+    std::vector<Figure> figures;
+    std::ranges::copy_if(reviewRowFigures().rows(), std::back_inserter(figures), &Figure::inTable);
+    std::vector<std::string> columns{"rule",    "from", "to",     "place", "kind",
+                                     "verdict", "day",  "enters", "exits"};
+    std::ranges::move(listColumns(figures), std::back_inserter(columns));
+    columns.emplace_back("reason");
+    CsvText csv(columns);
     for (const PlaceReview& review : study.places)
         for (const ReviewRow& row : review.rows) {
             for (const std::string& text :
                  {study.rule.key, labels.from, labels.to, review.name, std::string(nameOf(review.kind)),
                   std::string(nameOf(review.verdict)), formatText(row.day), row.entersText, row.exitsText})
                 csv.text(text);
-            csv.number(row.durationMin, 2).number(row.maxAreaM2, 1);
-            csv.number(row.maxPointMin, 2).number(row.fullCoverMin, 2).whole(row.intervals);
-            for (const double m2h : {row.baselineM2h, row.scenarioM2h, row.incrementalM2h, row.gainedM2h})
-                csv.number(m2h, 1);
+            addFigures(csv, {figures, &row});
             csv.text(describeReason(review)).endRow();
         }
     return csv.take();

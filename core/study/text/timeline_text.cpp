@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/base/csv_text.h"
+#include "core/describe/figure_text.h"
+#include "core/measures/place_figures.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/warnings_json.h"
 
@@ -62,26 +64,11 @@ public:
     [[nodiscard]] Json steps(const DayTimeline& day) const {
         Json steps = Json::array();
         for (const PlaceStep& step : day.steps)
-            steps.push_back({{"at", time(step.at)},
-                             {"baseline_m2", rounded(step.baselineM2)},
-                             {"scenario_m2", rounded(step.scenarioM2)},
-                             {"incremental_m2", rounded(step.incrementalM2)},
-                             {"gained_m2", rounded(step.gainedM2)}});
+            steps.emplace_back(Json{{"at", time(step.at)}}).update(figuresJson(placeStepFigures().of(step)));
         return steps;
     }
 
-    static Json sums(const AreaHours& sums) {
-        return {{"days", sums.days},
-                {"sunlit_h", rounded(sums.sunlitHours)},
-                {"theoretical_m2h", rounded(sums.theoreticalM2h)},
-                {"baseline_m2h", rounded(sums.baselineM2h)},
-                {"scenario_m2h", rounded(sums.scenarioM2h)},
-                {"incremental_m2h", rounded(sums.incrementalM2h)},
-                {"gained_m2h", rounded(sums.gainedM2h)},
-                {"baseline_share", share(sums.baselineM2h, sums.theoreticalM2h)},
-                {"scenario_share", share(sums.scenarioM2h, sums.theoreticalM2h)},
-                {"incremental_share", share(sums.incrementalM2h, sums.theoreticalM2h)}};
-    }
+    static Json sums(const AreaHours& sums) { return figuresJson(areaHoursFigures().of(sums)); }
 
     [[nodiscard]] Json period(const PlaceSums& all) const {
         Json months = Json::object(), quarters = Json::object();
@@ -148,13 +135,14 @@ Json timelineJson(const PlaceStudy& study, const PlaceTimeline& place, const Tim
 
 std::string timelineCsv(const PlaceStudy& study, const TimelineLabels& labels) {
     const TimelineWriter writer(labels.zone);
-    CsvText csv({"place", "day", "at", "baseline_m2", "scenario_m2", "incremental_m2", "gained_m2"});
+    std::vector<std::string> columns = listColumns(placeStepFigures().rows());
+    columns.insert(columns.begin(), {"place", "day", "at"});
+    CsvText csv(columns);
     for (const PlaceTimeline& place : study.places)
         for (const DayTimeline& day : place.days)
             for (const PlaceStep& step : day.steps) {
                 csv.text(place.place.name).text(formatText(day.day)).text(writer.time(step.at));
-                for (const double m2 : {step.baselineM2, step.scenarioM2, step.incrementalM2, step.gainedM2})
-                    csv.number(m2, 2);
+                addFigures(csv, placeStepFigures().of(step));
                 csv.endRow();
             }
     return csv.take();

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "core/describe/value_text.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/title_fields.h"
@@ -8,17 +10,15 @@ namespace noonmark {
 
 namespace {
 
-constexpr const char* unitsKey = "units";
 constexpr const char* logoKey = "logo";
+
 void readSetting(const Statement& row, SheetSettings& settings) {
     const std::string key = row.text(0);
-    for (const Field& field : titleFields().rows())
-        if (key == field.key) (void)field.set(&settings.titleBlock, row.text(1));
     if (key == logoKey) settings.titleBlock.logo = row.blob(1);
-    if (key != unitsKey) return;
-    const auto units = parseUnitSystem(row.text(1));
-    if (!units) throwDamaged("the units of the sheets are unknown");
-    settings.units = *units;
+    const Editable fields = sheetFields().of(settings);
+    for (const Field& field : fields.fields)
+        if (key == field.key && !fields.set(field, row.text(1)))
+            throwDamaged(fmt::format("the {} of the sheets are unknown", key));
 }
 
 }  // namespace
@@ -26,11 +26,10 @@ void readSetting(const Statement& row, SheetSettings& settings) {
 void writeSheetSettings(Database& database, const SheetSettings& settings) {
     database.execute("DELETE FROM sheet_settings");
     Statement add = database.prepare("INSERT INTO sheet_settings (key, value) VALUES (?, ?)");
-    for (const Field& field : titleFields().rows())
-        if (const std::string value = formatText(field.get(&settings.titleBlock)); !value.empty())
+    for (const Field& field : sheetFields().rows())
+        if (const std::string value = formatText(field.get(&settings)); !value.empty())
             add.run(field.key, value);
     if (!settings.titleBlock.logo.empty()) add.run(logoKey, AsBlob{settings.titleBlock.logo});
-    add.run(unitsKey, nameOf(settings.units));
 }
 
 SheetSettings readSheetSettings(Database& database) {

@@ -43,7 +43,8 @@ double stepOf(const Field& field) {
 }
 
 QWidget* makeNumber(const Field& field) {
-    const ValueRange range = field.range.value_or(ValueRange{-1e9, 1e9});
+    ValueRange range = field.range.value_or(ValueRange{-1e9, 1e9});
+    range = {range.min * field.shownTimes, range.max * field.shownTimes};
     const double step = stepOf(field);
     const int decimals = step >= 10 ? 0 : 2;
     if (field.unit == "m") return lengthField(range.min, range.max, decimals, step);
@@ -86,11 +87,12 @@ QWidget* makeWidget(const Field& field) {
     }
 }
 
-void showValue(QWidget& widget, const Value& value) {
+void showValue(QWidget& widget, const Field& field, const Value& value) {
     const QString text = QString::fromStdString(formatText(value));
     if (auto* box = qobject_cast<QCheckBox*>(&widget)) box->setChecked(value == Value(true));
     if (auto* whole = qobject_cast<QSpinBox*>(&widget)) whole->setValue(int(numberOf(value)));
-    if (auto* number = qobject_cast<QDoubleSpinBox*>(&widget)) number->setValue(numberOf(value));
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(&widget))
+        number->setValue(numberOf(value) * field.shownTimes);
     if (auto* list = qobject_cast<QComboBox*>(&widget))
         list->setCurrentIndex(value == Value() ? 0 : list->findData(text));
     if (auto* line = qobject_cast<QLineEdit*>(&widget)) line->setText(text);
@@ -101,7 +103,8 @@ Result<Value> valueOf(const Field& field, const QWidget& widget) {
     if (const auto* box = qobject_cast<const QCheckBox*>(&widget)) return Value(box->isChecked());
     if (const auto* whole = qobject_cast<const QSpinBox*>(&widget))
         return Value(std::int64_t(whole->value()));
-    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget)) return Value(number->value());
+    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget))
+        return Value(number->value() / field.shownTimes);
     if (const auto* list = qobject_cast<const QComboBox*>(&widget)) {
         const QString key = list->currentData().toString();
         return key.isEmpty() ? Value() : Value(key.toStdString());
@@ -133,7 +136,7 @@ QWidget* FieldRows::make(const Field& field) {
     QWidget* widget = makeWidget(field);
     widget->setObjectName(objectNameOf(field));
     widget->setToolTip(translated(field.help));
-    showValue(*widget, field.standard);
+    showValue(*widget, field, field.standard);
     const auto changed = [this, &field] {
         if (!showing_)
             Q_EMIT edited(translated(field.label), QString::fromStdString(std::string(field.flag)));
@@ -160,7 +163,7 @@ void FieldRows::addRows(QFormLayout& form, std::initializer_list<std::string_vie
 
 void FieldRows::show(const Described& settings) {
     const QScopedValueRollback<bool> quiet(showing_, true);
-    for (const auto& [field, widget] : widgets_) showValue(*widget, settings.get(*field));
+    for (const auto& [field, widget] : widgets_) showValue(*widget, *field, settings.get(*field));
 }
 
 void FieldRows::take(const Editable& settings, std::string_view flag) const {

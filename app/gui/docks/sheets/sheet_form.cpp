@@ -11,11 +11,13 @@
 #include <QPushButton>
 #include <QRegularExpressionValidator>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <array>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/push_button.h"
+#include "app/gui/base/widgets/translated.h"
 #include "scenarios/project/title_fields.h"
 
 namespace noonmark {
@@ -64,9 +66,8 @@ void SheetForm::makePaper(QFormLayout& form) {
     for (const int scale : usualScales) scale_->addItem(scaleText(scale));
     connect(scale_->lineEdit(), &QLineEdit::editingFinished, this, &SheetForm::edited);
     units_ = addList(form, tr("Units"), "sheetUnits", tr("Of areas, lengths and heights"));
-    units_->addItem(tr("Metric"), int(UnitSystem::metric));
-    units_->addItem(tr("Imperial"), int(UnitSystem::imperial));
-    units_->addItem(tr("Metric and imperial"), int(UnitSystem::both));
+    for (const KeyedLabel& choice : std::ranges::find(sheetFields().rows(), "--units", &Field::flag)->choices)
+        units_->addItem(translated(choice.label), int(*parseUnitSystem(choice.key)));
 }
 
 void SheetForm::makeTitleBlock(QFormLayout& form) {

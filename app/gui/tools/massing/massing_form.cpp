@@ -6,31 +6,52 @@
 #include <QLabel>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/base/looks/height_reference.h"
 #include "app/gui/base/widgets/height_words.h"
 #include "app/gui/base/widgets/length_field.h"
 #include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/gui/tools/massing/plate_field.h"
 #include "app/gui/tools/massing/setback_table.h"
 #include "app/gui/tools/massing/tower_draft.h"
 #include "app/gui/tools/massing/use_table.h"
 #include "app/gui/tools/massing/wall_field.h"
 #include "core/city/plausible_heights.h"
+#include "scenarios/massing/massing_fields.h"
 
 namespace noonmark {
 
+namespace {
+
+const Field& towerField(std::string_view flag) {
+    return *std::ranges::find(massingFields().rows(), flag, &Field::flag);
+}
+
+int mostStoreys() { return int(towerField("--storeys").range->max); }
+
+QDoubleSpinBox* rotationField() {
+    const ValueRange range = *towerField("--turn").range;
+    return numberField(range.min, range.max, 1, 1, QStringLiteral("°"));
+}
+
+void explain(QWidget& widget, std::string_view flag) { widget.setToolTip(translated(towerField(flag).help)); }
+
+}  // namespace
+
 MassingForm::MassingForm(QWidget* parent)
     : QWidget(parent),
-      storeys_(wholeField(1, 500, {})),
-      storeyHeight_(lengthField(2, 10, 2, 0.1)),
+      storeys_(wholeField(1, mostStoreys(), {})),
+      storeyHeight_(lengthField(towerField("--storey-height").range->min,
+                                towerField("--storey-height").range->max, 2, 0.1)),
       height_(lengthField(2, tallestBuildingM, 1, 3.5)),
       heightLabel_(new QLabel),
       plate_(new PlateField),
-      turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      turn_(rotationField()),
       walls_(new WallField),
       podium_(new QGroupBox(tr("Podium"))),
-      podiumStoreys_(wholeField(1, 499, {})),
+      podiumStoreys_(wholeField(1, mostStoreys() - 1, {})),
       podiumPlate_(new PlateField),
       podiumWalls_(new WallField),
       setbacks_(new SetbackTable),
@@ -46,11 +67,11 @@ void MassingForm::makeFields() {
     height_->setObjectName(QStringLiteral("totalHeight"));
     walls_->setObjectName(QStringLiteral("towerWalls"));
     podiumWalls_->setObjectName(QStringLiteral("podiumWalls"));
-    storeys_->setToolTip(tr("All storeys, including the podium: 1 to 500"));
-    storeyHeight_->setToolTip(tr("Floor to floor: 2 to 10 m"));
+    explain(*storeys_, "--storeys");
+    explain(*storeyHeight_, "--storey-height");
     height_->setToolTip(
         tr("One storey to 2000 m; or drag the arrow on the tower, or type a number over the view"));
-    turn_->setToolTip(tr("Rotation clockwise about the tower's middle; it must stay on the lot"));
+    explain(*turn_, "--turn");
     podiumStoreys_->setToolTip(tr("Fewer than all storeys"));
     podium_->setCheckable(true);
     podium_->setChecked(false);
@@ -59,11 +80,11 @@ void MassingForm::makeFields() {
     podium->addRow(tr("Plate"), podiumPlate_);
     podium->addRow(tr("Taper, twist"), podiumWalls_);
     auto* form = new QFormLayout;
-    form->addRow(tr("Storeys"), storeys_);
-    form->addRow(tr("Storey height"), storeyHeight_);
+    form->addRow(translated(towerField("--storeys").label), storeys_);
+    form->addRow(translated(towerField("--storey-height").label), storeyHeight_);
     form->addRow(heightLabel_, height_);
     form->addRow(tr("Floor plate"), plate_);
-    form->addRow(tr("Rotation"), turn_);
+    form->addRow(translated(towerField("--turn").label), turn_);
     form->addRow(tr("Taper, twist"), walls_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -3,25 +3,29 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/translated.h"
+#include "scenarios/massing/massing_fields.h"
 
 namespace noonmark {
 
-QDoubleSpinBox* taperField() {
-    auto* field = numberField(0, 95, 0, 5, QStringLiteral(" %"));
-    field->setToolTip(
-        QObject::tr("Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %"));
-    return field;
+namespace {
+
+QDoubleSpinBox* wallField(std::string_view flag, int decimals, const QString& unit) {
+    const Field& field = *std::ranges::find(massingFields().rows(), flag, &Field::flag);
+    const double times = field.shownTimes;
+    auto* box = numberField(field.range->min * times, field.range->max * times, decimals, 5, unit);
+    box->setToolTip(QStringLiteral("%1: %2").arg(translated(field.label), translated(field.help)));
+    return box;
 }
 
-QDoubleSpinBox* twistField() {
-    auto* field = numberField(-360, 360, 1, 5, QStringLiteral("°"));
-    field->setToolTip(
-        QObject::tr("Twist: clockwise turn from the bottom of the volume to its top, in proportion to the "
-                    "height; it must stay on the lot"));
-    return field;
-}
+}  // namespace
+
+QDoubleSpinBox* taperField() { return wallField("--taper", 0, QStringLiteral(" %")); }
+
+QDoubleSpinBox* twistField() { return wallField("--twist", 1, QStringLiteral("°")); }
 
 WallField::WallField(QWidget* parent) : QWidget(parent), taper_(taperField()), twist_(twistField()) {
     taper_->setObjectName(QStringLiteral("taper"));

@@ -1,8 +1,7 @@
 #include "app/report/book/review/review_book.h"
 
-#include <fmt/format.h>
-
 #include "app/report/book/review/review_pages.h"
+#include "core/describe/command_options.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark {
@@ -23,9 +22,9 @@ std::vector<MakePages> pictureChapters(const Rule& rule) {
 }  // namespace
 
 std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
-    std::vector<CommandOption> options{{"--paper", {std::string(nameOf(settings.setup.paper))}}};
-    if (settings.setup.landscape) options.push_back({"--landscape", {}});
-    if (settings.scale) options.push_back({"--scale", {fmt::to_string(*settings.scale)}});
+    std::vector<CommandOption> options = listOptions(pageFields().of(settings.setup));
+    for (CommandOption& option : listOptions(scaleFields().of(settings)))
+        options.push_back(std::move(option));
     if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});
     return options;
 }

@@ -1,0 +1,19 @@
+#include "app/report/book/book.h"
+#include "tests/shared/changed_fields.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+// A member that is added needs a row in its table; then this number grows with it.
+static_assert(countMembers<PageSetup>() == 2);
+static_assert(countMembers<BookSettings>() == 4);
+
+TEST(SettingsFields, NoneOfTheLayoutOfSheetsIsForgotten) {
+    expectNoticed(pageFields(), PageSetup{});
+    expectNoticed(scaleFields(), BookSettings{});
+}
+
+}  // namespace
+}  // namespace noonmark
