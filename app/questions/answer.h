@@ -14,6 +14,7 @@
 
 #include "app/report/book/book.h"
 #include "app/report/maps/change_scale.h"
+#include "core/describe/figure_text.h"
 #include "core/io/files/check_output.h"
 #include "core/study/study.h"
 #include "scenarios/project/project_provenance.h"
@@ -48,6 +49,11 @@ public:
     [[nodiscard]] virtual MeasuredPart part() const = 0;
     [[nodiscard]] virtual const Warnings& warnings() const = 0;
     [[nodiscard]] virtual double seconds() const = 0;  ///< taken to compute it
+
+    /// Its figures and its minutes by cell, as the window shows those of a question that has no viewer of its
+    /// own (app/gui/session/answers/answer_viewer.h).
+    [[nodiscard]] virtual std::vector<FigureLine> figures() const { return {}; }
+    [[nodiscard]] virtual std::shared_ptr<const ShadowField> field() const { return nullptr; }
 
     /// The same under the names that its scenarios have now, and as the project now agrees with it; null if
     /// it stays as it is.

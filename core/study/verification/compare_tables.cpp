@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-using Fields = std::vector<std::string>;
+using RowFields = std::vector<std::string>;
 
 std::optional<double> numberIn(const std::string& text) {
     double number = 0;
@@ -48,8 +48,8 @@ public:
     }
 
 private:
-    void compareRow(std::size_t row, const Fields& recorded, const Fields& computed) {
-        const Fields& heading = recorded_.front().fields;
+    void compareRow(std::size_t row, const RowFields& recorded, const RowFields& computed) {
+        const RowFields& heading = recorded_.front().fields;
         if (recorded.size() != heading.size())
             differ(row, "", fmt::format("{} fields", recorded.size()),
                    fmt::format("{} in the heading", heading.size()));

@@ -39,7 +39,7 @@ QString notCounted() { return QObject::tr("Continuous shadow was not counted"); 
 }  // namespace
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
-    return runsLookedFor({.map = std::shared_ptr<const ShadowField>(study, &study->field),
+    return markMissingRuns({.map = std::shared_ptr<const ShadowField>(study, &study->field),
                           .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
                           .note = describeError(study->error, ShadowMeasure::gross),
                           .runNote = describeError(study->error, ShadowMeasure::continuous)});
@@ -51,7 +51,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial
             !hasRuns(partial->field)};
 }
 
-GroundAnswer runsLookedFor(GroundAnswer answer) {
+GroundAnswer markMissingRuns(GroundAnswer answer) {
     answer.grossOnly = over(
         answer.map, [](const Score&) { return false; },
         [](const auto& map) { return !hasRuns(map.continuousMin); });
@@ -66,7 +66,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
         const QString error = describeError(comparison->study.error, measure);
         return error.isEmpty() ? names : QObject::tr("%1. %2").arg(names, error);
     };
-    return runsLookedFor({.map = std::shared_ptr<const Impact>(comparison, &comparison->study.total),
+    return markMissingRuns({.map = std::shared_ptr<const Impact>(comparison, &comparison->study.total),
                           .note = noteOf(ShadowMeasure::gross),
                           .runNote = noteOf(ShadowMeasure::continuous)});
 }

@@ -38,7 +38,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
 
 /// Sets grossOnly and whyGross according to the map: of a study, a comparison or a saved result without
 /// continuous shadow.
-GroundAnswer runsLookedFor(GroundAnswer answer);
+GroundAnswer markMissingRuns(GroundAnswer answer);
 
 /// The note, with the reason if the measure is not the one shown.
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure);

@@ -21,14 +21,15 @@ void markOutdated(QString& note) {
                           : QObject::tr("%1. Outdated: buildings have changed").arg(note);
 }
 
-AnswerLayer outdated(AnswerLayer layer) {
+std::optional<AnswerLayer> outdated(std::optional<AnswerLayer> layer) {
+    if (!layer) return layer;
     std::visit(
         [](auto& view) {
             markOutdated(view.note);
             if (!view.runNote.isEmpty()) markOutdated(view.runNote);  // empty: the note holds for both
             view.marked = true;
         },
-        layer);
+        *layer);
     return layer;
 }
 
@@ -92,8 +93,8 @@ void ResultDisplay::showPast() {
     showOutdated();
 }
 
-void ResultDisplay::showLayer(const AnswerLayer& layer, bool isStudy) {
-    const auto* points = std::get_if<ElementView>(&layer);
+void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isStudy) {
+    const auto* points = layer ? std::get_if<ElementView>(&*layer) : nullptr;
     places_.elements.show(points ? points->map : nullptr);
     places_.layer.setAnswer(layer, isStudy);
 }

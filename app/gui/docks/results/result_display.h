@@ -51,7 +51,7 @@ private:
     void showAnswered();
     void show();
     void showPast();
-    void showLayer(const AnswerLayer& layer, bool isStudy);
+    void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const Answer& answer);
     void update();
     void showOutdated();

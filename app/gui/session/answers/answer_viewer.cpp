@@ -1,14 +1,38 @@
 #include "app/gui/session/answers/answer_viewer.h"
 
+#include <QObject>
 #include <algorithm>
 #include <array>
 
+#include "app/gui/base/widgets/translated.h"
+#include "app/gui/session/answers/figure_row.h"
+
 namespace noonmark {
+
+namespace {
+
+std::optional<AnswerLayer> layerOfAny(const std::shared_ptr<const Answer>& answer) {
+    const auto field = answer->field();
+    if (!field) return std::nullopt;
+    return markMissingRuns({.map = std::shared_ptr<const ShadowField>(answer, field.get())});
+}
+
+std::vector<ResultRow> rowsOfAny(const Answer& answer) { return figureRows(answer.figures()); }
+
+QString titleOfAny(const Answer& answer) {
+    return QObject::tr("%1 of %2")
+        .arg(translated(answer.question().label), QString::fromStdString(answer.part().scenario));
+}
+
+const AnswerViewer anyViewer{{}, layerOfAny, rowsOfAny, titleOfAny};
+
+}  // namespace
 
 const AnswerViewer& viewerOf(const Answer& answer) {
     static const std::array all{&studyViewer(), &comparisonViewer(), &scoreViewer(), &pointsViewer(),
                                 &savedViewer()};
-    return **std::ranges::find(all, answer.question().key, &AnswerViewer::question);
+    const auto found = std::ranges::find(all, answer.question().key, &AnswerViewer::question);
+    return found == all.end() ? anyViewer : **found;
 }
 
 }  // namespace noonmark

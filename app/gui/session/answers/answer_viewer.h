@@ -18,10 +18,11 @@ struct AnswerNote {
     bool warns = false;  ///< in amber, and the figures are greyed out
 };
 
-/// How the window shows the answers to a question. A row of a list, one for each question.
+/// How the window shows the answers to a question. A row of a list; questions that are not in it are shown by
+/// Answer::figures() and field().
 struct AnswerViewer {
-    std::string_view question;  ///< its key
-    AnswerLayer (*layer)(const std::shared_ptr<const Answer>&);
+    std::string_view question;                                                  ///< its key; empty: any
+    std::optional<AnswerLayer> (*layer)(const std::shared_ptr<const Answer>&);  ///< none: nothing in the view
     std::vector<ResultRow> (*rows)(const Answer&);
     QString (*title)(const Answer&);  ///< "Tower compared with Existing city"
     /// The name that it is saved under, with its first day; null: the title.
@@ -30,7 +31,7 @@ struct AnswerViewer {
     AnswerNote (*note)(const Answer&) = nullptr;                   ///< null: none
 };
 
-/// The row of the answer's question, which must be in the list.
+/// The row of the answer's question, or that of all others.
 const AnswerViewer& viewerOf(const Answer& answer);
 
 const AnswerViewer& studyViewer();

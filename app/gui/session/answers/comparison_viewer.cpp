@@ -17,7 +17,7 @@ void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures
                  .arg(building.figures.thresholdMin)});
 }
 
-AnswerLayer layerOfComparison(const std::shared_ptr<const Answer>& answer) {
+std::optional<AnswerLayer> layerOfComparison(const std::shared_ptr<const Answer>& answer) {
     return makeGroundAnswer(contentOf<ImpactAnswer>(answer));
 }
 

@@ -22,7 +22,7 @@ std::vector<ResultRow> rowsOfPoints(const Answer& answer) {
     return makeRows(shown);
 }
 
-AnswerLayer layerOfPoints(const std::shared_ptr<const Answer>& answer) {
+std::optional<AnswerLayer> layerOfPoints(const std::shared_ptr<const Answer>& answer) {
     const auto points = contentOf<ElementAnswer>(answer);
     const auto errorOf = [&](ShadowMeasure measure) { return describeError(points->study, measure); };
     return ElementView{.map = std::shared_ptr<const ElementMap>(points, &points->map),

@@ -60,12 +60,12 @@ GroundAnswer::Map mapOf(const std::shared_ptr<const SavedContent>& saved) {
 }
 
 // The note states when the result was saved and whether anything has changed since; if so, it is marked.
-AnswerLayer layerOfSaved(const std::shared_ptr<const Answer>& answer) {
+std::optional<AnswerLayer> layerOfSaved(const std::shared_ptr<const Answer>& answer) {
     const auto saved = contentOf<SavedContent>(answer);
     const QString note = noteOf(*saved);
     if (const auto* points = std::get_if<SavedElements>(&saved->answer.answer))
         return ElementView{std::shared_ptr<const ElementMap>(saved, &points->map), note, !saved->upToDate()};
-    return runsLookedFor({mapOf(saved), nullptr, note, !saved->upToDate()});
+    return markMissingRuns({mapOf(saved), nullptr, note, !saved->upToDate()});
 }
 
 // Its figures, preceded by what it is, where, when and by which version it was computed.

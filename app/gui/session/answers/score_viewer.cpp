@@ -32,7 +32,7 @@ void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
                  QObject::tr("Interval of the table: its weight, and its contribution to the score")});
 }
 
-AnswerLayer layerOfScore(const std::shared_ptr<const Answer>& answer) {
+std::optional<AnswerLayer> layerOfScore(const std::shared_ptr<const Answer>& answer) {
     return makeGroundAnswer(contentOf<ScoreAnswer>(answer));
 }
 

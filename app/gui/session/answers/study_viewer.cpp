@@ -46,7 +46,7 @@ StudyFigures figuresOfStudy(const Study& study) {
             study.field.engine};
 }
 
-AnswerLayer layerOfStudy(const std::shared_ptr<const Answer>& answer) {
+std::optional<AnswerLayer> layerOfStudy(const std::shared_ptr<const Answer>& answer) {
     return makeGroundAnswer(contentOf<Study>(answer));
 }
 

@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "app/gui/docks/results/result_display.h"
+#include "app/gui/session/answers/answer_viewer.h"
+#include "app/gui/session/workbench.h"
+#include "tests/gui/answers_window.h"
+
+// A question that nobody has written a line for outside this file is asked, shown, exported, saved and marked
+// as outdated by the window.
+namespace noonmark::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Toy {
+    StudySettings settings;
+    std::string scenario;
+    double treesFelled = 0;
+};
+
+const Figures<Toy>& toyFigures() {
+    static const Figures<Toy> figures{figure(
+        &Toy::treesFelled, {.key = "trees_felled", .label = "Trees felled", .definition = "by a toy"})};
+    return figures;
+}
+
+const Question& toyQuestion();
+
+class ToyAnswer final : public AnswerOf<Toy> {
+public:
+    using AnswerOf<Toy>::AnswerOf;
+    [[nodiscard]] const Question& question() const override { return toyQuestion(); }
+    [[nodiscard]] const StudySettings* settings() const override { return &content().settings; }
+    [[nodiscard]] MeasuredPart part() const override {
+        return {content().scenario, {}, content().settings.region, {}};
+    }
+    [[nodiscard]] const Warnings& warnings() const override { return warnings_; }
+    [[nodiscard]] double seconds() const override { return 0; }
+    [[nodiscard]] std::vector<FigureLine> figures() const override {
+        return listLines(toyFigures().of(content()));
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string&,
+                                                        const std::string&) const override {
+        return nullptr;
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance) const override {
+        return std::make_shared<ToyAnswer>(shared());
+    }
+    [[nodiscard]] std::string json() const override { return figuresJson(toyFigures().of(content())).dump(); }
+    [[nodiscard]] SavedResult toSave(const Project&) const override {
+        return {.name = {},
+                .kind = "toy",
+                .scenario = content().scenario,
+                .settings = json(),
+                .grid = {0, 0, 1, 1, 1}};
+    }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
+        return {"toy.json"};
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles&) const override {
+        std::filesystem::create_directories(folder);
+        std::ofstream(folder / "toy.json") << json();
+        return std::vector{folder / "toy.json"};
+    }
+
+private:
+    Warnings warnings_;
+};
+
+const Question& toyQuestion() {
+    static const Question question{
+        .key = "toy",
+        .label = "Toy",
+        .compute = [](const Asked& asked, Progress&,
+                      const std::stop_token&) -> Result<std::shared_ptr<const Answer>> {
+            return std::make_shared<ToyAnswer>(std::make_shared<const Toy>(
+                Toy{asked.settings, asked.scenario, double(asked.loaded.read.city.buildings.size())}));
+        }};
+    return question;
+}
+
+struct ToyQuestion : AnswersWindow {
+    void SetUp() override {
+        AnswersWindow::SetUp();
+        workbench().ask(toyQuestion());
+        ASSERT_TRUE(waitFor([this] { return workbench().answerAs<Toy>() != nullptr; }));
+    }
+};
+
+TEST_F(ToyQuestion, IsShownWithItsFigures) {
+    const auto& rows = window->findChild<ResultsDock*>()->rows();
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0].name, QStringLiteral("Trees felled"));
+    EXPECT_EQ(rows[0].meaning, QStringLiteral("By a toy"));
+    EXPECT_EQ(rows[0].value.toInt(), int(session().city()->buildings.size()));
+    const auto answer = workbench().answer();
+    EXPECT_EQ(viewerOf(*answer).title(*answer), QStringLiteral("Toy of Existing"));
+}
+
+TEST_F(ToyQuestion, IsExported) {
+    EXPECT_EQ(workbench().filesOf({}), QStringList{QStringLiteral("toy.json")});
+    const QString out = folder.filePath(QStringLiteral("out"));
+    workbench().exportShown(out.toStdString(), {});
+    ASSERT_TRUE(waitFor([this] { return !workbench().writing().busy(); }));
+    QFile file(out + QStringLiteral("/toy.json"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_THAT(file.readAll().toStdString(), HasSubstr("trees_felled"));
+}
+
+TEST_F(ToyQuestion, IsSaved) {
+    keep("Felled");
+    ASSERT_EQ(session().project().results.size(), 1U);
+    EXPECT_EQ(session().project().results[0]->kind, "toy");
+    EXPECT_THAT(session().project().results[0]->settings, HasSubstr("trees_felled"));
+}
+
+TEST_F(ToyQuestion, BecomesOutdatedWithSettingsAndBuildings) {
+    StudySettings other = workbench().document().settings();
+    other.receivers.cellM = 5;
+    workbench().document().change(other, QStringLiteral("test"));
+    EXPECT_THAT(note().toStdString(), HasSubstr("settings have changed"));
+    enter(ProjectPart::scenario, "Tower");
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_EQ(workbench().answer(), nullptr);
+    EXPECT_EQ(contentOf<Toy>(workbench().past())->scenario, existingCity);
+    EXPECT_THAT(note().toStdString(), HasSubstr("buildings have changed"));
+}
+
+}  // namespace
+}  // namespace noonmark::test
