@@ -1,5 +1,7 @@
 #include "core/sun/period_fields.h"
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -35,8 +37,8 @@ const Fields<Period>& periodFields() {
                    .restated = true}),
         field(&Period::days, {.key = "days",
                               .flag = "--days",
-                              .label = "Days",
-                              .help = "Number of days",
+                              .label = NM_TEXT("Days"),
+                              .help = NM_TEXT("Number of days"),
                               .hint = "N",
                               .range = ValueRange{1, 3660},
                               .restated = true}),
@@ -66,8 +68,8 @@ const Fields<Period>& periodFields() {
             .when(&byClock),
         field(&Period::hours, {.key = "hours",
                                .flag = "--hours",
-                               .label = "Hours per day",
-                               .help = "Hours a day, 0 to 24; 0 is one instant",
+                               .label = NM_TEXT("Hours per day"),
+                               .help = NM_TEXT("Hours a day, 0 to 24; 0 is one instant"),
                                .unit = "h",
                                .range = ValueRange{0, 24},
                                .restated = true})
@@ -75,9 +77,9 @@ const Fields<Period>& periodFields() {
         field(&Period::stepMinutes,
               {.key = "step_min",
                .flag = "--step",
-               .label = "Step",
-               .help = "Length of a step, minutes; adjusted so that whole steps fill the hours of "
-                       "each day",
+               .label = NM_TEXT("Step"),
+               .help = NM_TEXT("Length of a step, minutes; adjusted so that whole steps fill the hours of "
+                               "each day"),
                .unit = "min",
                .range = ValueRange{1.0 / 60, 240},
                .restated = true}),

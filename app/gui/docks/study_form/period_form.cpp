@@ -8,7 +8,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSpinBox>
 #include <QTimeEdit>
 #include <cmath>
 
@@ -49,11 +48,8 @@ void PeriodForm::makeFields() {
     start_->setCalendarPopup(true);
     start_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
     start_->setDateRange(QDate(1900, 1, 2), QDate(2099, 12, 30));
-    days_ = wholeField(1, 3660, {});
     from_ = new QTimeEdit;
     from_->setDisplayFormat(QStringLiteral("HH:mm"));
-    hours_ = numberField(0, 24, 2, 0.5, tr(" h"));
-    step_ = numberField(1.0 / 60, 240, 2, 1, tr(" min"));
     zone_ = zoneField();
     window_ = new QCheckBox(tr("From sunrise to sunset"));
     afterSunrise_ = numberField(0, 12, 2, 0.25, tr(" h"));
@@ -68,17 +64,17 @@ void PeriodForm::placeFields() {
     form->setContentsMargins(0, 0, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     form->addRow(tr("First day"), start_);
-    form->addRow(tr("Days"), days_);
+    rows_.addRows(*form, {"--days"});
     form->addRow(QString(), window_);
     form->addRow(tr("After sunrise"), afterSunrise_);
     form->addRow(tr("Before sunset"), beforeSunset_);
     form->addRow(tr("From"), from_);
-    form->addRow(tr("Hours per day"), hours_);
+    rows_.addRows(*form, {"--hours"});
     auto* details = new QWidget;
     auto* more = new QFormLayout(details);
     more->setContentsMargins(12, 0, 0, 0);
     more->addRow(tr("Time zone"), zone_);
-    more->addRow(tr("Sun every"), step_);
+    rows_.addRows(*more, {"--step"});
     more->addRow(tr("Sunrise at"), rule_);
     more->addRow(QString(), refraction_);
     form->addRow(new FoldedSection(tr("Time zone and sun"), "periodDetails", details));
@@ -91,7 +87,6 @@ void PeriodForm::follow(QWidget* field, const char* name) {
     };
     if (auto* date = qobject_cast<QDateTimeEdit*>(field))
         connect(date, &QDateTimeEdit::dateTimeChanged, this, changed);
-    if (auto* whole = qobject_cast<QSpinBox*>(field)) connect(whole, &QSpinBox::valueChanged, this, changed);
     if (auto* number = qobject_cast<QDoubleSpinBox*>(field))
         connect(number, &QDoubleSpinBox::valueChanged, this, changed);
     if (auto* box = qobject_cast<QCheckBox*>(field)) connect(box, &QCheckBox::toggled, this, changed);
@@ -108,10 +103,10 @@ void PeriodForm::tell() {
         follow(field, name);
     };
     add(start_, "start date", "startDate", tr("First day of the period, local date in the time zone"));
-    add(days_, "days", "days", tr("Number of days, 1 to 3660"));
     add(from_, "start time", "from", tr("Wall-clock time at which each day's window begins, hours:minutes"));
-    add(hours_, "hours", "hours", tr("Hours per day, 0 to 24; 0 is a single moment"));
-    add(step_, "step", "step", tr("Minutes from one position of the sun to the next, 1/60 to 240"));
+    for (const auto& [flag, step] : {std::pair{"--hours", 0.5}, std::pair{"--step", 1.0}})
+        qobject_cast<QDoubleSpinBox*>(rows_.widget(flag))->setSingleStep(step);
+    connect(&rows_, &FieldRows::edited, this, &PeriodForm::edited);
     add(zone_, "time zone", "zone",
         tr("IANA time zone of the wall clock, daylight saving included.\nSet to that of the nearest city "
            "when a file is opened: check it near borders."));
@@ -134,7 +129,7 @@ void PeriodForm::enableFields() {
         form->labelForField(field)->setVisible(shown);
     };
     setShown(from_, !solar);
-    setShown(hours_, !solar);
+    setShown(rows_.widget("--hours"), !solar);
     setShown(afterSunrise_, solar);
     setShown(beforeSunset_, solar);
     rule_->setEnabled(solar);
@@ -142,11 +137,9 @@ void PeriodForm::enableFields() {
 
 Period PeriodForm::period() const {
     Period period;
+    rows_.take(periodFields().of(period));
     period.start = civilOf(start_->date());
-    period.days = days_->value();
     period.from = std::chrono::minutes(from_->time().hour() * 60 + from_->time().minute());
-    period.hours = hours_->value();
-    period.stepMinutes = step_->value();
     period.zone = zone_->currentText().trimmed().toStdString();
     period.refraction = refraction_->isChecked();
     if (window_->isChecked())
@@ -158,11 +151,9 @@ Period PeriodForm::period() const {
 void PeriodForm::show(const Period& period) {
     showing_ = true;
     start_->setDate(dateOf(period.start));
-    days_->setValue(period.days);
+    rows_.show(periodFields().of(period));
     from_->setTime(
         QTime(0, 0).addSecs(int(std::chrono::seconds(period.from % std::chrono::days{1}).count())));
-    hours_->setValue(period.hours);
-    step_->setValue(period.stepMinutes);
     zone_->setCurrentText(QString::fromStdString(period.zone));
     window_->setChecked(period.window.has_value());
     const SolarWindow window = period.window.value_or(SolarWindow{});

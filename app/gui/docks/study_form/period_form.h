@@ -2,14 +2,14 @@
 
 #include <QWidget>
 
-#include "core/sun/period.h"
+#include "app/gui/base/widgets/field_rows.h"
+#include "core/sun/period_fields.h"
 
 class QCheckBox;
 class QComboBox;
 class QDateEdit;
 class QDoubleSpinBox;
 class QFormLayout;
-class QSpinBox;
 class QTimeEdit;
 
 namespace noonmark {
@@ -33,11 +33,9 @@ private:
     void follow(QWidget* field, const char* name);
     void enableFields();
 
+    FieldRows rows_{periodFields().rows()};  ///< days, hours and step
     QDateEdit* start_;
-    QSpinBox* days_;
     QTimeEdit* from_;
-    QDoubleSpinBox* hours_;
-    QDoubleSpinBox* step_;
     QComboBox* zone_;
     QCheckBox* window_;
     QDoubleSpinBox* afterSunrise_;
