@@ -105,6 +105,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& given) {
         addScoreCommand(app, run);
         addScenariosCommand(app, run);
         addPlacesCommand(app, run);
+        addByPlaceCommand(app, run);
         addScreenCommand(app, run);
         addTimelineCommand(app, run);
         addPointCommand(app, run);

@@ -28,6 +28,7 @@ void addReviewCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);
 void addDevicesCommand(CLI::App& app, Run& run);
 void addPlacesCommand(CLI::App& app, Run& run);
+void addByPlaceCommand(CLI::App& app, Run& run);
 void addScreenCommand(CLI::App& app, Run& run);
 void addTimelineCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);

@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/geo/frame.h"
+#include "core/receivers/place.h"
 
 namespace noonmark {
 
@@ -34,5 +35,10 @@ struct ElementTable {
 /// (EPSG:4326); z is in the vertical datum of the city's data, as the layer's description states.
 /// Error: the file cannot be written. Some 4 us a row. Backend: write_elements_gdal.cpp.
 Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table);
+
+/// Writes a row for each place as a GeoPackage with a layer "places" of polygons in longitude and latitude
+/// (EPSG:4326). `table.places` is not used. Error: the file cannot be written.
+Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
+                                   const std::vector<Place>& places, const ElementTable& table);
 
 }  // namespace noonmark

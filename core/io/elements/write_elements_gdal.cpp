@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include "core/base/gdal_calls.h"
 #include "core/io/elements/write_elements.h"
@@ -26,16 +28,22 @@ void setElementValue(OGRFeature& feature, int field, const ElementValue& value) 
         feature.SetField(field, *number);
 }
 
-OGRLayer* createElementLayer(GDALDataset& dataset, const ElementTable& table) {
+/// A layer as it is written: how its rows become shapes.
+struct WrittenLayer {
+    const char* name;
+    const char* description;
+    OGRwkbGeometryType type;
+    std::function<std::unique_ptr<OGRGeometry>(std::size_t row)> shape;
+};
+
+OGRLayer* createTableLayer(GDALDataset& dataset, const WrittenLayer& written, const ElementTable& table) {
     OGRSpatialReference system;
     system.importFromEPSG(4326);
     system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     CPLStringList options;
     options.SetNameValue("FID", "fid");
-    options.SetNameValue(
-        "DESCRIPTION",
-        "Points where sunlight was measured. z: metres in the vertical datum of the city's data");
-    OGRLayer* layer = dataset.CreateLayer("elements", &system, wkbPoint25D, options.List());
+    options.SetNameValue("DESCRIPTION", written.description);
+    OGRLayer* layer = dataset.CreateLayer(written.name, &system, written.type, options.List());
     if (layer == nullptr) return nullptr;
     for (const ElementColumn& column : table.columns) {
         OGRFieldDefn field(column.name.c_str(), fieldTypeOf(column.kind));
@@ -44,34 +52,74 @@ OGRLayer* createElementLayer(GDALDataset& dataset, const ElementTable& table) {
     return layer;
 }
 
-bool writeElement(OGRLayer& layer, const std::vector<ElementValue>& row, glm::dvec3 place) {
+bool writeRow(OGRLayer& layer, const std::vector<ElementValue>& row, std::unique_ptr<OGRGeometry> shape) {
     OGRFeature feature(layer.GetLayerDefn());
     for (std::size_t i = 0; i < row.size(); ++i) setElementValue(feature, int(i), row[i]);
-    feature.SetGeometryDirectly(new OGRPoint(place.x, place.y, place.z));
+    feature.SetGeometryDirectly(shape.release());
     return layer.CreateFeature(&feature) == OGRERR_NONE;
 }
 
-bool writeElementTable(GDALDataset& dataset, const ElementTable& table) {
+bool writeTable(GDALDataset& dataset, const WrittenLayer& written, const ElementTable& table) {
     if (dataset.StartTransaction() != OGRERR_NONE) return false;
-    OGRLayer* layer = createElementLayer(dataset, table);
+    OGRLayer* layer = createTableLayer(dataset, written, table);
     if (layer == nullptr) return false;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-        if (!writeElement(*layer, table.rows[i], table.places[i])) return false;
+        if (!writeRow(*layer, table.rows[i], written.shape(i))) return false;
     return dataset.CommitTransaction() == OGRERR_NONE;
+}
+
+Result<void> writeGeoPackage(const std::filesystem::path& file, const WrittenLayer& layer,
+                             const ElementTable& table) {
+    const GdalCalls calls;
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    GDALDatasetUniquePtr dataset(
+        driver == nullptr ? nullptr : driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const bool written = dataset && writeTable(*dataset, layer, table);
+    dataset.reset();
+    if (written && !calls.failed()) return {};
+    return failure("The GeoPackage could not be written: " + calls.why(), file.string(),
+                   "Check that the folder exists, is writable and has space");
+}
+
+std::unique_ptr<OGRLinearRing> makeRing(const std::vector<glm::vec2>& points, const Frame& frame) {
+    auto ring = std::make_unique<OGRLinearRing>();
+    for (const glm::vec2& point : points) {
+        const LonLat at = frame.lonLatFromLocal(glm::dvec2(point));
+        ring->addPoint(at.lonDeg, at.latDeg);
+    }
+    ring->closeRings();
+    return ring;
+}
+
+std::unique_ptr<OGRGeometry> makeMultiPolygon(const Place& place, const Frame& frame) {
+    auto shape = std::make_unique<OGRMultiPolygon>();
+    for (const Footprint& footprint : place.polygons) {
+        auto polygon = std::make_unique<OGRPolygon>();
+        polygon->addRingDirectly(makeRing(footprint.outer, frame).release());
+        for (const auto& hole : footprint.holes) polygon->addRingDirectly(makeRing(hole, frame).release());
+        shape->addGeometryDirectly(polygon.release());
+    }
+    return shape;
 }
 
 }  // namespace
 
 Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table) {
-    const GdalCalls calls;
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-    GDALDatasetUniquePtr dataset(
-        driver == nullptr ? nullptr : driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    const bool written = dataset && writeElementTable(*dataset, table);
-    dataset.reset();
-    if (written && !calls.failed()) return {};
-    return failure("The GeoPackage could not be written: " + calls.why(), file.string(),
-                   "Check that the folder exists, is writable and has space");
+    const auto shape = [&](std::size_t row) {
+        const glm::dvec3 place = table.places[row];
+        return std::make_unique<OGRPoint>(place.x, place.y, place.z);
+    };
+    return writeGeoPackage(
+        file,
+        {"elements", "Points where sunlight was measured. z: metres in the vertical datum of the city's data",
+         wkbPoint25D, shape},
+        table);
+}
+
+Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
+                                   const std::vector<Place>& places, const ElementTable& table) {
+    const auto shape = [&](std::size_t row) { return makeMultiPolygon(places[row], frame); };
+    return writeGeoPackage(file, {"places", "Places and their sun", wkbMultiPolygon, shape}, table);
 }
 
 }  // namespace noonmark

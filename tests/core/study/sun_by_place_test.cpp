@@ -1,0 +1,185 @@
+#include "core/study/by_place/sun_by_place.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "core/io/places/read_places.h"
+#include "core/receivers/place_names.h"
+#include "core/study/elements/element_tables.h"
+#include "tests/core/engines/scenes.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using testing::HasSubstr;
+
+City tower() {
+    City city = cityOf({{{0, 0, 0}, {20, 20, 60}}});
+    city.frame = Frame({-73.98, 40.75});
+    return city;
+}
+
+Place namedPlace(const std::string& name, float west, float south, float east, float north,
+                 PlaceKind kind = PlaceKind::park) {
+    return {name, kind, {{rectangle(west, south, east, north), {}}}, "made up"};
+}
+
+SunByPlaceSettings ofDays(int days, double cellM = 2) {
+    SunByPlaceSettings settings;
+    settings.study.receivers.cellM = cellM;
+    settings.study.period = {.start = std::chrono::year(2026) / 2 / 20,
+                             .days = days,
+                             .stepMinutes = 10,
+                             .window = SolarWindow{},
+                             .zone = "America/New_York"};
+    return settings;
+}
+
+SunByPlace measured(const City& city, const std::vector<Place>& places, const SunByPlaceSettings& settings) {
+    NoProgress quiet;
+    auto sun = runSunByPlace(city, places, settings, quiet, {});
+    EXPECT_TRUE(sun) << (sun ? "" : sun.error().text());
+    return sun ? *std::move(sun) : SunByPlace{};
+}
+
+std::string refusal(const std::vector<Place>& places, const SunByPlaceSettings& settings) {
+    NoProgress quiet;
+    const auto sun = runSunByPlace(tower(), places, settings, quiet, {});
+    return sun ? std::string() : sun.error().text();
+}
+
+// North of the tower. Cells of 2 m from even to even coordinates lie wholly inside.
+TEST(SunByPlace, EqualsEveryRayOverTheSameCells) {
+    const Place park = namedPlace("Park", -30, 20, 50, 60);
+    const SunByPlace sun = measured(tower(), {park}, ofDays(20));
+    StudySettings byRays = ofDays(20).study;
+    byRays.region = {"Park", park.polygons};
+    byRays.engine = "ray";
+    NoProgress quiet;
+    const auto rays = runStudy(tower(), byRays, quiet, {});
+    ASSERT_TRUE(rays);
+    double hours = 0, min = 24, max = 0, enough = 0;
+    for (const std::uint32_t cell : rays->receivers.cells) {
+        const double at = (rays->field.sunlitMinutesPerDay - rays->field.grossMin[cell]) / 60;
+        hours += at;
+        min = std::min(min, at);
+        max = std::max(max, at);
+        enough += at >= 6 ? 1 : 0;
+    }
+    const auto count = double(rays->receivers.cells.size());
+    EXPECT_EQ(sun.sun[0].cells, rays->receivers.cells.size());
+    EXPECT_DOUBLE_EQ(sun.sun[0].areaM2, 80 * 40);
+    EXPECT_NEAR(sun.sun[0].meanHours, hours / count, 0.01);
+    EXPECT_NEAR(sun.sun[0].minHours, min, 0.02);
+    EXPECT_NEAR(sun.sun[0].maxHours, max, 0.02);
+    EXPECT_LT(min, max - 1) << "the tower shades some of it";
+    SunByPlaceSettings six = ofDays(20);
+    six.enoughHours = 6;
+    EXPECT_NEAR(measured(tower(), {park}, six).sun[0].enoughShare, enough / count, 0.01);
+}
+
+// Two months of 9 and 11 days.
+TEST(SunByPlace, MonthsAddUpToThePeriod) {
+    const SunByPlace sun = measured(tower(), {namedPlace("Park", -30, 20, 50, 60)}, ofDays(20));
+    ASSERT_EQ(sun.months, (std::vector<std::string>{"2026-02", "2026-03"}));
+    const std::vector<double>& hours = sun.sun[0].monthHours;
+    EXPECT_NEAR((9 * hours[0] + 11 * hours[1]) / 20, sun.sun[0].meanHours, 1e-4);
+    EXPECT_LT(hours[0], hours[1]) << "days become longer";
+}
+
+// Far south of the tower, whose shadow falls to the north at noon: no shadow but in the early morning.
+TEST(SunByPlace, CellsOnTheEdgeCountWithTheirShare) {
+    const SunByPlace sun = measured(City{.frame = Frame({-73.98, 40.75})},
+                                    {namedPlace("Odd", 0.5F, 0.25F, 11, 7.5F)}, ofDays(3));
+    EXPECT_NEAR(sun.sun[0].areaM2, 10.5 * 7.25, 1e-3);
+    EXPECT_NEAR(sun.sun[0].meanHours, sun.possibleHours, 1e-5);
+    EXPECT_NEAR(sun.sun[0].minHours, sun.possibleHours, 1e-5);
+    EXPECT_EQ(sun.sun[0].enoughShare, 1);
+}
+
+TEST(SunByPlace, PlacesOverlapAndEachCountsItsOwnCells) {
+    const SunByPlace sun = measured(
+        tower(), {namedPlace("Park", -30, 20, 50, 60), namedPlace("Lawn", -30, 20, -10, 40)}, ofDays(3));
+    const SunByPlace lawn = measured(tower(), {namedPlace("Lawn", -30, 20, -10, 40)}, ofDays(3));
+    EXPECT_EQ(sun.sun[1].cells, 100U);
+    EXPECT_NEAR(sun.sun[1].meanHours, lawn.sun[0].meanHours, 0.02);
+}
+
+TEST(SunByPlace, DatesStateTheShareWithTooLittle) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.dates = {std::chrono::year(2026) / 12 / 21, std::chrono::year(2026) / 6 / 21};
+    settings.enoughHours = 5;
+    const SunByPlace sun = measured(tower(), {namedPlace("Park", 0, 20, 20, 60)}, settings);
+    ASSERT_EQ(sun.sun[0].belowShare.size(), 2U);
+    EXPECT_GT(sun.sun[0].belowShare[0], 0.1) << "behind the tower in winter";
+    EXPECT_LT(sun.sun[0].belowShare[1], sun.sun[0].belowShare[0]);
+}
+
+TEST(SunByPlace, ADayWithoutSunLeavesNothingWithEnough) {
+    City city;
+    city.frame = Frame({18.95, 69.65});  // Tromso
+    SunByPlaceSettings settings = ofDays(3);
+    settings.study.period.zone = "Europe/Oslo";
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    const SunByPlace sun = measured(city, {namedPlace("Square", 0, 0, 20, 20)}, settings);
+    EXPECT_EQ(sun.sun[0].belowShare, std::vector<double>{1.0});
+}
+
+TEST(SunByPlace, APlaceBelowABuildingIsListedAndNotDropped) {
+    const SunByPlace sun =
+        measured(tower(), {namedPlace("Inside", 4, 4, 16, 16), namedPlace("Park", 0, 20, 20, 60)}, ofDays(3));
+    ASSERT_EQ(sun.sun.size(), 2U);
+    EXPECT_EQ(sun.sun[0].areaM2, 0);
+    EXPECT_TRUE(std::isnan(sun.sun[0].meanHours));
+    ASSERT_FALSE(sun.warnings.empty());
+    EXPECT_EQ(sun.warnings.back().where, "Inside");
+}
+
+TEST(SunByPlace, RefusesWhatItCannotMeasure) {
+    EXPECT_THAT(refusal({}, ofDays(3)), HasSubstr("no place"));
+    SunByPlaceSettings tooMuch = ofDays(3);
+    tooMuch.enoughHours = 25;
+    EXPECT_THAT(refusal({namedPlace("Park", 0, 20, 20, 60)}, tooMuch), HasSubstr("0 to 24"));
+    SunByPlaceSettings rays = ofDays(3);
+    rays.study.engine = "ray";
+    EXPECT_THAT(refusal({namedPlace("Park", 0, 20, 20, 60)}, rays), HasSubstr("sums no months"));
+    EXPECT_THAT(refusal({namedPlace("Inside", 4, 4, 16, 16)}, ofDays(3)), HasSubstr("open ground"));
+}
+
+TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
+    SunByPlaceSettings settings = ofDays(20);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    const SunByPlace sun = measured(
+        tower(),
+        {namedPlace("Park", -30, 20, 50, 60), namedPlace("A, \"B\"", 0, 20, 20, 60, PlaceKind::plaza)},
+        settings);
+    const ElementTable table = makeTable(sun);
+    const std::string csv = toCsv(table);
+    EXPECT_THAT(csv, HasSubstr("name,kind,area_m2,hours_mean,hours_min,hours_max,share_enough,hours_2026-02,"
+                               "hours_2026-03,share_below_2026-12-21,lon_deg,lat_deg,source"));
+    EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,800.0,"));
+    const auto json = nlohmann::json::parse(toJson(sun));
+    EXPECT_NEAR(json["places"][1]["hours_mean"].get<double>(), sun.sun[1].meanHours, 1e-4);
+    EXPECT_EQ(json["places"][0]["month_hours"].size(), 2U);
+    EXPECT_TRUE(json["error"].is_object());
+
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("places.gpkg");
+    ASSERT_TRUE(writePlacesGeoPackage(file, sun.city.frame, sun.places, table));
+    NoProgress quiet;
+    const auto read = readPlaces(file, {}, sun.city.frame, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->places.size(), 2U);
+    EXPECT_EQ(read->places[1].name, "A, \"B\"");
+    EXPECT_EQ(read->places[1].kind, PlaceKind::plaza);
+    EXPECT_NEAR(area(read->places[0]), 3200, 1);
+}
+
+}  // namespace
+}  // namespace noonmark
