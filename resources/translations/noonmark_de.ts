@@ -1070,10 +1070,6 @@ Press Enter or double-click to show it again</source>
 Eingabe oder Doppelklick zeigt es wieder</translation>
     </message>
     <message>
-        <source>%1 &gt; %2 min</source>
-        <translation>%1 &gt; %2 min</translation>
-    </message>
-    <message>
         <source>Contribution of this new building alone: ground with over %1 min a day more gross shadow than without it</source>
         <translation>Beitrag dieses neuen Gebäudes allein: Boden mit über %1 Minuten mehr Gesamtschatten am Tag als ohne es</translation>
     </message>
@@ -1104,102 +1100,8 @@ mit %2</translation>
         <translation>Minuten des ersten minus Minuten des zweiten, mit gleichem Verfahren, gleichen Schritten und Zellen</translation>
     </message>
     <message>
-        <source>Gross</source>
-        <translation>Gesamt</translation>
-    </message>
-    <message>
-        <source>Ground whose gross shadow increases or decreases by more than this</source>
-        <translation>Boden, dessen Gesamtschatten um mehr als dies zu- oder abnimmt</translation>
-    </message>
-    <message>
-        <source>Continuous</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Ground whose continuous shadow increases or decreases by more than this</source>
-        <translation>Boden, dessen Dauerschatten um mehr als dies zu- oder abnimmt</translation>
-    </message>
-    <message>
         <source>not counted</source>
         <translation>nicht gezählt</translation>
-    </message>
-    <message>
-        <source>The engine computed gross shadow only</source>
-        <translation>Das Verfahren hat nur den Gesamtschatten berechnet</translation>
-    </message>
-    <message>
-        <source>Any change</source>
-        <translation>Jede Änderung</translation>
-    </message>
-    <message>
-        <source>%1 more
-%2 less</source>
-        <translation>%1 mehr
-%2 weniger</translation>
-    </message>
-    <message>
-        <source>Ground with any change of gross shadow</source>
-        <translation>Boden, dessen Gesamtschatten sich überhaupt ändert</translation>
-    </message>
-    <message>
-        <source>Largest increase</source>
-        <translation>Größte Zunahme</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> min am Tag</translation>
-    </message>
-    <message>
-        <source>The cell with the largest increase of gross shadow</source>
-        <translation>Die Zelle mit der größten Zunahme des Gesamtschattens</translation>
-    </message>
-    <message>
-        <source>Largest decrease</source>
-        <translation>Größte Abnahme</translation>
-    </message>
-    <message>
-        <source>The cell with the largest decrease of gross shadow</source>
-        <translation>Die Zelle mit der größten Abnahme des Gesamtschattens</translation>
-    </message>
-    <message>
-        <source>Mean change</source>
-        <translation>Mittlere Änderung</translation>
-    </message>
-    <message>
-        <source>Mean change of gross shadow over all cells that are open ground in both</source>
-        <translation>Mittlere Änderung des Gesamtschattens aller Zellen, die in beiden offener Boden sind</translation>
-    </message>
-    <message>
-        <source>Shadow area</source>
-        <translation>Schattenfläche</translation>
-    </message>
-    <message>
-        <source>Change of the sum over the cells of (share of the sunlit time in shadow × cell area)</source>
-        <translation>Änderung der Summe über die Zellen aus (Anteil der besonnten Zeit im Schatten × Zellfläche)</translation>
-    </message>
-    <message>
-        <source>Built over</source>
-        <translation>Überbaut</translation>
-    </message>
-    <message>
-        <source>Formerly ground, now building; not included above</source>
-        <translation>Vorher Boden, jetzt Gebäude; oben nicht enthalten</translation>
-    </message>
-    <message>
-        <source>Became ground</source>
-        <translation>Boden geworden</translation>
-    </message>
-    <message>
-        <source>Formerly building, now ground; not included above</source>
-        <translation>Vorher Gebäude, jetzt Boden; oben nicht enthalten</translation>
-    </message>
-    <message>
-        <source>Ground compared</source>
-        <translation>Verglichener Boden</translation>
-    </message>
-    <message>
-        <source>Open ground in both</source>
-        <translation>Offener Boden in beiden</translation>
     </message>
     <message>
         <source>Period</source>
@@ -1278,26 +1180,6 @@ mit %2</translation>
         <translation>Noch keine Untersuchung: Zeitraum und Gebiet wählen, dann Berechnen drücken (Strg+R)</translation>
     </message>
     <message>
-        <source>Share of ground</source>
-        <translation>Anteil am Boden</translation>
-    </message>
-    <message>
-        <source>Shadow area over the area of all receivers</source>
-        <translation>Schattenfläche durch die Fläche aller Messpunkte</translation>
-    </message>
-    <message>
-        <source>Mean gross</source>
-        <translation>Gesamtschatten, Mittel</translation>
-    </message>
-    <message>
-        <source>Mean continuous</source>
-        <translation>Dauerschatten, Mittel</translation>
-    </message>
-    <message>
-        <source>Max continuous</source>
-        <translation>Dauerschatten, größter</translation>
-    </message>
-    <message>
         <source>Against the ray reference, on a sample of the receivers over the same steps</source>
         <translation>Gegen die Strahlreferenz, an einer Stichprobe der Messpunkte zu denselben Schritten</translation>
     </message>
@@ -1316,14 +1198,6 @@ mit %2</translation>
     <message>
         <source>Time taken by the engine</source>
         <translation>Rechenzeit des Verfahrens</translation>
-    </message>
-    <message>
-        <source>Receivers</source>
-        <translation>Messpunkte</translation>
-    </message>
-    <message>
-        <source>Cells in which shadow is measured</source>
-        <translation>Zellen, in denen Schatten gemessen wird</translation>
     </message>
     <message>
         <source>Steps of the sun</source>
@@ -1346,18 +1220,6 @@ mit %2</translation>
         <translation>Bewertung %1%2 m² je m²</translation>
     </message>
     <message>
-        <source>%1 × %2</source>
-        <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>per m² of ground</source>
-        <translation>je m² Boden</translation>
-    </message>
-    <message>
-        <source>Score divided by the area of all receivers</source>
-        <translation>Bewertung durch die Fläche aller Messpunkte</translation>
-    </message>
-    <message>
         <source>Scored</source>
         <translation>Bewertet</translation>
     </message>
@@ -1366,10 +1228,6 @@ mit %2</translation>
 with the weights %2</source>
         <translation>%1
 mit den Gewichten %2</translation>
-    </message>
-    <message>
-        <source>Open ground of the region</source>
-        <translation>Offener Boden des Gebiets</translation>
     </message>
     <message>
         <source>at an unknown date</source>
@@ -1854,54 +1712,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Geschoss %1, %2</translation>
     </message>
     <message>
-        <source>%1 h a day</source>
-        <translation>%1 h am Tag</translation>
-    </message>
-    <message>
-        <source>Mean sun</source>
-        <translation>Mittlere Sonne</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day, mean over days and points</source>
-        <translation>Sonnenstunden am Tag, Mittel über Tage und Punkte</translation>
-    </message>
-    <message>
-        <source>Least sun</source>
-        <translation>Wenigste Sonne</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day at the darkest point</source>
-        <translation>Sonnenstunden am Tag am dunkelsten Punkt</translation>
-    </message>
-    <message>
-        <source>Most sun</source>
-        <translation>Meiste Sonne</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day at the sunniest point</source>
-        <translation>Sonnenstunden am Tag am sonnigsten Punkt</translation>
-    </message>
-    <message>
-        <source>Minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
-        <translation>Minuten im Schatten am Tag, Mittel über Tage und Punkte; ein von der Sonne abgewandter Punkt liegt im Schatten</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow on any day, mean over the points</source>
-        <translation>Längste ununterbrochene Zeit im Schatten an irgendeinem Tag, Mittel über die Punkte</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow at any point on any day</source>
-        <translation>Längste ununterbrochene Zeit im Schatten an irgendeinem Punkt und Tag</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Points where sun is measured</source>
-        <translation>Punkte, an denen die Sonne gemessen wird</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>Fehler</translation>
     </message>
@@ -1992,14 +1802,6 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>Twist</source>
         <translation>Verdrehung</translation>
-    </message>
-    <message>
-        <source>Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %</source>
-        <translation>Verjüngung: um wie viel schmaler der Baukörper oben ist als unten, 0 bis 95 %</translation>
-    </message>
-    <message>
-        <source>Twist: clockwise turn from the bottom of the volume to its top, in proportion to the height; it must stay on the lot</source>
-        <translation>Verdrehung: von unten nach oben im Uhrzeigersinn, proportional zur Höhe; der Baukörper muss auf dem Grundstück bleiben</translation>
     </message>
     <message>
         <source>%1, section box</source>
@@ -2296,19 +2098,44 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Gemessener Fehler gegenüber Strahlen: %1 % der Zeit in der Sonne</translation>
     </message>
     <message>
-        <source>%1 weighted, %2 m² shadow, score %3</source>
-        <translation>%1 gewichtet, %2 m² Schatten, Bewertung %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>Gewichteter Schatten, Schattenfläche über %1 Sonnenminute und der Beitrag des Monats zur Bewertung</numerusform>
-            <numerusform>Gewichteter Schatten, Schattenfläche über %1 Sonnenminuten und der Beitrag des Monats zur Bewertung</numerusform>
-        </translation>
+        <source>Outdated: buildings have changed</source>
+        <translation>Veraltet: Gebäude haben sich geändert</translation>
     </message>
     <message>
-        <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
-        <translation>Intervall der Tabelle und sein Gewicht: gewichteter Schatten, Schattenfläche in seiner Sonnenzeit, und Gewicht mal Schattenfläche</translation>
+        <source>%1. Outdated: buildings have changed</source>
+        <translation>%1. Veraltet: Gebäude haben sich geändert</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 &gt; %2 min: %3</source>
+        <translation>%1 &gt; %2 min: %3</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Punkte von %1</translation>
+    </message>
+    <message>
+        <source>Saved result %1</source>
+        <translation>Gespeichertes Ergebnis %1</translation>
+    </message>
+    <message>
+        <source>The month&apos;s contribution to the score</source>
+        <translation>Der Beitrag des Monats zum Wert</translation>
+    </message>
+    <message>
+        <source>Interval of the table: its weight, and its contribution to the score</source>
+        <translation>Intervall der Tabelle: sein Gewicht und sein Beitrag zum Wert</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>Bewertung von %1 mit %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Untersuchung von %1</translation>
     </message>
 </context>
 <context>
@@ -2791,6 +2618,470 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
         <translation>Netze: Einheit der Koordinaten: m, ft, us-ft, dm, cm, mm oder in (Standard m)</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Untersuchung</translation>
+    </message>
+    <message>
+        <source>Saved result</source>
+        <translation>Gespeichertes Ergebnis</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>of the theoretical area x hours</source>
+        <translation>der theoretischen Fläche x Stunden</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>area in shadow in the baseline</source>
+        <translation>Fläche im Schatten in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>area in shadow in the scenario</source>
+        <translation>Fläche im Schatten im Szenario</translation>
+    </message>
+    <message>
+        <source>Incremental</source>
+        <translation>Zusätzlich</translation>
+    </message>
+    <message>
+        <source>area in shadow in the scenario, lit in the baseline</source>
+        <translation>Fläche im Schatten im Szenario, besonnt in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>Gained</source>
+        <translation>Gewonnen</translation>
+    </message>
+    <message>
+        <source>area lit in the scenario, in shadow in the baseline</source>
+        <translation>Fläche besonnt im Szenario, im Schatten in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>Hours of sun</source>
+        <translation>Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>hours with the sun above the horizon</source>
+        <translation>Stunden mit der Sonne über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Theoretical</source>
+        <translation>Theoretisch</translation>
+    </message>
+    <message>
+        <source>area x sunlit hours: without any shadow</source>
+        <translation>Fläche x Sonnenstunden: ganz ohne Schatten</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the baseline</source>
+        <translation>Fläche x Stunden im Schatten in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the scenario</source>
+        <translation>Fläche x Stunden im Schatten im Szenario</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the scenario, lit in the baseline</source>
+        <translation>Fläche x Stunden im Schatten im Szenario, besonnt in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>area x hours lit in the scenario, in shadow in the baseline</source>
+        <translation>Fläche x Stunden besonnt im Szenario, im Schatten in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>Share of baseline</source>
+        <translation>Anteil der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>Share of scenario</source>
+        <translation>Anteil des Szenarios</translation>
+    </message>
+    <message>
+        <source>Share of incremental</source>
+        <translation>Anteil des zusätzlichen Schattens</translation>
+    </message>
+    <message>
+        <source>Open ground</source>
+        <translation>Freie Fläche</translation>
+    </message>
+    <message>
+        <source>area of the place without buildings</source>
+        <translation>Fläche des Orts ohne Gebäude</translation>
+    </message>
+    <message>
+        <source>Mean sun</source>
+        <translation>Mittlere Sonne</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days and the place</source>
+        <translation>Sonnenstunden am Tag, Mittel über die Tage und den Ort</translation>
+    </message>
+    <message>
+        <source>Min sun</source>
+        <translation>Kleinste Besonnung</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days, at the cell that has least</source>
+        <translation>Sonnenstunden am Tag, Mittel über die Tage, an der Zelle mit den wenigsten</translation>
+    </message>
+    <message>
+        <source>Max sun</source>
+        <translation>Größte Besonnung</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days, at the cell that has most</source>
+        <translation>Sonnenstunden am Tag, Mittel über die Tage, an der Zelle mit den meisten</translation>
+    </message>
+    <message>
+        <source>Share with enough sun</source>
+        <translation>Anteil mit genug Sonne</translation>
+    </message>
+    <message>
+        <source>share of the area with the hours of sun a day that are enough, or more</source>
+        <translation>Anteil der Fläche mit genug Sonnenstunden am Tag oder mehr</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>points where sun is measured</source>
+        <translation>Punkte, an denen die Sonne gemessen wird</translation>
+    </message>
+    <message>
+        <source>mean minutes a day with the sun above the horizon: 100 % of the time</source>
+        <translation>mittlere Minuten am Tag mit der Sonne über dem Horizont: 100 % der Zeit</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over days and points</source>
+        <translation>Sonnenstunden am Tag, Mittel über Tage und Punkte</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>Wenigste Sonne</translation>
+    </message>
+    <message>
+        <source>hours of sun a day at the darkest point</source>
+        <translation>Sonnenstunden am Tag am dunkelsten Punkt</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>Meiste Sonne</translation>
+    </message>
+    <message>
+        <source>hours of sun a day at the sunniest point</source>
+        <translation>Sonnenstunden am Tag am sonnigsten Punkt</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
+        <translation>Minuten im Schatten am Tag, Mittel über Tage und Punkte; ein Punkt, der der Sonne abgewandt ist, liegt im Schatten</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day, mean over the points</source>
+        <translation>längster ununterbrochener Schatten eines Tages, Mittel über die Punkte</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow at any point on any day</source>
+        <translation>längster ununterbrochener Schatten an einem Punkt an einem Tag</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>minutes per day that a point is in the sun, mean over the days</source>
+        <translation>Minuten am Tag, die ein Punkt in der Sonne liegt, Mittel über die Tage</translation>
+    </message>
+    <message>
+        <source>Share of time</source>
+        <translation>Anteil der Zeit</translation>
+    </message>
+    <message>
+        <source>sun, of the time with the sun above the horizon</source>
+        <translation>Sonne, von der Zeit mit der Sonne über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Gross</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over the days; a point that faces away from the sun is in shadow</source>
+        <translation>Minuten im Schatten am Tag, Mittel über die Tage; ein Punkt, der der Sonne abgewandt ist, liegt im Schatten</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day</source>
+        <translation>längster ununterbrochener Schatten eines Tages</translation>
+    </message>
+    <message>
+        <source>Longest sun</source>
+        <translation>Längste Sonne</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in the sun on any day</source>
+        <translation>längste ununterbrochene Sonne eines Tages</translation>
+    </message>
+    <message>
+        <source>minutes of the month with the sun above the horizon</source>
+        <translation>Minuten des Monats mit der Sonne über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Mean shadow</source>
+        <translation>Mittlerer Schatten</translation>
+    </message>
+    <message>
+        <source>minutes in shadow in the whole month, mean over the receivers</source>
+        <translation>Minuten im Schatten im ganzen Monat, Mittel über die Messpunkte</translation>
+    </message>
+    <message>
+        <source>Number of days</source>
+        <translation>Anzahl der Tage</translation>
+    </message>
+    <message>
+        <source>Hours per day</source>
+        <translation>Stunden am Tag</translation>
+    </message>
+    <message>
+        <source>Hours a day, 0 to 24; 0 is one instant</source>
+        <translation>Stunden am Tag, 0 bis 24; 0 ist ein Augenblick</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Length of a step, minutes; adjusted so that whole steps fill the hours of each day</source>
+        <translation>Länge eines Schritts in Minuten; so angepasst, dass ganze Schritte die Stunden jedes Tages füllen</translation>
+    </message>
+    <message>
+        <source>More shadow</source>
+        <translation>Mehr Schatten</translation>
+    </message>
+    <message>
+        <source>area where the minutes rose by more than the threshold</source>
+        <translation>Fläche, auf der die Minuten um mehr als die Schwelle zunahmen</translation>
+    </message>
+    <message>
+        <source>Less shadow</source>
+        <translation>Weniger Schatten</translation>
+    </message>
+    <message>
+        <source>area where the minutes fell by more than the threshold</source>
+        <translation>Fläche, auf der die Minuten um mehr als die Schwelle abnahmen</translation>
+    </message>
+    <message>
+        <source>Any more shadow</source>
+        <translation>Irgendwie mehr Schatten</translation>
+    </message>
+    <message>
+        <source>area where the minutes rose at all</source>
+        <translation>Fläche, auf der die Minuten überhaupt zunahmen</translation>
+    </message>
+    <message>
+        <source>Any less shadow</source>
+        <translation>Irgendwie weniger Schatten</translation>
+    </message>
+    <message>
+        <source>area where the minutes fell at all</source>
+        <translation>Fläche, auf der die Minuten überhaupt abnahmen</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>Mittlere Änderung</translation>
+    </message>
+    <message>
+        <source>mean of the change over the receivers</source>
+        <translation>Mittel der Änderung über die Messpunkte</translation>
+    </message>
+    <message>
+        <source>Largest increase</source>
+        <translation>Größte Zunahme</translation>
+    </message>
+    <message>
+        <source>the largest increase of a receiver</source>
+        <translation>die größte Zunahme eines Messpunkts</translation>
+    </message>
+    <message>
+        <source>Largest decrease</source>
+        <translation>Größte Abnahme</translation>
+    </message>
+    <message>
+        <source>the largest decrease of a receiver</source>
+        <translation>die größte Abnahme eines Messpunkts</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>change that counts: minutes a day of gross shadow, minutes of continuous shadow</source>
+        <translation>Änderung, die zählt: Minuten Gesamtschatten am Tag, Minuten Dauerschatten</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area</source>
+        <translation>Änderung der Schattenfläche</translation>
+    </message>
+    <message>
+        <source>change of the sum over the receivers of (share of the sunlit time in shadow x cell area)</source>
+        <translation>Änderung der Summe über die Messpunkte aus (Anteil der besonnten Zeit im Schatten x Zellfläche)</translation>
+    </message>
+    <message>
+        <source>Built over</source>
+        <translation>Überbaut</translation>
+    </message>
+    <message>
+        <source>open ground before, under a building after: no receiver</source>
+        <translation>vorher freier Boden, nachher unter einem Gebäude: kein Messpunkt</translation>
+    </message>
+    <message>
+        <source>Became ground</source>
+        <translation>Boden geworden</translation>
+    </message>
+    <message>
+        <source>under a building before, open ground after: no receiver</source>
+        <translation>vorher unter einem Gebäude, nachher freier Boden: kein Messpunkt</translation>
+    </message>
+    <message>
+        <source>Share of the lot</source>
+        <translation>Anteil am Grundstück</translation>
+    </message>
+    <message>
+        <source>Floor plate, % of the lot (default: all of it)</source>
+        <translation>Geschossplatte, % des Grundstücks (Standard: ganz)</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Floor plate, m2</source>
+        <translation>Geschossplatte, m²</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>How much narrower the volume is at its top than at its bottom</source>
+        <translation>Um wie viel schmaler das Volumen oben ist als unten</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehung</translation>
+    </message>
+    <message>
+        <source>Turn of the volume from its bottom to its top, clockwise</source>
+        <translation>Drehung des Volumens von unten nach oben, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>Geschosshöhe</translation>
+    </message>
+    <message>
+        <source>Height of a storey, floor to floor</source>
+        <translation>Höhe eines Geschosses, von Boden zu Boden</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Geschosse</translation>
+    </message>
+    <message>
+        <source>Number of storeys, podium included</source>
+        <translation>Anzahl der Geschosse, mit Sockel</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>Höhe über Gelände</translation>
+    </message>
+    <message>
+        <source>Total height</source>
+        <translation>Gesamthöhe</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Rotation clockwise about the middle of the tower, which must stay on its lot</source>
+        <translation>Drehung im Uhrzeigersinn um die Mitte des Turms, der auf seinem Grundstück bleiben muss</translation>
+    </message>
+    <message>
+        <source>Podium</source>
+        <translation>Sockel</translation>
+    </message>
+    <message>
+        <source>Storeys of a podium below the tower</source>
+        <translation>Geschosse eines Sockels unter dem Turm</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Ab Höhe</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>Rücksprung</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Nutzung</translation>
+    </message>
+    <message>
+        <source>Setbacks</source>
+        <translation>Rücksprünge</translation>
+    </message>
+    <message>
+        <source>Uses</source>
+        <translation>Nutzungen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Metrisch</translation>
+    </message>
+    <message>
+        <source>Imperial</source>
+        <translation>Imperial</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>Metrisch und imperial</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Units of lengths and areas in tables and sheets</source>
+        <translation>Einheiten der Längen und Flächen in Tabellen und Blättern</translation>
+    </message>
+    <message>
+        <source>Score per m² of ground</source>
+        <translation>Wert je m² Boden</translation>
+    </message>
+    <message>
+        <source>score divided by the area of all receivers</source>
+        <translation>Wert geteilt durch die Fläche aller Messpunkte</translation>
     </message>
 </context>
 <context>
@@ -3370,26 +3661,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Facing, °</source>
         <translation>Richtung, °</translation>
     </message>
-    <message>
-        <source>Sun, h a day</source>
-        <translation>Sonne, h am Tag</translation>
-    </message>
-    <message>
-        <source>Sun, % of time</source>
-        <translation>Sonne, % der Zeit</translation>
-    </message>
-    <message>
-        <source>Longest sun, h</source>
-        <translation>Längste Sonne, h</translation>
-    </message>
-    <message>
-        <source>Gross, min</source>
-        <translation>Gesamt, min</translation>
-    </message>
-    <message>
-        <source>Continuous, min</source>
-        <translation>Ununterbrochen, min</translation>
-    </message>
 </context>
 <context>
     <name>noonmark::ElementPicking</name>
@@ -3939,20 +4210,8 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Sockel</translation>
     </message>
     <message>
-        <source>All storeys, including the podium: 1 to 500</source>
-        <translation>Alle Geschosse mit dem Sockel: 1 bis 500</translation>
-    </message>
-    <message>
-        <source>Floor to floor: 2 to 10 m</source>
-        <translation>Von Boden zu Boden: 2 bis 10 m</translation>
-    </message>
-    <message>
         <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
         <translation>Von einem Geschoss bis 2000 m; oder am Pfeil des Turms ziehen oder eine Zahl über der Ansicht tippen</translation>
-    </message>
-    <message>
-        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
-        <translation>Drehung im Uhrzeigersinn um die Mitte des Turms; er muss auf dem Grundstück bleiben</translation>
     </message>
     <message>
         <source>Fewer than all storeys</source>
@@ -3967,16 +4226,8 @@ Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</transl
         <translation>Geschossplatte</translation>
     </message>
     <message>
-        <source>Storey height</source>
-        <translation>Geschosshöhe</translation>
-    </message>
-    <message>
         <source>Floor plate</source>
         <translation>Geschossplatte</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Drehung</translation>
     </message>
     <message>
         <source>Taper, twist</source>
@@ -4364,10 +4615,6 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation> h</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
         <source>From sunrise to sunset</source>
         <translation>Sonnenauf- bis -untergang</translation>
     </message>
@@ -4388,10 +4635,6 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation>Erster Tag</translation>
     </message>
     <message>
-        <source>Days</source>
-        <translation>Tage</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>Nach Sonnenaufgang</translation>
     </message>
@@ -4404,16 +4647,8 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation>Von</translation>
     </message>
     <message>
-        <source>Hours per day</source>
-        <translation>Stunden am Tag</translation>
-    </message>
-    <message>
         <source>Time zone</source>
         <translation>Zeitzone</translation>
-    </message>
-    <message>
-        <source>Sun every</source>
-        <translation>Sonne alle</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -4428,20 +4663,8 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation>Erster Tag des Zeitraums, Datum in der Zeitzone</translation>
     </message>
     <message>
-        <source>Number of days, 1 to 3660</source>
-        <translation>Anzahl der Tage, 1 bis 3660</translation>
-    </message>
-    <message>
         <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
         <translation>Uhrzeit, zu der jeder Tag beginnt, Stunden:Minuten</translation>
-    </message>
-    <message>
-        <source>Hours per day, 0 to 24; 0 is a single moment</source>
-        <translation>Stunden am Tag, 0 bis 24; 0 ist ein einzelner Zeitpunkt</translation>
-    </message>
-    <message>
-        <source>Minutes from one position of the sun to the next, 1/60 to 240</source>
-        <translation>Minuten von einem Sonnenstand zum nächsten, 1/60 bis 240</translation>
     </message>
     <message>
         <source>IANA time zone of the wall clock, daylight saving included.
@@ -5277,8 +5500,8 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <translation>Setzt den Ursprung des Modells in die Mitte der offenen Stadt</translation>
     </message>
     <message>
-        <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
-        <translation>Netze (OBJ, PLY, glTF, IFC, DXF)</translation>
+        <source>Meshes (%1)</source>
+        <translation>Netze (%1)</translation>
     </message>
 </context>
 <context>
@@ -5409,28 +5632,12 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <translation>Prüfung: Blätter, Tabellen und Zeichnungen</translation>
     </message>
     <message>
-        <source>Score of %1 with %2</source>
-        <translation>Bewertung von %1 mit %2</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>Untersuchung von %1</translation>
-    </message>
-    <message>
-        <source>Saved result %1</source>
-        <translation>Gespeichertes Ergebnis %1</translation>
-    </message>
-    <message>
         <source>&amp;Export (%1)...</source>
         <translation>E&amp;xportieren (%1) ...</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Points of %1</source>
-        <translation>Punkte von %1</translation>
     </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
@@ -5442,14 +5649,6 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
-    <message>
-        <source>Outdated: buildings have changed</source>
-        <translation>Veraltet: Gebäude haben sich geändert</translation>
-    </message>
-    <message>
-        <source>%1. Outdated: buildings have changed</source>
-        <translation>%1. Veraltet: Gebäude haben sich geändert</translation>
-    </message>
     <message>
         <source>These figures do not include the building being designed. Build it, then run.</source>
         <translation>Diese Zahlen enthalten das entworfene Gebäude nicht. Bauen, dann berechnen.</translation>
@@ -6159,10 +6358,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Höher, auf der halben Platte</translation>
     </message>
     <message>
-        <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
-        <translation>Fügt ein Gebäude aus OBJ, PLY, glTF, IFC, DXF oder CityJSON hinzu, platziert durch einen Klick auf den Boden</translation>
-    </message>
-    <message>
         <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
         <translation>0,1 bis 2000 m über Gelände; Ansicht &gt; Höhen über Bezugsniveau zeigt sie als absolute Höhe. Oder den Pfeil am Gebäude ziehen. Eingabe übernimmt</translation>
     </message>
@@ -6185,6 +6380,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Click a building in the view to select it. Ctrl+click selects another too, a drag with Ctrl+Shift all in a rectangle.</source>
         <translation>Ein Gebäude in der Ansicht anklicken wählt es aus. Strg+Klick wählt ein weiteres dazu, Ziehen mit Strg+Umschalt alle in einem Rechteck.</translation>
+    </message>
+    <message>
+        <source>Adds a building from a file (%1), placed by a click on the ground</source>
+        <translation>Fügt ein Gebäude aus einer Datei (%1) hinzu, platziert durch einen Klick auf den Boden</translation>
     </message>
 </context>
 <context>
@@ -6263,18 +6462,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Of areas, lengths and heights</source>
         <translation>Von Flächen, Längen und Höhen</translation>
-    </message>
-    <message>
-        <source>Metric</source>
-        <translation>Metrisch</translation>
-    </message>
-    <message>
-        <source>Imperial</source>
-        <translation>Imperial</translation>
-    </message>
-    <message>
-        <source>Metric and imperial</source>
-        <translation>Metrisch und imperial</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -7469,20 +7656,8 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>Study</source>
-        <translation>Untersuchung</translation>
-    </message>
-    <message>
         <source>All scenarios</source>
         <translation>Alle Szenarien</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Bewertung</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -7594,6 +7769,30 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>at single points</source>
         <translation>an einzelnen Punkten</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min am Tag</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> h am Tag</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
     </message>
 </context>
 </TS>

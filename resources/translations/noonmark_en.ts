@@ -153,13 +153,6 @@
             <numerusform>exact at %1 of %2 steps</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>Weighted shade, shadow area over %1 sunlit minute, and the month&apos;s contribution to the score</numerusform>
-            <numerusform>Weighted shade, shadow area over %1 sunlit minutes, and the month&apos;s contribution to the score</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>

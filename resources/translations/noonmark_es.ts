@@ -1070,10 +1070,6 @@ Press Enter or double-click to show it again</source>
 Pulse Intro o haga doble clic para volver a mostrarlo</translation>
     </message>
     <message>
-        <source>%1 &gt; %2 min</source>
-        <translation>%1 &gt; %2 min</translation>
-    </message>
-    <message>
         <source>Contribution of this new building alone: ground with over %1 min a day more gross shadow than without it</source>
         <translation>Contribución de este edificio nuevo por sí solo: suelo con más de %1 min al día de sombra total adicional</translation>
     </message>
@@ -1104,102 +1100,8 @@ con %2</translation>
         <translation>Minutos del primero menos minutos del segundo, con el mismo motor, pasos y celdas</translation>
     </message>
     <message>
-        <source>Gross</source>
-        <translation>Total</translation>
-    </message>
-    <message>
-        <source>Ground whose gross shadow increases or decreases by more than this</source>
-        <translation>Suelo cuya sombra total aumenta o disminuye más que esto</translation>
-    </message>
-    <message>
-        <source>Continuous</source>
-        <translation>Continua</translation>
-    </message>
-    <message>
-        <source>Ground whose continuous shadow increases or decreases by more than this</source>
-        <translation>Suelo cuya sombra continua aumenta o disminuye más que esto</translation>
-    </message>
-    <message>
         <source>not counted</source>
         <translation>no contada</translation>
-    </message>
-    <message>
-        <source>The engine computed gross shadow only</source>
-        <translation>El motor solo calculó la sombra total</translation>
-    </message>
-    <message>
-        <source>Any change</source>
-        <translation>Cualquier cambio</translation>
-    </message>
-    <message>
-        <source>%1 more
-%2 less</source>
-        <translation>%1 más
-%2 menos</translation>
-    </message>
-    <message>
-        <source>Ground with any change of gross shadow</source>
-        <translation>Suelo con algún cambio de sombra total</translation>
-    </message>
-    <message>
-        <source>Largest increase</source>
-        <translation>Mayor aumento</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> min al día</translation>
-    </message>
-    <message>
-        <source>The cell with the largest increase of gross shadow</source>
-        <translation>La celda con el mayor aumento de sombra total</translation>
-    </message>
-    <message>
-        <source>Largest decrease</source>
-        <translation>Mayor disminución</translation>
-    </message>
-    <message>
-        <source>The cell with the largest decrease of gross shadow</source>
-        <translation>La celda con la mayor disminución de sombra total</translation>
-    </message>
-    <message>
-        <source>Mean change</source>
-        <translation>Cambio medio</translation>
-    </message>
-    <message>
-        <source>Mean change of gross shadow over all cells that are open ground in both</source>
-        <translation>Cambio medio de la sombra total en las celdas que son suelo libre en ambos</translation>
-    </message>
-    <message>
-        <source>Shadow area</source>
-        <translation>Área de sombra</translation>
-    </message>
-    <message>
-        <source>Change of the sum over the cells of (share of the sunlit time in shadow × cell area)</source>
-        <translation>Cambio de la suma en las celdas de (parte del tiempo de sol en sombra × área de celda)</translation>
-    </message>
-    <message>
-        <source>Built over</source>
-        <translation>Edificado</translation>
-    </message>
-    <message>
-        <source>Formerly ground, now building; not included above</source>
-        <translation>Antes suelo, ahora edificio; no incluido arriba</translation>
-    </message>
-    <message>
-        <source>Became ground</source>
-        <translation>Ahora suelo</translation>
-    </message>
-    <message>
-        <source>Formerly building, now ground; not included above</source>
-        <translation>Antes edificio, ahora suelo; no incluido arriba</translation>
-    </message>
-    <message>
-        <source>Ground compared</source>
-        <translation>Suelo comparado</translation>
-    </message>
-    <message>
-        <source>Open ground in both</source>
-        <translation>Suelo libre en ambos</translation>
     </message>
     <message>
         <source>Period</source>
@@ -1278,26 +1180,6 @@ con %2</translation>
         <translation>Aún no hay estudio: elija un periodo y una zona y pulse Calcular (Ctrl+R)</translation>
     </message>
     <message>
-        <source>Share of ground</source>
-        <translation>Parte del suelo</translation>
-    </message>
-    <message>
-        <source>Shadow area over the area of all receivers</source>
-        <translation>Área de sombra dividida por el área de todos los receptores</translation>
-    </message>
-    <message>
-        <source>Mean gross</source>
-        <translation>Sombra total media</translation>
-    </message>
-    <message>
-        <source>Mean continuous</source>
-        <translation>Sombra continua media</translation>
-    </message>
-    <message>
-        <source>Max continuous</source>
-        <translation>Sombra continua máxima</translation>
-    </message>
-    <message>
         <source>Against the ray reference, on a sample of the receivers over the same steps</source>
         <translation>Frente a la referencia por rayos, en una muestra de los receptores con los mismos pasos</translation>
     </message>
@@ -1316,14 +1198,6 @@ con %2</translation>
     <message>
         <source>Time taken by the engine</source>
         <translation>Tiempo que tardó el motor</translation>
-    </message>
-    <message>
-        <source>Receivers</source>
-        <translation>Receptores</translation>
-    </message>
-    <message>
-        <source>Cells in which shadow is measured</source>
-        <translation>Celdas en las que se mide la sombra</translation>
     </message>
     <message>
         <source>Steps of the sun</source>
@@ -1346,18 +1220,6 @@ con %2</translation>
         <translation>puntuación %1%2 m² por m²</translation>
     </message>
     <message>
-        <source>%1 × %2</source>
-        <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>per m² of ground</source>
-        <translation>por m² de suelo</translation>
-    </message>
-    <message>
-        <source>Score divided by the area of all receivers</source>
-        <translation>Puntuación dividida por el área de todos los receptores</translation>
-    </message>
-    <message>
         <source>Scored</source>
         <translation>Puntuado</translation>
     </message>
@@ -1366,10 +1228,6 @@ con %2</translation>
 with the weights %2</source>
         <translation>%1
 con los pesos %2</translation>
-    </message>
-    <message>
-        <source>Open ground of the region</source>
-        <translation>Suelo libre de la zona</translation>
     </message>
     <message>
         <source>at an unknown date</source>
@@ -1854,54 +1712,6 @@ Todos los lados %2, área %3</translation>
         <translation>planta %1, %2</translation>
     </message>
     <message>
-        <source>%1 h a day</source>
-        <translation>%1 h al día</translation>
-    </message>
-    <message>
-        <source>Mean sun</source>
-        <translation>Sol medio</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day, mean over days and points</source>
-        <translation>Horas de sol al día, media de días y puntos</translation>
-    </message>
-    <message>
-        <source>Least sun</source>
-        <translation>Sol mínimo</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day at the darkest point</source>
-        <translation>Horas de sol al día en el punto más oscuro</translation>
-    </message>
-    <message>
-        <source>Most sun</source>
-        <translation>Sol máximo</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day at the sunniest point</source>
-        <translation>Horas de sol al día en el punto más soleado</translation>
-    </message>
-    <message>
-        <source>Minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
-        <translation>Minutos en sombra al día, media de días y puntos; un punto de espaldas al sol está en sombra</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow on any day, mean over the points</source>
-        <translation>Tiempo ininterrumpido más largo en sombra en cualquier día, media de los puntos</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow at any point on any day</source>
-        <translation>Tiempo ininterrumpido más largo en sombra en cualquier punto y día</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Puntos</translation>
-    </message>
-    <message>
-        <source>Points where sun is measured</source>
-        <translation>Puntos donde se mide el sol</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>Error</translation>
     </message>
@@ -1992,14 +1802,6 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Twist</source>
         <translation>Torsión</translation>
-    </message>
-    <message>
-        <source>Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %</source>
-        <translation>Estrechamiento: cuánto más estrecho es el volumen arriba que abajo, de 0 a 95 %</translation>
-    </message>
-    <message>
-        <source>Twist: clockwise turn from the bottom of the volume to its top, in proportion to the height; it must stay on the lot</source>
-        <translation>Torsión: giro en sentido horario desde la base del volumen hasta su parte superior, proporcional a la altura; debe quedar dentro de la parcela</translation>
     </message>
     <message>
         <source>%1, section box</source>
@@ -2296,19 +2098,44 @@ Todos los lados %2, área %3</translation>
         <translation>Error medido frente a los rayos: %1 % del tiempo al sol</translation>
     </message>
     <message>
-        <source>%1 weighted, %2 m² shadow, score %3</source>
-        <translation>%1 ponderado, %2 m² de sombra, puntuación %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>Sombra ponderada, área de sombra en %1 minuto con sol y la contribución del mes a la puntuación</numerusform>
-            <numerusform>Sombra ponderada, área de sombra en %1 minutos con sol y la contribución del mes a la puntuación</numerusform>
-        </translation>
+        <source>Outdated: buildings have changed</source>
+        <translation>Desactualizado: los edificios han cambiado</translation>
     </message>
     <message>
-        <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
-        <translation>Intervalo de la tabla y su peso: sombra ponderada, área de sombra en su tiempo con sol, y peso por área de sombra</translation>
+        <source>%1. Outdated: buildings have changed</source>
+        <translation>%1. Desactualizado: los edificios han cambiado</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 &gt; %2 min: %3</source>
+        <translation>%1 &gt; %2 min: %3</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Puntos de %1</translation>
+    </message>
+    <message>
+        <source>Saved result %1</source>
+        <translation>Resultado guardado %1</translation>
+    </message>
+    <message>
+        <source>The month&apos;s contribution to the score</source>
+        <translation>La contribución del mes a la puntuación</translation>
+    </message>
+    <message>
+        <source>Interval of the table: its weight, and its contribution to the score</source>
+        <translation>Intervalo de la tabla: su peso y su contribución a la puntuación</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>Puntuación de %1 con %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Estudio de %1</translation>
     </message>
 </context>
 <context>
@@ -2791,6 +2618,470 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
         <translation>Mallas: unidad de las coordenadas: m, ft, us-ft, dm, cm, mm o in (por defecto m)</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Saved result</source>
+        <translation>Resultado guardado</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>of the theoretical area x hours</source>
+        <translation>del área x horas teóricas</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Referencia</translation>
+    </message>
+    <message>
+        <source>area in shadow in the baseline</source>
+        <translation>área en sombra en la situación de referencia</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>area in shadow in the scenario</source>
+        <translation>área en sombra en el escenario</translation>
+    </message>
+    <message>
+        <source>Incremental</source>
+        <translation>Incremental</translation>
+    </message>
+    <message>
+        <source>area in shadow in the scenario, lit in the baseline</source>
+        <translation>área en sombra en el escenario, con sol en la situación de referencia</translation>
+    </message>
+    <message>
+        <source>Gained</source>
+        <translation>Ganada</translation>
+    </message>
+    <message>
+        <source>area lit in the scenario, in shadow in the baseline</source>
+        <translation>área con sol en el escenario, en sombra en la situación de referencia</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Días</translation>
+    </message>
+    <message>
+        <source>Hours of sun</source>
+        <translation>Horas de sol</translation>
+    </message>
+    <message>
+        <source>hours with the sun above the horizon</source>
+        <translation>horas con el sol sobre el horizonte</translation>
+    </message>
+    <message>
+        <source>Theoretical</source>
+        <translation>Teórica</translation>
+    </message>
+    <message>
+        <source>area x sunlit hours: without any shadow</source>
+        <translation>área x horas de sol: sin ninguna sombra</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the baseline</source>
+        <translation>área x horas en sombra en la situación de referencia</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the scenario</source>
+        <translation>área x horas en sombra en el escenario</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the scenario, lit in the baseline</source>
+        <translation>área x horas en sombra en el escenario, con sol en la situación de referencia</translation>
+    </message>
+    <message>
+        <source>area x hours lit in the scenario, in shadow in the baseline</source>
+        <translation>área x horas con sol en el escenario, en sombra en la situación de referencia</translation>
+    </message>
+    <message>
+        <source>Share of baseline</source>
+        <translation>Parte de la situación de referencia</translation>
+    </message>
+    <message>
+        <source>Share of scenario</source>
+        <translation>Parte del escenario</translation>
+    </message>
+    <message>
+        <source>Share of incremental</source>
+        <translation>Parte incremental</translation>
+    </message>
+    <message>
+        <source>Open ground</source>
+        <translation>Suelo libre</translation>
+    </message>
+    <message>
+        <source>area of the place without buildings</source>
+        <translation>área del lugar sin edificios</translation>
+    </message>
+    <message>
+        <source>Mean sun</source>
+        <translation>Sol medio</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days and the place</source>
+        <translation>horas de sol al día, media de los días y del lugar</translation>
+    </message>
+    <message>
+        <source>Min sun</source>
+        <translation>Sol mínimo</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days, at the cell that has least</source>
+        <translation>horas de sol al día, media de los días, en la celda que menos tiene</translation>
+    </message>
+    <message>
+        <source>Max sun</source>
+        <translation>Sol máximo</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days, at the cell that has most</source>
+        <translation>horas de sol al día, media de los días, en la celda que más tiene</translation>
+    </message>
+    <message>
+        <source>Share with enough sun</source>
+        <translation>Parte con sol suficiente</translation>
+    </message>
+    <message>
+        <source>share of the area with the hours of sun a day that are enough, or more</source>
+        <translation>parte del área con las horas de sol al día suficientes o más</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>points where sun is measured</source>
+        <translation>puntos donde se mide el sol</translation>
+    </message>
+    <message>
+        <source>mean minutes a day with the sun above the horizon: 100 % of the time</source>
+        <translation>minutos medios al día con el sol sobre el horizonte: 100 % del tiempo</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over days and points</source>
+        <translation>horas de sol al día, media de días y puntos</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>Sol mínimo</translation>
+    </message>
+    <message>
+        <source>hours of sun a day at the darkest point</source>
+        <translation>horas de sol al día en el punto más oscuro</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>Sol máximo</translation>
+    </message>
+    <message>
+        <source>hours of sun a day at the sunniest point</source>
+        <translation>horas de sol al día en el punto más soleado</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
+        <translation>minutos en sombra al día, media de días y puntos; un punto que no mira al sol está en sombra</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day, mean over the points</source>
+        <translation>sombra ininterrumpida más larga de un día, media de los puntos</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow at any point on any day</source>
+        <translation>sombra ininterrumpida más larga en un punto en un día</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>minutes per day that a point is in the sun, mean over the days</source>
+        <translation>minutos al día que un punto está al sol, media de los días</translation>
+    </message>
+    <message>
+        <source>Share of time</source>
+        <translation>Parte del tiempo</translation>
+    </message>
+    <message>
+        <source>sun, of the time with the sun above the horizon</source>
+        <translation>sol, del tiempo con el sol sobre el horizonte</translation>
+    </message>
+    <message>
+        <source>Gross</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over the days; a point that faces away from the sun is in shadow</source>
+        <translation>minutos en sombra al día, media de los días; un punto que no mira al sol está en sombra</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day</source>
+        <translation>sombra ininterrumpida más larga de un día</translation>
+    </message>
+    <message>
+        <source>Longest sun</source>
+        <translation>Sol más largo</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in the sun on any day</source>
+        <translation>sol ininterrumpido más largo de un día</translation>
+    </message>
+    <message>
+        <source>minutes of the month with the sun above the horizon</source>
+        <translation>minutos del mes con el sol sobre el horizonte</translation>
+    </message>
+    <message>
+        <source>Mean shadow</source>
+        <translation>Sombra media</translation>
+    </message>
+    <message>
+        <source>minutes in shadow in the whole month, mean over the receivers</source>
+        <translation>minutos en sombra en todo el mes, media de los receptores</translation>
+    </message>
+    <message>
+        <source>Number of days</source>
+        <translation>Número de días</translation>
+    </message>
+    <message>
+        <source>Hours per day</source>
+        <translation>Horas al día</translation>
+    </message>
+    <message>
+        <source>Hours a day, 0 to 24; 0 is one instant</source>
+        <translation>Horas al día, de 0 a 24; 0 es un instante</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Length of a step, minutes; adjusted so that whole steps fill the hours of each day</source>
+        <translation>Duración de un paso en minutos; ajustada para que pasos enteros llenen las horas de cada día</translation>
+    </message>
+    <message>
+        <source>More shadow</source>
+        <translation>Más sombra</translation>
+    </message>
+    <message>
+        <source>area where the minutes rose by more than the threshold</source>
+        <translation>área donde los minutos aumentaron más que el umbral</translation>
+    </message>
+    <message>
+        <source>Less shadow</source>
+        <translation>Menos sombra</translation>
+    </message>
+    <message>
+        <source>area where the minutes fell by more than the threshold</source>
+        <translation>área donde los minutos disminuyeron más que el umbral</translation>
+    </message>
+    <message>
+        <source>Any more shadow</source>
+        <translation>Cualquier sombra más</translation>
+    </message>
+    <message>
+        <source>area where the minutes rose at all</source>
+        <translation>área donde los minutos aumentaron algo</translation>
+    </message>
+    <message>
+        <source>Any less shadow</source>
+        <translation>Cualquier sombra menos</translation>
+    </message>
+    <message>
+        <source>area where the minutes fell at all</source>
+        <translation>área donde los minutos disminuyeron algo</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>Cambio medio</translation>
+    </message>
+    <message>
+        <source>mean of the change over the receivers</source>
+        <translation>media del cambio sobre los receptores</translation>
+    </message>
+    <message>
+        <source>Largest increase</source>
+        <translation>Mayor aumento</translation>
+    </message>
+    <message>
+        <source>the largest increase of a receiver</source>
+        <translation>el mayor aumento de un receptor</translation>
+    </message>
+    <message>
+        <source>Largest decrease</source>
+        <translation>Mayor disminución</translation>
+    </message>
+    <message>
+        <source>the largest decrease of a receiver</source>
+        <translation>la mayor disminución de un receptor</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Umbral</translation>
+    </message>
+    <message>
+        <source>change that counts: minutes a day of gross shadow, minutes of continuous shadow</source>
+        <translation>cambio que cuenta: minutos al día de sombra total, minutos de sombra continua</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area</source>
+        <translation>Cambio del área de sombra</translation>
+    </message>
+    <message>
+        <source>change of the sum over the receivers of (share of the sunlit time in shadow x cell area)</source>
+        <translation>cambio de la suma sobre los receptores de (parte del tiempo con sol en sombra x área de la celda)</translation>
+    </message>
+    <message>
+        <source>Built over</source>
+        <translation>Edificado</translation>
+    </message>
+    <message>
+        <source>open ground before, under a building after: no receiver</source>
+        <translation>suelo libre antes, bajo un edificio después: sin receptor</translation>
+    </message>
+    <message>
+        <source>Became ground</source>
+        <translation>Ahora suelo</translation>
+    </message>
+    <message>
+        <source>under a building before, open ground after: no receiver</source>
+        <translation>bajo un edificio antes, suelo libre después: sin receptor</translation>
+    </message>
+    <message>
+        <source>Share of the lot</source>
+        <translation>Parte de la parcela</translation>
+    </message>
+    <message>
+        <source>Floor plate, % of the lot (default: all of it)</source>
+        <translation>Planta, % de la parcela (por defecto: toda)</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Floor plate, m2</source>
+        <translation>Planta, m²</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Estrechamiento</translation>
+    </message>
+    <message>
+        <source>How much narrower the volume is at its top than at its bottom</source>
+        <translation>Cuánto más estrecho es el volumen arriba que abajo</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsión</translation>
+    </message>
+    <message>
+        <source>Turn of the volume from its bottom to its top, clockwise</source>
+        <translation>Giro del volumen de abajo arriba, en sentido horario</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>Altura de planta</translation>
+    </message>
+    <message>
+        <source>Height of a storey, floor to floor</source>
+        <translation>Altura de una planta, de suelo a suelo</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Plantas</translation>
+    </message>
+    <message>
+        <source>Number of storeys, podium included</source>
+        <translation>Número de plantas, con el podio</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>Altura sobre el terreno</translation>
+    </message>
+    <message>
+        <source>Total height</source>
+        <translation>Altura total</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Rotation clockwise about the middle of the tower, which must stay on its lot</source>
+        <translation>Giro horario alrededor del centro de la torre, que debe quedar en su parcela</translation>
+    </message>
+    <message>
+        <source>Podium</source>
+        <translation>Basamento</translation>
+    </message>
+    <message>
+        <source>Storeys of a podium below the tower</source>
+        <translation>Plantas de un podio bajo la torre</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Desde la altura</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>Retranqueo</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Setbacks</source>
+        <translation>Retranqueos</translation>
+    </message>
+    <message>
+        <source>Uses</source>
+        <translation>Usos</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Métrico</translation>
+    </message>
+    <message>
+        <source>Imperial</source>
+        <translation>Imperial</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>Métrico e imperial</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>Units of lengths and areas in tables and sheets</source>
+        <translation>Unidades de longitudes y áreas en tablas y hojas</translation>
+    </message>
+    <message>
+        <source>Score per m² of ground</source>
+        <translation>Puntuación por m² de suelo</translation>
+    </message>
+    <message>
+        <source>score divided by the area of all receivers</source>
+        <translation>puntuación dividida por el área de todos los receptores</translation>
     </message>
 </context>
 <context>
@@ -3370,26 +3661,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Facing, °</source>
         <translation>Orientación, °</translation>
     </message>
-    <message>
-        <source>Sun, h a day</source>
-        <translation>Sol, h al día</translation>
-    </message>
-    <message>
-        <source>Sun, % of time</source>
-        <translation>Sol, % del tiempo</translation>
-    </message>
-    <message>
-        <source>Longest sun, h</source>
-        <translation>Sol más largo, h</translation>
-    </message>
-    <message>
-        <source>Gross, min</source>
-        <translation>Total, min</translation>
-    </message>
-    <message>
-        <source>Continuous, min</source>
-        <translation>Continuo, min</translation>
-    </message>
 </context>
 <context>
     <name>noonmark::ElementPicking</name>
@@ -3939,20 +4210,8 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Basamento</translation>
     </message>
     <message>
-        <source>All storeys, including the podium: 1 to 500</source>
-        <translation>Todas las plantas, con el basamento: 1 a 500</translation>
-    </message>
-    <message>
-        <source>Floor to floor: 2 to 10 m</source>
-        <translation>De suelo a suelo: 2 a 10 m</translation>
-    </message>
-    <message>
         <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
         <translation>De una planta a 2000 m; o arrastre la flecha de la torre, o escriba un número sobre la vista</translation>
-    </message>
-    <message>
-        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
-        <translation>Giro en sentido horario sobre el centro de la torre; debe quedar en la parcela</translation>
     </message>
     <message>
         <source>Fewer than all storeys</source>
@@ -3967,16 +4226,8 @@ Sombra continua: tramo más largo en sombra de cualquier día, minutos.</transla
         <translation>Planta tipo</translation>
     </message>
     <message>
-        <source>Storey height</source>
-        <translation>Altura de planta</translation>
-    </message>
-    <message>
         <source>Floor plate</source>
         <translation>Planta tipo</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Giro</translation>
     </message>
     <message>
         <source>Taper, twist</source>
@@ -4364,10 +4615,6 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation> h</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
         <source>From sunrise to sunset</source>
         <translation>Del amanecer al ocaso</translation>
     </message>
@@ -4388,10 +4635,6 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Primer día</translation>
     </message>
     <message>
-        <source>Days</source>
-        <translation>Días</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>Después del amanecer</translation>
     </message>
@@ -4404,16 +4647,8 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Desde</translation>
     </message>
     <message>
-        <source>Hours per day</source>
-        <translation>Horas al día</translation>
-    </message>
-    <message>
         <source>Time zone</source>
         <translation>Zona horaria</translation>
-    </message>
-    <message>
-        <source>Sun every</source>
-        <translation>Sol cada</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -4428,20 +4663,8 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Primer día del periodo, fecha local en la zona horaria</translation>
     </message>
     <message>
-        <source>Number of days, 1 to 3660</source>
-        <translation>Número de días, 1 a 3660</translation>
-    </message>
-    <message>
         <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
         <translation>Hora a la que empieza cada día, horas:minutos</translation>
-    </message>
-    <message>
-        <source>Hours per day, 0 to 24; 0 is a single moment</source>
-        <translation>Horas al día, 0 a 24; 0 es un solo momento</translation>
-    </message>
-    <message>
-        <source>Minutes from one position of the sun to the next, 1/60 to 240</source>
-        <translation>Minutos de una posición del sol a la siguiente, 1/60 a 240</translation>
     </message>
     <message>
         <source>IANA time zone of the wall clock, daylight saving included.
@@ -5277,8 +5500,8 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <translation>Sitúa el origen de la malla en el centro de la ciudad abierta</translation>
     </message>
     <message>
-        <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
-        <translation>Mallas (OBJ, PLY, glTF, IFC, DXF)</translation>
+        <source>Meshes (%1)</source>
+        <translation>Mallas (%1)</translation>
     </message>
 </context>
 <context>
@@ -5409,28 +5632,12 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <translation>Evaluación: láminas, tablas y dibujos</translation>
     </message>
     <message>
-        <source>Score of %1 with %2</source>
-        <translation>Puntuación de %1 con %2</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>Estudio de %1</translation>
-    </message>
-    <message>
-        <source>Saved result %1</source>
-        <translation>Resultado guardado %1</translation>
-    </message>
-    <message>
         <source>&amp;Export (%1)...</source>
         <translation>&amp;Exportar (%1)...</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Points of %1</source>
-        <translation>Puntos de %1</translation>
     </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
@@ -5442,14 +5649,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
-    <message>
-        <source>Outdated: buildings have changed</source>
-        <translation>Desactualizado: los edificios han cambiado</translation>
-    </message>
-    <message>
-        <source>%1. Outdated: buildings have changed</source>
-        <translation>%1. Desactualizado: los edificios han cambiado</translation>
-    </message>
     <message>
         <source>These figures do not include the building being designed. Build it, then run.</source>
         <translation>Estas cifras no incluyen el edificio que se diseña. Constrúyalo y calcule.</translation>
@@ -6159,10 +6358,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <translation>Más alto, con media planta</translation>
     </message>
     <message>
-        <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
-        <translation>Añade un edificio de OBJ, PLY, glTF, IFC, DXF o CityJSON, colocado con un clic en el suelo</translation>
-    </message>
-    <message>
         <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
         <translation>De 0,1 a 2000 m sobre el terreno; Ver &gt; Alturas sobre el datum la muestra como cota. O arrastre la flecha del edificio. Pulse Intro para aplicar</translation>
     </message>
@@ -6185,6 +6380,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Click a building in the view to select it. Ctrl+click selects another too, a drag with Ctrl+Shift all in a rectangle.</source>
         <translation>Haga clic en un edificio de la vista para seleccionarlo. Ctrl+clic añade otro; arrastrar con Ctrl+Mayús, todos los de un rectángulo.</translation>
+    </message>
+    <message>
+        <source>Adds a building from a file (%1), placed by a click on the ground</source>
+        <translation>Añade un edificio de un archivo (%1), colocado con un clic en el suelo</translation>
     </message>
 </context>
 <context>
@@ -6263,18 +6462,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Of areas, lengths and heights</source>
         <translation>De áreas, longitudes y alturas</translation>
-    </message>
-    <message>
-        <source>Metric</source>
-        <translation>Métrico</translation>
-    </message>
-    <message>
-        <source>Imperial</source>
-        <translation>Imperial</translation>
-    </message>
-    <message>
-        <source>Metric and imperial</source>
-        <translation>Métrico e imperial</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -7469,20 +7656,8 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
         <translation>motor</translation>
     </message>
     <message>
-        <source>Study</source>
-        <translation>Estudio</translation>
-    </message>
-    <message>
         <source>All scenarios</source>
         <translation>Todos los escenarios</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Comparación</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Puntuación</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -7594,6 +7769,30 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>at single points</source>
         <translation>en puntos concretos</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min al día</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> h al día</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>no contada</translation>
     </message>
 </context>
 </TS>

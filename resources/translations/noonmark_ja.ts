@@ -1070,10 +1070,6 @@ Press Enter or double-click to show it again</source>
 Enter またはダブルクリックで再表示</translation>
     </message>
     <message>
-        <source>%1 &gt; %2 min</source>
-        <translation>%1 &gt; %2 min</translation>
-    </message>
-    <message>
         <source>Contribution of this new building alone: ground with over %1 min a day more gross shadow than without it</source>
         <translation>この新築建物だけの寄与: 累計日影が 1 日に %1 分を超えて増える地面</translation>
     </message>
@@ -1104,102 +1100,8 @@ with %2</source>
         <translation>同じエンジン、ステップ、セルでの前者の分から後者の分を引いた値</translation>
     </message>
     <message>
-        <source>Gross</source>
-        <translation>累計</translation>
-    </message>
-    <message>
-        <source>Ground whose gross shadow increases or decreases by more than this</source>
-        <translation>累計日影がこれを超えて増減する地面</translation>
-    </message>
-    <message>
-        <source>Continuous</source>
-        <translation>連続</translation>
-    </message>
-    <message>
-        <source>Ground whose continuous shadow increases or decreases by more than this</source>
-        <translation>連続日影がこれを超えて増減する地面</translation>
-    </message>
-    <message>
         <source>not counted</source>
         <translation>未集計</translation>
-    </message>
-    <message>
-        <source>The engine computed gross shadow only</source>
-        <translation>エンジンは累計日影だけを計算しました</translation>
-    </message>
-    <message>
-        <source>Any change</source>
-        <translation>変化全体</translation>
-    </message>
-    <message>
-        <source>%1 more
-%2 less</source>
-        <translation>%1 増
-%2 減</translation>
-    </message>
-    <message>
-        <source>Ground with any change of gross shadow</source>
-        <translation>累計日影が変化する地面</translation>
-    </message>
-    <message>
-        <source>Largest increase</source>
-        <translation>最大増加</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> 分/日</translation>
-    </message>
-    <message>
-        <source>The cell with the largest increase of gross shadow</source>
-        <translation>累計日影が最も増えるセル</translation>
-    </message>
-    <message>
-        <source>Largest decrease</source>
-        <translation>最大減少</translation>
-    </message>
-    <message>
-        <source>The cell with the largest decrease of gross shadow</source>
-        <translation>累計日影が最も減るセル</translation>
-    </message>
-    <message>
-        <source>Mean change</source>
-        <translation>平均変化</translation>
-    </message>
-    <message>
-        <source>Mean change of gross shadow over all cells that are open ground in both</source>
-        <translation>両方で空地であるセルの累計日影の平均変化</translation>
-    </message>
-    <message>
-        <source>Shadow area</source>
-        <translation>日影面積</translation>
-    </message>
-    <message>
-        <source>Change of the sum over the cells of (share of the sunlit time in shadow × cell area)</source>
-        <translation>セルごとの (日照時間のうち影の割合 × セル面積) の合計の変化</translation>
-    </message>
-    <message>
-        <source>Built over</source>
-        <translation>建物になった</translation>
-    </message>
-    <message>
-        <source>Formerly ground, now building; not included above</source>
-        <translation>元は地面、今は建物。上には含まない</translation>
-    </message>
-    <message>
-        <source>Became ground</source>
-        <translation>地面になった</translation>
-    </message>
-    <message>
-        <source>Formerly building, now ground; not included above</source>
-        <translation>元は建物、今は地面。上には含まない</translation>
-    </message>
-    <message>
-        <source>Ground compared</source>
-        <translation>比較した地面</translation>
-    </message>
-    <message>
-        <source>Open ground in both</source>
-        <translation>両方で空地</translation>
     </message>
     <message>
         <source>Period</source>
@@ -1278,26 +1180,6 @@ with %2</source>
         <translation>まだ検討がありません。期間と範囲を選び、計算 (Ctrl+R) を押してください</translation>
     </message>
     <message>
-        <source>Share of ground</source>
-        <translation>地面に占める割合</translation>
-    </message>
-    <message>
-        <source>Shadow area over the area of all receivers</source>
-        <translation>日影面積を全測定点の面積で割った値</translation>
-    </message>
-    <message>
-        <source>Mean gross</source>
-        <translation>累計日影の平均</translation>
-    </message>
-    <message>
-        <source>Mean continuous</source>
-        <translation>連続日影の平均</translation>
-    </message>
-    <message>
-        <source>Max continuous</source>
-        <translation>連続日影の最大</translation>
-    </message>
-    <message>
         <source>Against the ray reference, on a sample of the receivers over the same steps</source>
         <translation>同じステップで抽出した測定点によるレイ基準との比較</translation>
     </message>
@@ -1316,14 +1198,6 @@ with %2</source>
     <message>
         <source>Time taken by the engine</source>
         <translation>エンジンの計算時間</translation>
-    </message>
-    <message>
-        <source>Receivers</source>
-        <translation>測定点</translation>
-    </message>
-    <message>
-        <source>Cells in which shadow is measured</source>
-        <translation>日影を測るセル</translation>
     </message>
     <message>
         <source>Steps of the sun</source>
@@ -1346,18 +1220,6 @@ with %2</source>
         <translation>スコア %1%2 m²/m²</translation>
     </message>
     <message>
-        <source>%1 × %2</source>
-        <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>per m² of ground</source>
-        <translation>地面 1 m² あたり</translation>
-    </message>
-    <message>
-        <source>Score divided by the area of all receivers</source>
-        <translation>スコアを全測定点の面積で割った値</translation>
-    </message>
-    <message>
         <source>Scored</source>
         <translation>評価対象</translation>
     </message>
@@ -1366,10 +1228,6 @@ with %2</source>
 with the weights %2</source>
         <translation>%1
 重み %2</translation>
-    </message>
-    <message>
-        <source>Open ground of the region</source>
-        <translation>範囲内の空地</translation>
     </message>
     <message>
         <source>at an unknown date</source>
@@ -1854,54 +1712,6 @@ All sides %2, area %3</source>
         <translation>%1階、%2</translation>
     </message>
     <message>
-        <source>%1 h a day</source>
-        <translation>1日%1時間</translation>
-    </message>
-    <message>
-        <source>Mean sun</source>
-        <translation>平均日照</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day, mean over days and points</source>
-        <translation>1日の日照時間。日と点の平均</translation>
-    </message>
-    <message>
-        <source>Least sun</source>
-        <translation>最小の日照</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day at the darkest point</source>
-        <translation>最も暗い点の1日の日照時間</translation>
-    </message>
-    <message>
-        <source>Most sun</source>
-        <translation>最大の日照</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day at the sunniest point</source>
-        <translation>最も日当たりの良い点の1日の日照時間</translation>
-    </message>
-    <message>
-        <source>Minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
-        <translation>1日の影の時間(分)。日と点の平均。太陽に背を向けた点は影とみなします</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow on any day, mean over the points</source>
-        <translation>任意の日の連続した影の最長時間。点の平均</translation>
-    </message>
-    <message>
-        <source>Longest unbroken run in shadow at any point on any day</source>
-        <translation>任意の点と日の連続した影の最長時間</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>点</translation>
-    </message>
-    <message>
-        <source>Points where sun is measured</source>
-        <translation>日照を測る点</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>誤差</translation>
     </message>
@@ -1992,14 +1802,6 @@ All sides %2, area %3</source>
     <message>
         <source>Twist</source>
         <translation>ねじれ</translation>
-    </message>
-    <message>
-        <source>Taper: how much narrower the volume is at its top than at its bottom, 0 to 95 %</source>
-        <translation>先細り: ボリュームの上端が下端よりどれだけ細いか、0~95 %</translation>
-    </message>
-    <message>
-        <source>Twist: clockwise turn from the bottom of the volume to its top, in proportion to the height; it must stay on the lot</source>
-        <translation>ねじれ: ボリュームの下端から上端までの時計回りの回転、高さに比例。敷地内に収まること</translation>
     </message>
     <message>
         <source>%1, section box</source>
@@ -2274,18 +2076,44 @@ All sides %2, area %3</source>
         <translation>光線に対する実測誤差：日照時間の %1 %</translation>
     </message>
     <message>
-        <source>%1 weighted, %2 m² shadow, score %3</source>
-        <translation>重み付き %1、影 %2 m²、スコア %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>Weighted shade, shadow area over %1 sunlit minute(s), and the month&apos;s contribution to the score</source>
-        <translation>
-            <numerusform>重み付きの日陰、日照 %1 分間の影の面積、スコアへの月の寄与</numerusform>
-        </translation>
+        <source>Outdated: buildings have changed</source>
+        <translation>古い結果: 建物が変わりました</translation>
     </message>
     <message>
-        <source>Interval of the table and its weight: weighted shade, shadow area in its sunlit time, and weight times shadow area</source>
-        <translation>表の区間とその重み：重み付きの日陰、区間の日照時間における影の面積、重み×影の面積</translation>
+        <source>%1. Outdated: buildings have changed</source>
+        <translation>%1。古い結果: 建物が変わりました</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 の%1</translation>
+    </message>
+    <message>
+        <source>%1 &gt; %2 min: %3</source>
+        <translation>%1 &gt; %2 分：%3</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>%1の点</translation>
+    </message>
+    <message>
+        <source>Saved result %1</source>
+        <translation>保存した結果 %1</translation>
+    </message>
+    <message>
+        <source>The month&apos;s contribution to the score</source>
+        <translation>その月のスコアへの寄与</translation>
+    </message>
+    <message>
+        <source>Interval of the table: its weight, and its contribution to the score</source>
+        <translation>表の区間：重みとスコアへの寄与</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>%1 のスコア (%2)</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>%1 の検討</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +2596,470 @@ All sides %2, area %3</source>
     <message>
         <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
         <translation>メッシュ：座標の単位：m、ft、us-ft、dm、cm、mm、in（既定 m）</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>検討</translation>
+    </message>
+    <message>
+        <source>Saved result</source>
+        <translation>保存した結果</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>スコア</translation>
+    </message>
+    <message>
+        <source>of the theoretical area x hours</source>
+        <translation>理論上の面積 x 時間に対する割合</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>比較基準</translation>
+    </message>
+    <message>
+        <source>area in shadow in the baseline</source>
+        <translation>基準での影の面積</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>area in shadow in the scenario</source>
+        <translation>シナリオでの影の面積</translation>
+    </message>
+    <message>
+        <source>Incremental</source>
+        <translation>増分</translation>
+    </message>
+    <message>
+        <source>area in shadow in the scenario, lit in the baseline</source>
+        <translation>シナリオでは影、基準では日照の面積</translation>
+    </message>
+    <message>
+        <source>Gained</source>
+        <translation>増加分の日照</translation>
+    </message>
+    <message>
+        <source>area lit in the scenario, in shadow in the baseline</source>
+        <translation>シナリオでは日照、基準では影の面積</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>日数</translation>
+    </message>
+    <message>
+        <source>Hours of sun</source>
+        <translation>日照時間</translation>
+    </message>
+    <message>
+        <source>hours with the sun above the horizon</source>
+        <translation>太陽が地平線より上にある時間</translation>
+    </message>
+    <message>
+        <source>Theoretical</source>
+        <translation>理論値</translation>
+    </message>
+    <message>
+        <source>area x sunlit hours: without any shadow</source>
+        <translation>面積 x 日照時間：影がまったくない場合</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the baseline</source>
+        <translation>基準での面積 x 影の時間</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the scenario</source>
+        <translation>シナリオでの面積 x 影の時間</translation>
+    </message>
+    <message>
+        <source>area x hours in shadow in the scenario, lit in the baseline</source>
+        <translation>シナリオでは影、基準では日照の面積 x 時間</translation>
+    </message>
+    <message>
+        <source>area x hours lit in the scenario, in shadow in the baseline</source>
+        <translation>シナリオでは日照、基準では影の面積 x 時間</translation>
+    </message>
+    <message>
+        <source>Share of baseline</source>
+        <translation>基準の割合</translation>
+    </message>
+    <message>
+        <source>Share of scenario</source>
+        <translation>シナリオの割合</translation>
+    </message>
+    <message>
+        <source>Share of incremental</source>
+        <translation>増分の割合</translation>
+    </message>
+    <message>
+        <source>Open ground</source>
+        <translation>空地</translation>
+    </message>
+    <message>
+        <source>area of the place without buildings</source>
+        <translation>建物を除く場所の面積</translation>
+    </message>
+    <message>
+        <source>Mean sun</source>
+        <translation>平均日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days and the place</source>
+        <translation>1 日の日照時間（日と場所の平均）</translation>
+    </message>
+    <message>
+        <source>Min sun</source>
+        <translation>最小日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days, at the cell that has least</source>
+        <translation>最も少ないセルの 1 日の日照時間（日の平均）</translation>
+    </message>
+    <message>
+        <source>Max sun</source>
+        <translation>最大日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over the days, at the cell that has most</source>
+        <translation>最も多いセルの 1 日の日照時間（日の平均）</translation>
+    </message>
+    <message>
+        <source>Share with enough sun</source>
+        <translation>十分な日照のある割合</translation>
+    </message>
+    <message>
+        <source>share of the area with the hours of sun a day that are enough, or more</source>
+        <translation>十分な日照時間以上の面積の割合</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>points where sun is measured</source>
+        <translation>日照を測定する点</translation>
+    </message>
+    <message>
+        <source>mean minutes a day with the sun above the horizon: 100 % of the time</source>
+        <translation>太陽が地平線より上にある 1 日の平均分数：時間の 100 %</translation>
+    </message>
+    <message>
+        <source>hours of sun a day, mean over days and points</source>
+        <translation>1 日の日照時間（日と点の平均）</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>最小の日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day at the darkest point</source>
+        <translation>最も暗い点の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>最大の日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day at the sunniest point</source>
+        <translation>最も日当たりのよい点の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
+        <translation>1 日の影の分数（日と点の平均）。太陽に背を向けた点は影とみなします</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day, mean over the points</source>
+        <translation>1 日で最も長く続く影（点の平均）</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow at any point on any day</source>
+        <translation>いずれかの点で 1 日に最も長く続く影</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>日照</translation>
+    </message>
+    <message>
+        <source>minutes per day that a point is in the sun, mean over the days</source>
+        <translation>点が日照を受ける 1 日の分数（日の平均）</translation>
+    </message>
+    <message>
+        <source>Share of time</source>
+        <translation>時間の割合</translation>
+    </message>
+    <message>
+        <source>sun, of the time with the sun above the horizon</source>
+        <translation>太陽が地平線より上にある時間のうち日照の割合</translation>
+    </message>
+    <message>
+        <source>Gross</source>
+        <translation>累計</translation>
+    </message>
+    <message>
+        <source>minutes in shadow per day, mean over the days; a point that faces away from the sun is in shadow</source>
+        <translation>1 日の影の分数（日の平均）。太陽に背を向けた点は影とみなします</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>連続</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in shadow on any day</source>
+        <translation>1 日で最も長く続く影</translation>
+    </message>
+    <message>
+        <source>Longest sun</source>
+        <translation>最長日照</translation>
+    </message>
+    <message>
+        <source>longest unbroken run in the sun on any day</source>
+        <translation>1 日で最も長く続く日照</translation>
+    </message>
+    <message>
+        <source>minutes of the month with the sun above the horizon</source>
+        <translation>太陽が地平線より上にある月の分数</translation>
+    </message>
+    <message>
+        <source>Mean shadow</source>
+        <translation>平均影時間</translation>
+    </message>
+    <message>
+        <source>minutes in shadow in the whole month, mean over the receivers</source>
+        <translation>月全体の影の分数（測定点の平均）</translation>
+    </message>
+    <message>
+        <source>Number of days</source>
+        <translation>日数</translation>
+    </message>
+    <message>
+        <source>Hours per day</source>
+        <translation>1 日の時間数</translation>
+    </message>
+    <message>
+        <source>Hours a day, 0 to 24; 0 is one instant</source>
+        <translation>1 日の時間数、0～24。0 は一瞬</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>Length of a step, minutes; adjusted so that whole steps fill the hours of each day</source>
+        <translation>ステップの長さ（分）。各日の時間がちょうど割り切れるよう調整されます</translation>
+    </message>
+    <message>
+        <source>More shadow</source>
+        <translation>影の増加</translation>
+    </message>
+    <message>
+        <source>area where the minutes rose by more than the threshold</source>
+        <translation>分数がしきい値を超えて増えた面積</translation>
+    </message>
+    <message>
+        <source>Less shadow</source>
+        <translation>影の減少</translation>
+    </message>
+    <message>
+        <source>area where the minutes fell by more than the threshold</source>
+        <translation>分数がしきい値を超えて減った面積</translation>
+    </message>
+    <message>
+        <source>Any more shadow</source>
+        <translation>影の増加（すべて）</translation>
+    </message>
+    <message>
+        <source>area where the minutes rose at all</source>
+        <translation>分数が少しでも増えた面積</translation>
+    </message>
+    <message>
+        <source>Any less shadow</source>
+        <translation>影の減少（すべて）</translation>
+    </message>
+    <message>
+        <source>area where the minutes fell at all</source>
+        <translation>分数が少しでも減った面積</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>平均変化</translation>
+    </message>
+    <message>
+        <source>mean of the change over the receivers</source>
+        <translation>測定点における変化の平均</translation>
+    </message>
+    <message>
+        <source>Largest increase</source>
+        <translation>最大増加</translation>
+    </message>
+    <message>
+        <source>the largest increase of a receiver</source>
+        <translation>測定点の最大の増加</translation>
+    </message>
+    <message>
+        <source>Largest decrease</source>
+        <translation>最大減少</translation>
+    </message>
+    <message>
+        <source>the largest decrease of a receiver</source>
+        <translation>測定点の最大の減少</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>しきい値</translation>
+    </message>
+    <message>
+        <source>change that counts: minutes a day of gross shadow, minutes of continuous shadow</source>
+        <translation>数える変化：1 日の総影の分数、連続影の分数</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area</source>
+        <translation>影の面積の変化</translation>
+    </message>
+    <message>
+        <source>change of the sum over the receivers of (share of the sunlit time in shadow x cell area)</source>
+        <translation>各測定点の（日照時間のうち影の割合 x セルの面積）の合計の変化</translation>
+    </message>
+    <message>
+        <source>Built over</source>
+        <translation>建物になった</translation>
+    </message>
+    <message>
+        <source>open ground before, under a building after: no receiver</source>
+        <translation>以前は空地、以後は建物の下：測定点なし</translation>
+    </message>
+    <message>
+        <source>Became ground</source>
+        <translation>地面になった</translation>
+    </message>
+    <message>
+        <source>under a building before, open ground after: no receiver</source>
+        <translation>以前は建物の下、以後は空地：測定点なし</translation>
+    </message>
+    <message>
+        <source>Share of the lot</source>
+        <translation>敷地に占める割合</translation>
+    </message>
+    <message>
+        <source>Floor plate, % of the lot (default: all of it)</source>
+        <translation>基準階面積、敷地に対する %（既定：全体）</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Floor plate, m2</source>
+        <translation>基準階面積、m²</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>先細り</translation>
+    </message>
+    <message>
+        <source>How much narrower the volume is at its top than at its bottom</source>
+        <translation>頂部が底部よりどれだけ細いか</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>ねじれ</translation>
+    </message>
+    <message>
+        <source>Turn of the volume from its bottom to its top, clockwise</source>
+        <translation>底部から頂部までのねじれ（時計回り）</translation>
+    </message>
+    <message>
+        <source>Storey height</source>
+        <translation>階高</translation>
+    </message>
+    <message>
+        <source>Height of a storey, floor to floor</source>
+        <translation>階高（床から床まで）</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>階数</translation>
+    </message>
+    <message>
+        <source>Number of storeys, podium included</source>
+        <translation>階数（低層部を含む）</translation>
+    </message>
+    <message>
+        <source>Height above ground</source>
+        <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>Total height</source>
+        <translation>全高</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Rotation clockwise about the middle of the tower, which must stay on its lot</source>
+        <translation>タワーの中心まわりの時計回りの回転。敷地内に収まる必要があります</translation>
+    </message>
+    <message>
+        <source>Podium</source>
+        <translation>基壇</translation>
+    </message>
+    <message>
+        <source>Storeys of a podium below the tower</source>
+        <translation>タワーの下の低層部の階数</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>開始高さ</translation>
+    </message>
+    <message>
+        <source>Inset</source>
+        <translation>後退</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Setbacks</source>
+        <translation>セットバック</translation>
+    </message>
+    <message>
+        <source>Uses</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>メートル法</translation>
+    </message>
+    <message>
+        <source>Imperial</source>
+        <translation>ヤード・ポンド法</translation>
+    </message>
+    <message>
+        <source>Metric and imperial</source>
+        <translation>両方</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Units of lengths and areas in tables and sheets</source>
+        <translation>表と図面の長さと面積の単位</translation>
+    </message>
+    <message>
+        <source>Score per m² of ground</source>
+        <translation>地面 1 m² あたりのスコア</translation>
+    </message>
+    <message>
+        <source>score divided by the area of all receivers</source>
+        <translation>スコアを全測定点の面積で割った値</translation>
     </message>
 </context>
 <context>
@@ -3344,26 +3636,6 @@ as published. Approximate: the legend states the measured error</source>
         <source>Facing, °</source>
         <translation>方位、°</translation>
     </message>
-    <message>
-        <source>Sun, h a day</source>
-        <translation>日照、時間/日</translation>
-    </message>
-    <message>
-        <source>Sun, % of time</source>
-        <translation>日照、時間の%</translation>
-    </message>
-    <message>
-        <source>Longest sun, h</source>
-        <translation>最長の日照、時間</translation>
-    </message>
-    <message>
-        <source>Gross, min</source>
-        <translation>累計、分</translation>
-    </message>
-    <message>
-        <source>Continuous, min</source>
-        <translation>連続、分</translation>
-    </message>
 </context>
 <context>
     <name>noonmark::ElementPicking</name>
@@ -3911,20 +4183,8 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>基壇</translation>
     </message>
     <message>
-        <source>All storeys, including the podium: 1 to 500</source>
-        <translation>基壇を含む全階数: 1 から 500</translation>
-    </message>
-    <message>
-        <source>Floor to floor: 2 to 10 m</source>
-        <translation>階高: 2 から 10 m</translation>
-    </message>
-    <message>
         <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
         <translation>1 階分から 2000 m。塔の矢印をドラッグするか、表示の上で数字を入力しても可</translation>
-    </message>
-    <message>
-        <source>Rotation clockwise about the tower&apos;s middle; it must stay on the lot</source>
-        <translation>塔の中心まわりの時計回りの回転。敷地からはみ出せません</translation>
     </message>
     <message>
         <source>Fewer than all storeys</source>
@@ -3939,16 +4199,8 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>基準階</translation>
     </message>
     <message>
-        <source>Storey height</source>
-        <translation>階高</translation>
-    </message>
-    <message>
         <source>Floor plate</source>
         <translation>基準階面積</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>回転</translation>
     </message>
     <message>
         <source>Taper, twist</source>
@@ -4334,10 +4586,6 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation> 時間</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> 分</translation>
-    </message>
-    <message>
         <source>From sunrise to sunset</source>
         <translation>日の出から日没まで</translation>
     </message>
@@ -4358,10 +4606,6 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>初日</translation>
     </message>
     <message>
-        <source>Days</source>
-        <translation>日数</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>日の出後</translation>
     </message>
@@ -4374,16 +4618,8 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>開始</translation>
     </message>
     <message>
-        <source>Hours per day</source>
-        <translation>1 日の時間数</translation>
-    </message>
-    <message>
         <source>Time zone</source>
         <translation>タイムゾーン</translation>
-    </message>
-    <message>
-        <source>Sun every</source>
-        <translation>太陽の間隔</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -4398,20 +4634,8 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>期間の初日、タイムゾーンの日付</translation>
     </message>
     <message>
-        <source>Number of days, 1 to 3660</source>
-        <translation>日数、1 から 3660</translation>
-    </message>
-    <message>
         <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
         <translation>毎日の開始時刻、時:分</translation>
-    </message>
-    <message>
-        <source>Hours per day, 0 to 24; 0 is a single moment</source>
-        <translation>1 日の時間数、0 から 24。0 は一時点</translation>
-    </message>
-    <message>
-        <source>Minutes from one position of the sun to the next, 1/60 to 240</source>
-        <translation>太陽位置の間隔、分、1/60 から 240</translation>
     </message>
     <message>
         <source>IANA time zone of the wall clock, daylight saving included.
@@ -5244,8 +5468,8 @@ Off: at the origin of the city from the other files.</source>
         <translation>メッシュ原点を開いている都市の中央に置く</translation>
     </message>
     <message>
-        <source>Meshes (OBJ, PLY, glTF, IFC, DXF)</source>
-        <translation>メッシュ(OBJ、PLY、glTF、IFC、DXF)</translation>
+        <source>Meshes (%1)</source>
+        <translation>メッシュ（%1）</translation>
     </message>
 </context>
 <context>
@@ -5376,28 +5600,12 @@ Off: at the origin of the city from the other files.</source>
         <translation>審査: 図面、表、作図</translation>
     </message>
     <message>
-        <source>Score of %1 with %2</source>
-        <translation>%1 のスコア (%2)</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>%1 の検討</translation>
-    </message>
-    <message>
-        <source>Saved result %1</source>
-        <translation>保存した結果 %1</translation>
-    </message>
-    <message>
         <source>&amp;Export (%1)...</source>
         <translation>書き出す (%1)(&amp;E)...</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Points of %1</source>
-        <translation>%1の点</translation>
     </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
@@ -5408,14 +5616,6 @@ Off: at the origin of the city from the other files.</source>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
-    <message>
-        <source>Outdated: buildings have changed</source>
-        <translation>古い結果: 建物が変わりました</translation>
-    </message>
-    <message>
-        <source>%1. Outdated: buildings have changed</source>
-        <translation>%1。古い結果: 建物が変わりました</translation>
-    </message>
     <message>
         <source>These figures do not include the building being designed. Build it, then run.</source>
         <translation>これらの数値は設計中の建物を含みません。建設してから計算してください。</translation>
@@ -6125,10 +6325,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>基準階を半分にして高く</translation>
     </message>
     <message>
-        <source>Adds a building from OBJ, PLY, glTF, IFC, DXF or CityJSON, placed by a click on the ground</source>
-        <translation>OBJ、PLY、glTF、IFC、DXF、CityJSON から建物を追加し、地面のクリックで配置する</translation>
-    </message>
-    <message>
         <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
         <translation>地盤から 0.1~2000 m。表示 &gt; 基準面からの高さ で標高として示す。または建物の矢印をドラッグ。Enter で適用</translation>
     </message>
@@ -6151,6 +6347,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Click a building in the view to select it. Ctrl+click selects another too, a drag with Ctrl+Shift all in a rectangle.</source>
         <translation>ビューの建物をクリックして選択します。Ctrl+クリックで追加、Ctrl+Shift を押しながらドラッグすると矩形内のすべてを選択します。</translation>
+    </message>
+    <message>
+        <source>Adds a building from a file (%1), placed by a click on the ground</source>
+        <translation>ファイル（%1）から建物を追加します。地面をクリックして配置します</translation>
     </message>
 </context>
 <context>
@@ -6229,18 +6429,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Of areas, lengths and heights</source>
         <translation>面積、長さ、高さの単位</translation>
-    </message>
-    <message>
-        <source>Metric</source>
-        <translation>メートル法</translation>
-    </message>
-    <message>
-        <source>Imperial</source>
-        <translation>ヤード・ポンド法</translation>
-    </message>
-    <message>
-        <source>Metric and imperial</source>
-        <translation>両方</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -7435,20 +7623,8 @@ A click on a tile selects its row, a click on a row frames its window.</source>
         <translation>エンジン</translation>
     </message>
     <message>
-        <source>Study</source>
-        <translation>検討</translation>
-    </message>
-    <message>
         <source>All scenarios</source>
         <translation>全シナリオ</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>比較</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>スコア</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -7560,6 +7736,30 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>at single points</source>
         <translation>個別の点</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> 分/日</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> 時間</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> 時間/日</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未集計</translation>
     </message>
 </context>
 </TS>
