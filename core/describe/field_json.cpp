@@ -73,8 +73,9 @@ const Json* groupIn(const Json& json, std::string_view group) {
 
 bool isStated(const Described& settings, const Field& field, const Value& value, FieldJson::Which which) {
     if (which == FieldJson::Which::all) return true;
-    return settings.applies(field) &&
-           (which == FieldJson::Which::applying || field.restated || value != field.standard);
+    if (!settings.applies(field)) return false;
+    if (which == FieldJson::Which::applying || value != field.standard) return true;
+    return which == FieldJson::Which::stated && field.restated;
 }
 
 }  // namespace

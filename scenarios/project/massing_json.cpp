@@ -17,7 +17,7 @@ constexpr std::size_t mostEntries = 500;  // setbacks or uses of one tower
 
 template <class S>
 Json partJson(const Fields<S>& fields, const S& settings) {
-    return fieldsJson(fields.of(settings), {.which = FieldJson::Which::changed});
+    return fieldsJson(fields.of(settings), {.which = FieldJson::Which::stated});
 }
 
 // With its plate, even where that is the whole lot.

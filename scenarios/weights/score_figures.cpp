@@ -75,6 +75,7 @@ const Figures<MonthFigures>& scoreMonthFigures() {
                 .label = NM_TEXT("Sunlit time"),
                 .definition = NM_TEXT("minutes of the period with the sun above the horizon"),
                 .unit = FigureUnit::minutes,
+                .use = FigureUse::basis,
                 .shownDecimals = 0}),
         weightedShade<MonthFigures>(), shadowArea<MonthFigures>(), scoreM2<MonthFigures>()};
     return figures;

@@ -117,8 +117,8 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
     for (const ScenarioStudy& scenario : studies) {
         const ShadowStatistics& figures = scenario.study->statistics;
         addFigures(table, scenario.name, listLines(shadowFigures().of(figures), FigureUse::result));
-        table.add("", fmt::format("shadow area {:+.0f} m2{}", computeShadowAreaChange(studies, scenario),
-                                  describeBuilt(scenario)));
+        table.add("", fmt::format("change of the shadow area {:+.0f} m2{}",
+                                  computeShadowAreaChange(studies, scenario), describeBuilt(scenario)));
     }
     table.print(out);
     printWarnings(out, collectWarnings(studies));

@@ -39,7 +39,7 @@ void printScore(const Answer& weighed, std::ostream& out) {
     addFigures(table, listLines(scoreFigures().of(totals)));
     for (const MonthFigures& month : score.months)
         addFigures(table, fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
-                   listLines(scoreMonthFigures().of(month)));
+                   listLines(scoreMonthFigures().of(month), FigureUse::result));
     table.print(out);
     printWarnings(out, score.warnings);
 }

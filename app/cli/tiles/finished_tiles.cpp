@@ -6,6 +6,7 @@
 
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/progress_line.h"
+#include "app/cli/base/table.h"
 #include "app/cli/options/place_options.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
@@ -79,10 +80,12 @@ void print(const MergeReport& report, std::ostream& out) {
         return;
     }
     const ShadowStatistics& shadow = report.statistics;
-    out << fmt::format("{} receivers", shadow.receivers);
-    if (!std::isnan(shadow.meanGrossMin))
-        out << ", " << joinLines(listLines(shadowFigures().of(shadow), FigureUse::result));
-    out << '\n';
+    Table table;
+    if (std::isnan(shadow.meanGrossMin))
+        table.add("receivers", withCommas(shadow.receivers));
+    else
+        addFigures(table, listLines(shadowFigures().of(shadow)));
+    table.print(out);
     for (const auto& [name, value] : report.figures) out << fmt::format("{} {:.0f}\n", name, value);
 }
 

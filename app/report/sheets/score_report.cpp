@@ -1,5 +1,7 @@
 #include "app/report/sheets/score_report.h"
 
+#include <QStringList>
+
 #include "app/report/maps/score_legend.h"
 #include "app/report/sheets/report_sections.h"
 #include "core/receivers/roof_receivers.h"
@@ -14,9 +16,15 @@ QString monthName(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
-template <class R>
-QString joined(const Figures<R>& figures, const R& of) {
-    return QString::fromStdString(joinLines(listLines(figures.of(of))));
+// The month's part of what the lines above it state of the region, in their order.
+QString describePart(const MonthFigures& month) {
+    QStringList parts;
+    for (const Figure& total : scoreFigures().rows())
+        if (total.inFiles) {
+            const Figure& part = findFigure(scoreMonthFigures().rows(), total.key);
+            parts << QString::fromStdString(valueOf({&part, part.get(&month)}));
+        }
+    return parts.join(QStringLiteral(", "));
 }
 
 TextBlocks definitionsOf(const Score& score) {
@@ -40,8 +48,9 @@ TextBlocks weightsOf(const ScoreAnswer& answer) {
         heading(QStringLiteral("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
     for (const IntervalFigures& interval : answer.score.intervals)
         if (interval.shadowAreaM2 > 0)
-            blocks.push_back(body(QStringLiteral("%1: %2").arg(QString::fromStdString(interval.name),
-                                                               joined(scoreIntervalFigures(), interval))));
+            blocks.push_back(body(QStringLiteral("%1: %2").arg(
+                QString::fromStdString(interval.name),
+                QString::fromStdString(joinLines(listLines(scoreIntervalFigures().of(interval)))))));
     return blocks;
 }
 
@@ -76,7 +85,7 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
     const ScoreTotals totals = totalsOf(score);
     std::vector<FigureText> figures = figureTexts(listLines(scoreFigures().of(totals)));
     for (const MonthFigures& month : score.months)
-        figures.push_back({monthName(month.month), joined(scoreMonthFigures(), month)});
+        figures.push_back({monthName(month.month), describePart(month)});
     return figures;
 }
 

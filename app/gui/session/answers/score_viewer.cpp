@@ -14,7 +14,7 @@ namespace {
 // Of a month or an interval.
 template <class R>
 QString joined(const Figures<R>& figures, const R& of) {
-    return joinFigures(listLines(figures.of(of)));
+    return joinFigures(listLines(figures.of(of), FigureUse::result));
 }
 
 void addMonths(std::vector<ResultRow>& rows, const Score& score) {
