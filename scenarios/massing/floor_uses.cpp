@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/describe/field_checks.h"
+#include "scenarios/massing/massing_fields.h"
+
 namespace noonmark {
 
 namespace {
@@ -15,6 +18,7 @@ Result<void> checkUse(const FloorUse& use, bool last) {
     if (use.use.empty() || use.use.size() > longestUse)
         return failure("A use of storeys has no name, or a very long one", "uses",
                        fmt::format("Give 1 to {} letters, such as offices", longestUse));
+    if (auto sound = checkRanges(floorUseFields().of(use)); !sound) return sound;
     if (use.storeys > 0 || last) return {};
     return failure(fmt::format("{} takes all storeys above, and other uses follow", use.use), "uses",
                    "Give its number of storeys, or make it the last use");

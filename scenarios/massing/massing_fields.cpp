@@ -237,8 +237,6 @@ Result<void> checkRanges(const MassingSettings& settings) {
     if (sound && settings.podium) sound = checkRanges(podiumFields().of(*settings.podium));
     for (const Setback& setback : settings.setbacks)
         if (sound) sound = checkRanges(setbackFields().of(setback));
-    for (const FloorUse& use : settings.uses)
-        if (sound) sound = checkRanges(floorUseFields().of(use));
     return sound;
 }
 

@@ -155,7 +155,7 @@ TEST(FloorUses, WhatIsLeftOverAndWhatDoesNotFitAreStated) {
     EXPECT_TRUE(sumByUse({}, storeys).empty());
     EXPECT_THAT(checkUses({{"", 2}}).error().text(), HasSubstr("no name"));
     EXPECT_THAT(checkUses({{"homes", 0}, {"roof", 1}}).error().text(), HasSubstr("other uses follow"));
-    EXPECT_THAT(checkUses({{"homes", 501}}).error().text(), HasSubstr("1 to 500"));
+    EXPECT_THAT(checkUses({{"homes", 501}}).error().text(), HasSubstr("0 to 500"));
 }
 
 }  // namespace
