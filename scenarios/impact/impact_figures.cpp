@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ranges>
 
 #include "core/receivers/rasterize.h"
+#include "scenarios/impact/impact_figure_tables.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr ChangeFigures notCounted{unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 
 // Counts cells and sums minutes of one measure.
 class Sum {
@@ -30,7 +27,7 @@ public:
     }
 
     [[nodiscard]] ChangeFigures figures(double cellM2, double receivers) const {
-        if (std::isnan(figures_.meanMin)) return notCounted;
+        if (std::isnan(figures_.meanMin)) return notComputed();
         ChangeFigures figures = figures_;
         for (double* areaM2 : {&figures.gainedM2, &figures.lostM2, &figures.touchedM2, &figures.easedM2})
             *areaM2 *= cellM2;

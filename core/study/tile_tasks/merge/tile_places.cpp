@@ -77,9 +77,9 @@ std::string formatPlaces(const PlaceShadows& shadows) {
         const double sunlit =
             shadow.sums.receivers > 0 ? shadow.sunlitMinutes / double(shadow.sums.receivers) : 0;
         ShadowStatistics figures = computeStatistics(shadow.sums, sunlit, shadow.cellAreaM2);
-        if (figures.receivers == 0)  // no shadow is known of it
-            figures.shadowAreaM2 = figures.meanGrossMin = figures.maxGrossMin = figures.meanContinuousMin =
-                figures.maxContinuousMin = std::numeric_limits<double>::quiet_NaN();
+        for (const Figure& figure : shadowFigures().rows())
+            if (figures.receivers == 0 && figure.use == FigureUse::result)  // no shadow is known of it
+                figure.set(&figures, std::numeric_limits<double>::quiet_NaN());
         figures.waterM2 = std::numeric_limits<double>::quiet_NaN();  // the cells of a place are all counted
         csv.text(name).text(std::string(nameOf(shadow.kind)));
         addFigures(csv, shadowFigures().of(figures));
