@@ -43,8 +43,8 @@ TEST(ErrorSection, LeavesOutContinuousShadowThatWasNotCounted) {
     EXPECT_FALSE(text.contains("continuous", Qt::CaseInsensitive)) << text.toStdString();
     EXPECT_TRUE(text.contains("of the sunlit time. ")) << text.toStdString();
     const auto definitions = definitionBlocks(study);
-    EXPECT_TRUE(definitions.at(2).text == QStringLiteral("Continuous shadow was not counted."))
-        << definitions.at(2).text.toStdString();
+    EXPECT_TRUE(definitions.back().text == QStringLiteral("Continuous shadow was not counted."))
+        << definitions.back().text.toStdString();
 }
 
 TEST(ErrorSection, SaysWhatWasSwitchedOffAndWhatTheReferenceIs) {
