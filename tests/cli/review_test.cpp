@@ -249,6 +249,12 @@ TEST_F(ReviewOfFiles, StateTheTimeWithoutWritingAnything) {
     EXPECT_EQ(json["windows"], review({}).json()["windows"].size());
 }
 
+TEST_F(ReviewOfFiles, RepeatTheTextsOfTheTitleBlock) {
+    const Spoken titled = review({"--title-project", "Mill House"});
+    ASSERT_EQ(titled.code, 0) << titled.err;
+    EXPECT_THAT(std::string(titled.json()["repeat"]), HasSubstr("--title-project 'Mill House'"));
+}
+
 TEST_F(ReviewOfFiles, HaveNoScenariosPlacesOrProjectsBeside) {
     EXPECT_THAT(review({"--to", "Proposal"}).err, HasSubstr("Only a project has scenarios"));
     const Spoken places = noonmarkCli({"review", "run", city_, "--rule", "ceqr", "--places", "all", "--zone",

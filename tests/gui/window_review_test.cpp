@@ -83,13 +83,14 @@ TEST_F(WindowReviewWindow, WritesTheFilesOfTheCommandLine) {
     build();
     run();
     save();
-    const auto review = windows().finished();
-    ASSERT_TRUE(review);
+    const auto answer = windows().finished();
+    ASSERT_TRUE(answer);
     NoProgress progress;
-    const auto files =
-        writeWindowReview(*review, folder.filePath(QStringLiteral("out")).toStdString(), progress, {});
-    ASSERT_TRUE(files) << files.error().text();
-    EXPECT_EQ(files->size(), 4U);
+    const auto written =
+        writeWindowReview(**answer, window->review().source(), {},
+                          folder.filePath(QStringLiteral("out")).toStdString(), false, progress, {});
+    ASSERT_TRUE(written) << written.error().text();
+    EXPECT_EQ(written->files.size(), 4U);
     const QByteArray json = test::bytesOf(folder.filePath(QStringLiteral("out/review.json")));
     EXPECT_TRUE(json.contains("--facades-of all")) << json.left(600).toStdString();
     const QByteArray csv = test::bytesOf(folder.filePath(QStringLiteral("out/windows.csv")));

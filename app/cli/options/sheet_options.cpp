@@ -42,9 +42,8 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
     return validate(block).map([&] { return settings; });
 }
 
-std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings) {
-    std::vector<CommandOption> repeat = noonmark::makeRepeatOptions(settings);
-    // The date is among the book's own. A text that was emptied is restated, too.
+std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options) {
+    std::vector<CommandOption> repeat;  // a text that was emptied, too
     for (const Field& field : titleFields().rows())
         if (options.given.contains(field.flag) && field.flag != "--date")
             repeat.push_back({std::string(field.flag), {formatText(field.get(&options.layout.titleBlock))}});

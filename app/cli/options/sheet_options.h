@@ -30,7 +30,7 @@ void addSheetSwitch(CLI::App& command, SheetOptions& options);
 /// and those of validate() for title blocks.
 Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject);
 
-/// The options that lay out the same sheets again, with the date printed on them; all but the logo.
-std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options, const BookSettings& settings);
+/// The texts of the title block that the user gave, all but the date, which the book restates.
+std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options);
 
 }  // namespace noonmark::cli

@@ -11,7 +11,6 @@
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/sheet_options.h"
-#include "app/cli/review/places_in_reach.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/review_run_options.h"
 #include "app/cli/review/review_source.h"
@@ -23,22 +22,11 @@
 #include "core/review/places/verdict_text.h"
 #include "core/study/remaining_time.h"
 #include "core/study/text/warnings_json.h"
-#include "scenarios/project/project_provenance.h"
 #include "scenarios/project/rule_parcels.h"
 
 namespace noonmark::cli {
 
 namespace {
-
-struct ReviewAnswer {
-    ReviewStudy study;
-    ReviewLabels labels;
-    City before, after;
-    std::vector<Place> places;
-    HeightFacts heights;
-    BookSettings sheets;
-    std::vector<Place> streets;
-};
 
 Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule& rule,
                                      const Project& project) {
@@ -53,64 +41,67 @@ Result<std::vector<Place>> placesFor(const ReviewRunOptions& options, const Rule
                    "Add some: noonmark-cli project place --help");
 }
 
-/// What is measured, checked.
+/// What is measured, checked, and how its sheets are laid out.
 struct PlaceQuestion {
-    ReviewGround ground;
-    PlacesToReview taken;
-    ReviewSettings settings;
+    ReviewQuestion asked;
+    BookSettings sheets;
 };
 
 Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const Rule& rule,
-                                        const ReviewSource& source, const OutputRules& outputs) {
+                                        const ReviewSource& source) {
     const auto drawn = placesFor(options, rule, source.project);
     if (!drawn) return tl::make_unexpected(drawn.error());
     auto taken = moveLines(rule, source.project, *drawn);
     if (!taken) return tl::make_unexpected(taken.error());
-    auto ground = prepareGround(options, source, reviewFileNames(), outputs);
+    auto ground = prepareGround(options, source, reviewFileNames());
     if (!ground) return tl::make_unexpected(ground.error());
-    const ReviewSettings settings{options.settings.cellM, ground->zone, ground->year, true, true};
-    return PlaceQuestion{*std::move(ground), *std::move(taken), settings};
+    ReviewQuestion asked{
+        std::move(ground->cities),        rule,
+        std::move(taken->places),         {options.settings.cellM, ground->zone, ground->year, true, true},
+        std::move(taken->moved),          options.places,
+        makeRepeatOptions(options.sheets)};
+    if (options.inReach) asked.repeat.push_back({"--in-reach", {}});
+    return PlaceQuestion{std::move(asked), std::move(ground->sheets)};
 }
 
-Result<ReviewAnswer> computeReview(const ReviewRunOptions& options, const Rule& rule,
-                                   const RuleLibrary& library, const ReviewSource& source,
-                                   const OutputRules& outputs, const Console& console) {
-    const Project& project = source.project;
-    auto question = makePlaceQuestion(options, rule, source, outputs);
-    if (!question) return tl::make_unexpected(question.error());
-    const ReviewGround& ground = question->ground;
+/// Keeps the places that the rule covers and that the shadow of the proposal reaches. Error: there is none; a
+/// rule about parcels; errors of screen().
+Result<void> keepPlacesInReach(ReviewQuestion& question, Progress& progress, const std::stop_token& stop) {
+    if (question.rule.receivers.hasLines())
+        return unsupported("The rule is about the surroundings of parcels", "--in-reach", "Name the lots");
+    const auto& kinds = question.rule.receivers.kinds;
+    std::erase_if(question.places, [&](const Place& place) {
+        return !kinds.empty() && std::ranges::find(kinds, place.kind) == kinds.end();
+    });
+    const auto screened = screen(question, progress, stop);
+    if (!screened) return tl::make_unexpected(screened.error());
+    std::vector<Place> reached;
+    for (const ScreenedPlace& one : *screened)
+        if (one.result == ScreeningResult::reached) reached.push_back(question.places[one.place]);
+    if (reached.empty())
+        return failure("The proposal's shadow reaches no place in the rule's hours", "--in-reach",
+                       "Run the rule without --in-reach to have that stated for each place");
+    question.places = std::move(reached);
+    return {};
+}
+
+Result<std::shared_ptr<const ReviewStudy>> measurePlaces(const ReviewRunOptions& options,
+                                                         ReviewQuestion& question, const ReviewSource& source,
+                                                         const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    Result<std::vector<Place>> places = std::move(question->taken.places);
     if (options.inReach)
-        places = choosePlacesInReach(rule, ground.before, ground.after, *places, question->settings, progress,
-                                     interrupt.token());
-    if (!places) return tl::make_unexpected(places.error());
-    auto study = runReview(rule, ground.before, ground.after, *places, question->settings, AutoEngine(),
-                           progress, interrupt.token());
-    if (!study) return tl::make_unexpected(study.error());
-    study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
-    putBefore(study->warnings, question->taken.moved);
-    putBefore(study->warnings, project.reading->warnings);
-    ReviewLabels labels{ground.from, ground.to, provenanceOf(source, ground), options.places,
-                        makeRepeatOptions(options.sheets, ground.sheets)};
-    if (options.inReach) labels.sheets.push_back({"--in-reach", {}});
-    return ReviewAnswer{*std::move(study), labels,
-                        ground.before,     ground.after,
-                        *places,           project.reading->heights,
-                        ground.sheets,     placesOfKind(project, PlaceKind::street)};
+        if (const auto kept = keepPlacesInReach(question, progress, interrupt.token()); !kept)
+            return tl::make_unexpected(kept.error());
+    return computeForFiles(question, source, progress, interrupt.token());
 }
 
-int estimatePlaces(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
-                   const OutputRules& outputs, const Console& console) {
-    const auto question = makePlaceQuestion(options, rule, source, outputs);
-    if (!question) return fail(console, question.error(), exitUsage);
+int estimatePlaces(const ReviewRunOptions& options, const ReviewQuestion& asked, const Console& console) {
     const Interrupt interrupt;
-    const ReviewGround& ground = question->ground;
-    const auto seconds = estimateReviewSeconds(rule, ground.before, ground.after, question->taken.places,
-                                               question->settings, interrupt.token());
+    const auto seconds = estimateReviewSeconds(asked.rule, *asked.before, *asked.after, asked.places,
+                                               asked.settings, interrupt.token());
     if (!seconds) return fail(console, seconds.error(), exitUsage);
-    const std::size_t places = question->taken.places.size();
+    const std::size_t places = asked.places.size();
     if (options.json)
         console.out << toJsonText({{"places", places}, {"estimated_seconds", *seconds}}) << '\n';
     else
@@ -145,11 +136,10 @@ void printTable(const ReviewStudy& study, std::ostream& out) {
     if (leftOut > 0) out << fmt::format("({} more rows in review.csv)\n", leftOut);
 }
 
-void printReview(const ReviewAnswer& answer, std::ostream& out) {
-    const ReviewStudy& study = answer.study;
+void printReview(const ReviewStudy& study, const ReviewLabels& labels, std::ostream& out) {
     Table heading;
     heading.add("rule", fmt::format("{} ({})", study.rule.name, study.rule.key));
-    heading.add("from, to", fmt::format("{} -> {}", answer.labels.from, answer.labels.to));
+    heading.add("from, to", fmt::format("{} -> {}", labels.from, labels.to));
     heading.add("clock", fmt::format("{}, {}", study.clock, study.year));
     heading.add("engine", fmt::format("{}, every {:g} min, cells of {:g} m", study.engine, study.stepMinutes,
                                       study.settings.cellM));
@@ -164,18 +154,21 @@ void printReview(const ReviewAnswer& answer, std::ostream& out) {
     printWarnings(out, study.warnings);
 }
 
-Result<std::vector<std::filesystem::path>> writeFiles(const ReviewAnswer& answer,
-                                                      const ReviewRunOptions& options,
-                                                      const OutputRules& outputs, const Console& console) {
+/// Returns what the files were made of.
+Result<std::shared_ptr<const ReviewSheets>> writeFiles(const PlaceQuestion& question,
+                                                       std::shared_ptr<const ReviewStudy> study,
+                                                       const ReviewRunOptions& options,
+                                                       const ReviewSource& source, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
     ProgressShare forSheets(progress, 0, 2), forFiles(progress, 1, 2);
-    const ReviewBookSource source{answer.study,  answer.labels,  answer.before, answer.after,
-                                  answer.places, answer.heights, answer.streets};
-    const auto sheets = makeReviewBook(source, answer.sheets, forSheets, interrupt.token());
-    if (!sheets) return tl::make_unexpected(sheets.error());
-    return writeReviewFiles(source, *sheets, {options.byteOrderMark, outputs}, options.out, forFiles,
-                            interrupt.token());
+    auto sheets =
+        layOutReview(question.asked, source, std::move(study), question.sheets, forSheets, interrupt.token());
+    if (!sheets) return sheets;
+    const auto written = writeReview(question.asked, source, **sheets, options.out, options.byteOrderMark,
+                                     forFiles, interrupt.token());
+    if (!written) return tl::make_unexpected(written.error());
+    return sheets;
 }
 
 /// A rule about windows needs windows, and one about places places.
@@ -194,17 +187,19 @@ Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
     return {};
 }
 
-int reviewPlaces(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
-                 const ReviewSource& source, const OutputRules& outputs, const Console& console) {
-    if (options.estimate) return estimatePlaces(options, rule, source, outputs, console);
-    const auto answer = computeReview(options, rule, library, source, outputs, console);
-    if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = writeFiles(*answer, options, outputs, console);
-    if (!written) return fail(console, written.error(), exitFailed);
+int reviewPlaces(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
+                 const Console& console) {
+    auto question = makePlaceQuestion(options, rule, source);
+    if (!question) return fail(console, question.error(), exitUsage);
+    if (options.estimate) return estimatePlaces(options, question->asked, console);
+    auto study = measurePlaces(options, question->asked, source, console);
+    if (!study) return fail(console, study.error(), exitUsage);
+    const auto sheets = writeFiles(*question, *std::move(study), options, source, console);
+    if (!sheets) return fail(console, sheets.error(), exitFailed);
     if (options.json)
-        console.out << toJsonText(reviewJson(answer->study, answer->labels)) << '\n';
+        console.out << toJsonText(reviewJson(*(*sheets)->study, (*sheets)->labels)) << '\n';
     else
-        printReview(*answer, console.out);
+        printReview(*(*sheets)->study, (*sheets)->labels, console.out);
     return exitOk;
 }
 
@@ -216,11 +211,10 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     if (!rule) return fail(console, rule.error(), exitUsage);
     if (const auto fits = checkReceivers(options, *rule); !fits)
         return fail(console, fits.error(), exitUsage);
-    const auto source = openReviewSource(options, console);
+    const auto source = openReviewSource(options, *library, console);
     if (!source) return fail(console, source.error(), exitUsage);
-    const OutputRules outputs = outputRules(options.read.files, source->project.inputs, options.overwrite);
-    return options.windows.asked() ? runWindowReviews(options, *rule, *library, *source, outputs, console)
-                                   : reviewPlaces(options, *rule, *library, *source, outputs, console);
+    return options.windows.asked() ? runWindowReviews(options, *rule, *source, console)
+                                   : reviewPlaces(options, *rule, *source, console);
 }
 
 void addQuestion(CLI::App& command, ReviewRunOptions& options) {

@@ -12,9 +12,11 @@
 #include "core/study/elements/place_elements.h"
 #include "core/study/review_study.h"
 
-namespace noonmark::cli {
+namespace noonmark {
 
 struct ReviewSource;
+
+namespace cli {
 
 /// The windows that a rule is evaluated on.
 struct ReviewedWindows {
@@ -48,7 +50,9 @@ void addReviewedWindows(CLI::App& command, ReviewedWindows& windows);
 
 /// Runs `review run` of a rule about windows: measures, writes the files and prints the counts, or
 /// review.json. Returns the exit code.
-int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
-                     const ReviewSource& source, OutputRules outputs, const Console& console);
+int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
+                     const Console& console);
 
-}  // namespace noonmark::cli
+}  // namespace cli
+
+}  // namespace noonmark

@@ -3,6 +3,7 @@
 
 #include "app/cli/options/project_question.h"
 #include "app/cli/study/load_city.h"
+#include "app/input/output_rules.h"
 #include "app/input/project_of.h"
 #include "core/describe/command_flags.h"
 #include "scenarios/project/project_provenance.h"
@@ -16,7 +17,7 @@ Result<ReviewSource> openScenarios(const ReviewRunOptions& options, const Consol
     if (options.to.empty())
         return failure("The scenario to review is missing", flags::to, "Give --to NAME, a scenario");
     return openProject(options.read.files.front(), console).map([](ProjectFile disk) {
-        return ReviewSource{disk.project(), std::move(disk), std::nullopt};
+        return ReviewSource{disk.project(), std::move(disk), {}, {}, {}};
     });
 }
 
@@ -29,9 +30,8 @@ Result<ReviewSource> readFiles(const ReviewRunOptions& options, const Console& c
         return failure("Places are reviewed in a project", options.read.files.front(),
                        "Make one: noonmark-cli project new --help; or give --windows or --facades-of");
     return loadCity(options.read, console).map([](LoadedCity loaded) {
-        ReviewSource source{projectOf(loaded), std::nullopt, std::nullopt};
-        source.loaded = std::move(loaded);
-        return source;
+        Project project = projectOf(loaded);
+        return ReviewSource{std::move(project), {}, std::move(loaded), {}, {}};
     });
 }
 
@@ -50,12 +50,20 @@ int yearOf(const ReviewRunOptions& options, const Project& project) {
 
 }  // namespace
 
-Result<ReviewSource> openReviewSource(const ReviewRunOptions& options, const Console& console) {
-    return namesProject(options.read) ? openScenarios(options, console) : readFiles(options, console);
+Result<ReviewSource> openReviewSource(const ReviewRunOptions& options, const RuleLibrary& library,
+                                      const Console& console) {
+    auto source = namesProject(options.read) ? openScenarios(options, console) : readFiles(options, console);
+    if (!source) return source;
+    source->ofRules = library.warnings();
+    source->outputs = outputRules(options.read.files, source->project.inputs, options.overwrite);
+    const ReviewedWindows& windows = options.windows;
+    if (windows.ofFile) addPlace(source->outputs, windows.elements.windows.string());
+    if (windows.asked()) addPlace(source->outputs, windows.region);
+    return source;
 }
 
 Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const ReviewSource& source,
-                                   const std::vector<std::string>& fileNames, const OutputRules& outputs) {
+                                   const std::vector<std::string>& fileNames) {
     const Project& project = source.project;
     const auto zone = zoneOf(options, project);
     if (!zone) return tl::make_unexpected(zone.error());
@@ -64,22 +72,15 @@ Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const Review
     auto before = cityOf(project, from), after = cityOf(project, to);
     if (!before) return tl::make_unexpected(before.error());
     if (!after) return tl::make_unexpected(after.error());
-    if (const auto may = checkOutputs(options.out, fileNames, outputs); !may)
+    if (const auto may = checkOutputs(options.out, fileNames, source.outputs); !may)
         return tl::make_unexpected(may.error());
     auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
-    return ReviewGround{from,
-                        to,
-                        std::move(before->city),
-                        std::move(after->city),
+    return ReviewGround{{from, to, std::make_shared<const City>(std::move(before->city)),
+                         std::make_shared<const City>(std::move(after->city))},
                         *zone,
                         yearOf(options, project),
                         *std::move(sheets)};
-}
-
-Provenance provenanceOf(const ReviewSource& source, const ReviewGround& ground) {
-    if (source.loaded) return provenanceOf(*source.loaded);
-    return provenanceOf(source.project, &*source.disk, {ground.to, ground.from, {}, {}});
 }
 
 }  // namespace noonmark::cli

@@ -13,25 +13,16 @@
 #include "app/cli/options/study_options.h"
 #include "app/cli/review/review_source.h"
 #include "app/input/find_element_parts.h"
-#include "app/report/book/review/review_book.h"
+#include "app/questions/window_question.h"
 #include "app/report/files/window_files.h"
 #include "core/review/places/verdict_text.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/remaining_time.h"
 #include "core/study/text/warnings_json.h"
-#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
 namespace {
-
-struct WindowAnswer {
-    WindowStudy study;
-    ReviewLabels labels;
-    City baseline, scenario;
-    HeightFacts heights;
-    BookSettings sheets;
-};
 
 /// The rule with what the options change.
 Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
@@ -52,50 +43,43 @@ Result<Rule> withOptions(Rule rule, const ReviewedWindows& windows) {
     return rule;
 }
 
-std::vector<CommandOption> repeatOptions(const ReviewRunOptions& options, const BookSettings& sheets) {
+/// The options that windows and sheets do not restate by themselves.
+std::vector<CommandOption> repeatOptions(const ReviewRunOptions& options) {
     const ReviewedWindows& windows = options.windows;
-    std::vector<CommandOption> repeated = makeRepeatOptions(windows.elements);
-    const auto add = [&](const char* name, std::vector<std::string> values) {
-        repeated.push_back({name, std::move(values)});
-    };
-    add("--region", {windows.region});
-    if (windows.wallM) add("--wall", {fmt::format("{}", *windows.wallM)});
-    if (!windows.sunshine.empty()) add("--sunshine", {fmt::format("{}", fmt::join(windows.sunshine, ","))});
-    if (windows.engine != "auto") add("--engine", {windows.engine});
-    for (CommandOption& option : makeRepeatOptions(sheets)) repeated.push_back(std::move(option));
+    std::vector<CommandOption> repeated{{"--region", {windows.region}}};
+    if (windows.wallM) repeated.push_back({"--wall", {fmt::format("{}", *windows.wallM)}});
+    if (!windows.sunshine.empty())
+        repeated.push_back({"--sunshine", {fmt::format("{}", fmt::join(windows.sunshine, ","))}});
+    if (windows.engine != "auto") repeated.push_back({"--engine", {windows.engine}});
+    for (CommandOption& option : makeRepeatOptions(options.sheets)) repeated.push_back(std::move(option));
     return repeated;
 }
 
-/// What is measured, checked. The file of windows is described before it is read, so that its hash is that
-/// of what was read.
-struct WindowQuestion {
-    Rule rule;
-    ReviewGround ground;
-    WindowReviewSettings settings;
-    std::optional<InputFile> windowsFile;
+/// What is measured, checked, and how its sheets are laid out.
+struct AskedWindows {
+    WindowQuestion question;
+    BookSettings sheets;
 };
 
-Result<WindowQuestion> makeWindowQuestion(const ReviewRunOptions& options, const Rule& asked,
-                                          const ReviewSource& source, const OutputRules& outputs) {
+Result<AskedWindows> makeWindowQuestion(const ReviewRunOptions& options, const Rule& asked,
+                                        const ReviewSource& source) {
     auto rule = withOptions(asked, options.windows);
     if (!rule) return tl::make_unexpected(rule.error());
-    auto ground = prepareGround(options, source, windowFileNames(), outputs);
+    auto ground = prepareGround(options, source, windowFileNames());
     if (!ground) return tl::make_unexpected(ground.error());
-    const auto region = regionIn(source.project, ground->after, options.windows.region);
+    const City& city = *ground->cities.after;
+    auto region = regionIn(source.project, city, options.windows.region);
     if (!region) return tl::make_unexpected(region.error());
-    const auto elements = findElementParts(options.windows.elements, source.project, ground->after);
+    auto elements = findElementParts(options.windows.elements, source.project, city);
     if (!elements) return tl::make_unexpected(elements.error());
     using By = ShadedStepFinder::By;
     std::optional<By> by;
     if (options.windows.engine != "auto") by = options.windows.engine == "ray" ? By::rays : By::horizons;
-    WindowReviewSettings settings{*elements, *region, ground->zone, ground->year, by};
-    std::optional<InputFile> windowsFile;
-    if (options.windows.ofFile) {
-        auto file = describeInputFile(options.windows.elements.windows);
-        if (!file) return tl::make_unexpected(file.error());
-        windowsFile = *std::move(file);
-    }
-    return WindowQuestion{*std::move(rule), *std::move(ground), std::move(settings), std::move(windowsFile)};
+    return AskedWindows{{std::move(ground->cities),
+                         *std::move(rule),
+                         {*std::move(elements), *std::move(region), ground->zone, ground->year, by},
+                         repeatOptions(options)},
+                        std::move(ground->sheets)};
 }
 
 std::string forecastText(const WindowForecast& forecast) {
@@ -103,12 +87,7 @@ std::string forecastText(const WindowForecast& forecast) {
                        withCommas(forecast.steps), describeDuration(forecast.seconds));
 }
 
-Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule& asked,
-                                    const RuleLibrary& library, const ReviewSource& source,
-                                    const OutputRules& outputs, const Console& console) {
-    auto question = makeWindowQuestion(options, asked, source, outputs);
-    if (!question) return tl::make_unexpected(question.error());
-    const ReviewGround& ground = question->ground;
+Result<WindowAnswer> measureWindows(const WindowQuestion& question, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
     const auto announce = [&](const WindowForecast& forecast) {
@@ -116,28 +95,14 @@ Result<WindowAnswer> computeWindows(const ReviewRunOptions& options, const Rule&
         if (console.watched || forecast.seconds >= worthTelling)
             console.err << (console.watched ? "\r\x1b[K" : "") << forecastText(forecast) << std::endl;
     };
-    auto study = runWindowReview(question->rule, ground.before, ground.after, question->settings, progress,
-                                 interrupt.token(), announce);
-    if (!study) return tl::make_unexpected(study.error());
-    study->windowsFile = std::move(question->windowsFile);
-    study->warnings.insert(study->warnings.end(), library.warnings().begin(), library.warnings().end());
-    putBefore(study->warnings, source.project.reading->warnings);
-    ReviewLabels labels{
-        ground.from, ground.to, provenanceOf(source, ground), {}, repeatOptions(options, ground.sheets)};
-    return WindowAnswer{
-        *std::move(study), std::move(labels), ground.before, ground.after, source.project.reading->heights,
-        ground.sheets};
+    return computeWindowReview(question, progress, interrupt.token(), announce);
 }
 
-int estimateWindows(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
-                    const OutputRules& outputs, const Console& console) {
-    const auto question = makeWindowQuestion(options, rule, source, outputs);
-    if (!question) return fail(console, question.error(), exitUsage);
+int estimateWindows(const ReviewRunOptions& options, const WindowQuestion& question, const Console& console) {
     const Interrupt interrupt;
     NoProgress quiet;
-    const auto forecast =
-        forecastWindowReview(question->rule, question->ground.before, question->ground.after,
-                             question->settings, quiet, interrupt.token());
+    const auto forecast = forecastWindowReview(question.rule, *question.before, *question.after,
+                                               question.settings, quiet, interrupt.token());
     if (!forecast) return fail(console, forecast.error(), exitUsage);
     if (options.json)
         console.out << toJsonText({{"windows", forecast->windows},
@@ -160,12 +125,11 @@ void addChanges(Table& table, const std::string& what, const VerdictChanges& cha
     table.add(what + " changed", fmt::format("{} worse, {} better", changes.worse, changes.better));
 }
 
-void printWindows(const WindowAnswer& answer, const std::vector<std::filesystem::path>& files,
-                  std::ostream& out) {
-    const WindowStudy& study = answer.study;
+void printWindows(const WrittenWindows& written, std::ostream& out) {
+    const WindowStudy& study = written.study;
     Table table;
     table.add("rule", fmt::format("{} ({})", study.rule.name, study.rule.key));
-    table.add("from, to", fmt::format("{} -> {}", answer.labels.from, answer.labels.to));
+    table.add("from, to", fmt::format("{} -> {}", written.labels.from, written.labels.to));
     table.add("clock", fmt::format("{}, {}", study.clock.text(), study.year));
     table.add("engine", fmt::format("{}, {} steps of {:g} min", study.engine, withCommas(study.steps),
                                     study.stepMinutes));
@@ -187,7 +151,7 @@ void printWindows(const WindowAnswer& answer, const std::vector<std::filesystem:
     out << "\nNot checked:\n";
     for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
     out << "\nFiles\n";
-    for (const auto& file : files) out << "  " << file.string() << '\n';
+    for (const auto& file : written.files) out << "  " << file.string() << '\n';
     printWarnings(out, study.warnings);
 }
 
@@ -241,23 +205,22 @@ void addReviewedWindows(CLI::App& command, ReviewedWindows& windows) {
         ->type_name("ENGINE");
 }
 
-int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const RuleLibrary& library,
-                     const ReviewSource& source, OutputRules outputs, const Console& console) {
-    if (options.windows.ofFile) addPlace(outputs, options.windows.elements.windows.string());
-    addPlace(outputs, options.windows.region);
-    if (options.estimate) return estimateWindows(options, rule, source, outputs, console);
-    const auto answer = computeWindows(options, rule, library, source, outputs, console);
+int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
+                     const Console& console) {
+    const auto asked = makeWindowQuestion(options, rule, source);
+    if (!asked) return fail(console, asked.error(), exitUsage);
+    if (options.estimate) return estimateWindows(options, asked->question, console);
+    auto answer = measureWindows(asked->question, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const auto files = writeWindowFiles(
-        {answer->study, answer->labels, answer->baseline, answer->scenario, answer->heights}, answer->sheets,
-        options.out, options.byteOrderMark, outputs, progress, interrupt.token());
-    if (!files) return fail(console, files.error(), exitFailed);
+    const auto written = writeWindowReview(*std::move(answer), source, asked->sheets, options.out,
+                                           options.byteOrderMark, progress, interrupt.token());
+    if (!written) return fail(console, written.error(), exitFailed);
     if (options.json)
-        console.out << toJsonText(windowReviewJson(answer->study, answer->labels)) << '\n';
+        console.out << toJsonText(windowReviewJson(written->study, written->labels)) << '\n';
     else
-        printWindows(*answer, *files, console.out);
+        printWindows(*written, console.out);
     return exitOk;
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/gui/base/jobs/job_slot.h"
-#include "app/gui/docks/review/review_question.h"
+#include "app/gui/docks/review/review_days.h"
 #include "app/report/charts/bar_chart.h"
 #include "app/report/charts/carpet_chart.h"
 

@@ -36,11 +36,8 @@ Answers ReviewSession::findLatest(const Rule& rule, Result<PlacesToReview> place
     const auto before = session.cityOf(choice_.from);
     if (cached_.empty() || !before || !places) return latest;
     const Period& period = workbench_.document().settings().period;
-    ReviewQuestion now{rule,
-                       choice_.from,
-                       {},
-                       *before,
-                       {},
+    ReviewQuestion now{{choice_.from, {}, *before, {}},
+                       rule,
                        std::move(places->places),
                        {1, period.zone, int(period.start.year())},
                        {}};

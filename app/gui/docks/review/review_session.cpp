@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/gui/base/widgets/error_words.h"
+#include "app/gui/docks/review/review_days.h"
 #include "app/gui/session/workbench.h"
 #include "core/receivers/place_names.h"
 
@@ -91,7 +92,7 @@ Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
     return moveLines(rule, workbench_.session().project(), std::move(places));
 }
 
-Result<ReviewSession::ComparedCities> ReviewSession::comparedCities(const std::string& to) const {
+Result<ReviewedCities> ReviewSession::comparedCities(const std::string& to) const {
     const auto before = workbench_.session().cityOf(choice_.from);
     if (!before) return tl::make_unexpected(before.error());
     const auto after = workbench_.session().cityOf(to);
@@ -99,7 +100,7 @@ Result<ReviewSession::ComparedCities> ReviewSession::comparedCities(const std::s
     if (*before == *after)
         return failure("Baseline and scenario are the same: " + to, {},
                        "Design a tower, or choose a scenario with a proposal");
-    return ComparedCities{to, *before, *after};
+    return ReviewedCities{choice_.from, to, *before, *after};
 }
 
 Result<ReviewQuestion> ReviewSession::question() { return questionOf(scenarioName()); }
@@ -113,11 +114,8 @@ Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
     auto cities = comparedCities(scenario);
     if (!cities) return tl::make_unexpected(cities.error());
     const StudySettings& study = workbench_.document().settings();
-    return ReviewQuestion{*std::move(rule),
-                          choice_.from,
-                          std::move(cities->to),
-                          std::move(cities->before),
-                          std::move(cities->after),
+    return ReviewQuestion{*std::move(cities),
+                          *std::move(rule),
                           std::move(places->places),
                           {1, study.period.zone, int(study.period.start.year())},
                           std::move(places->moved)};
@@ -168,7 +166,9 @@ void ReviewSession::screen() {
     running_.start<std::vector<ScreenedPlace>>(
         tr("Screening"),
         [question = *question](Progress& progress, std::stop_token stop) {
-            return noonmark::screen(question, progress, std::move(stop));
+            ReviewQuestion thinned = question;
+            thinned.rule = thinnedOut(question.rule);
+            return noonmark::screen(thinned, progress, std::move(stop));
         },
         [this, question = *question](Result<std::vector<ScreenedPlace>> screened) {
             screened ? takeScreening(question, *screened) : tell(screened.error());
@@ -190,6 +190,11 @@ void ReviewSession::takeScreening(const ReviewQuestion& question,
     choose(choice);
     Q_EMIT changed();  // what the list states of each place
     Q_EMIT screeningDone(reached, screened.size());
+}
+
+ReviewSource ReviewSession::source() const {
+    const ProjectSession& session = workbench_.session();
+    return {session.project(), session.file(), {}, library_.warnings(), workbench_.exportRules()};
 }
 
 Result<std::shared_ptr<const ReviewAnswer>> ReviewSession::finished() const {
@@ -238,14 +243,12 @@ void ReviewSession::follow() {
     newerShape_ = followed_.busy();
     if (newerShape_) return;
     const StudySettings& study = workbench_.document().settings();
-    ReviewQuestion question{*rule,
-                            choice_.from,
-                            tr("the building being designed").toStdString(),
-                            *before,
-                            proposed_,
-                            std::move(places->places),
-                            {1, study.period.zone, int(study.period.start.year())},
-                            std::move(places->moved)};
+    ReviewQuestion question{
+        {choice_.from, tr("the building being designed").toStdString(), *before, proposed_},
+        *rule,
+        std::move(places->places),
+        {1, study.period.zone, int(study.period.start.year())},
+        std::move(places->moved)};
     question.settings.refinesSpots = false;  // as fast as a hand drags; their error includes the cell
     followed_.start<ReviewAnswer>(
         tr("Live review"),

@@ -1,7 +1,8 @@
 #pragma once
 
-// The review of places by the rule of a board. ReviewSession holds what is chosen and the latest answer, and
-// runs the jobs; review_choice is the choice as it is saved, review_question the work without a window.
+// The review of places by the rule of a board (app/questions/review_question.h). ReviewSession holds what is
+// chosen and the latest answer, and runs the jobs; review_choice is the choice as it is saved, review_days
+// what charts of days show.
 // ReviewDock shows it: RuleForm and PlaceList choose, VerdictTable lists verdicts and the numbers behind
 // them, DayPanel and RangePanel draw charts on a ChartWidget. verdict_words has the words and colours of
 // verdicts.
@@ -10,7 +11,9 @@
 
 #include "app/gui/base/jobs/job_slot.h"
 #include "app/gui/docks/review/review_cache.h"
-#include "app/gui/docks/review/review_question.h"
+#include "app/gui/docks/review/review_choice.h"
+#include "app/questions/review_question.h"
+#include "core/review/library/rule_library.h"
 #include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
@@ -36,13 +39,11 @@ public:
     [[nodiscard]] std::vector<Place> candidates() const;
     /// What run() would compute. Error: what is still missing, and what to do.
     [[nodiscard]] Result<ReviewQuestion> question();
-    struct ComparedCities {
-        std::string to;  ///< name of the scenario
-        std::shared_ptr<const City> before, after;
-    };
+    /// What the files of a review are made from.
+    [[nodiscard]] ReviewSource source() const;
     /// The cities of baseline and scenario. Error: they are the same, or no longer exist.
-    [[nodiscard]] Result<ComparedCities> comparedCities() const { return comparedCities(scenarioName()); }
-    [[nodiscard]] Result<ComparedCities> comparedCities(const std::string& to) const;
+    [[nodiscard]] Result<ReviewedCities> comparedCities() const { return comparedCities(scenarioName()); }
+    [[nodiscard]] Result<ReviewedCities> comparedCities(const std::string& to) const;
     /// The scenarios whose buildings differ from the baseline's.
     [[nodiscard]] std::vector<std::string> comparedScenarios();
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <numeric>
 
+#include "app/gui/docks/review/review_days.h"
 #include "app/gui/docks/review/verdict_words.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"

@@ -2,7 +2,7 @@
 
 #include <QTreeWidget>
 
-#include "app/gui/docks/review/review_question.h"
+#include "app/questions/review_question.h"
 #include "core/base/display_units.h"
 
 namespace noonmark {

@@ -27,10 +27,11 @@ bool isSame(const BookSettings& a, const BookSettings& b) {
 
 }  // namespace
 
-SheetsDialog::SheetsDialog(ReviewExport review, ProjectSession& session, const PageSetup& setup,
-                           QWidget* parent)
+SheetsDialog::SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSource source,
+                           ProjectSession& session, const PageSetup& setup, QWidget* parent)
     : QDialog(parent),
-      review_(std::move(review)),
+      answer_(std::move(answer)),
+      source_(std::move(source)),
       session_(session),
       form_(new SheetForm),
       pages_(new BookView),
@@ -112,12 +113,12 @@ void SheetsDialog::layOut() { layOutFor({}); }
 
 void SheetsDialog::layOutFor(const QString& folder) {
     message_->clear();
-    review_.project.sheets = session_.project().sheets;
+    source_.project.sheets = session_.project().sheets;
     working_.start<std::shared_ptr<const ReviewSheets>>(
         tr("Laying out the sheets"),
-        [review = review_, study = sheets_ ? sheets_->study : nullptr, settings = settings()](
-            Progress& progress, const std::stop_token& stop) {
-            return layOutReview(review, study, settings, progress, stop);
+        [answer = answer_, source = source_, study = sheets_ ? sheets_->study : nullptr,
+         settings = settings()](Progress& progress, const std::stop_token& stop) {
+            return layOutReview(answer->question, source, study, settings, progress, stop);
         },
         [this, folder](Result<std::shared_ptr<const ReviewSheets>> sheets) {
             if (!sheets) return tell(sheets.error());
@@ -141,8 +142,10 @@ void SheetsDialog::writeFiles(const QString& folder) {
     using Paths = std::vector<std::filesystem::path>;
     working_.start<Paths>(
         tr("Writing the files"),
-        [review = review_, sheets = sheets_, folder](Progress& progress, const std::stop_token& stop) {
-            return writeReview(review, *sheets, folder.toStdString(), progress, stop);
+        [answer = answer_, source = source_, sheets = sheets_, folder](Progress& progress,
+                                                                       const std::stop_token& stop) {
+            return writeReview(answer->question, source, *sheets, folder.toStdString(), false, progress,
+                               stop);
         },
         [this, folder](Result<Paths> paths) {
             if (!paths) return tell(paths.error());

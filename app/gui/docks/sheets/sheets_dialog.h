@@ -1,14 +1,13 @@
 #pragma once
 
 // The sheets of a review in the window. SheetsDialog shows them before they are filed: SheetForm states
-// paper, scale, units and title block, and BookView shows the pages as they will be printed. review_export.h
-// lays them out and writes the files, without a window.
+// paper, scale, units and title block, and BookView shows the pages as they will be printed.
 
 #include <QDialog>
 #include <QTimer>
 
 #include "app/gui/base/jobs/job_slot.h"
-#include "app/gui/docks/sheets/review_export.h"
+#include "app/questions/review_question.h"
 
 class QLabel;
 class QPushButton;
@@ -27,7 +26,8 @@ class SheetsDialog final : public QDialog {
     Q_OBJECT
 public:
     /// `session` must outlive it. `setup`: paper to begin with.
-    SheetsDialog(ReviewExport review, ProjectSession& session, const PageSetup& setup, QWidget* parent);
+    SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSource source, ProjectSession& session,
+                 const PageSetup& setup, QWidget* parent);
 
     /// Writes the files as they are shown; lays the sheets out first where they are not up to date.
     void write(const QString& folder);
@@ -53,7 +53,8 @@ private:
     void askForFolder();
     [[nodiscard]] BookSettings settings() const;
 
-    ReviewExport review_;
+    std::shared_ptr<const ReviewAnswer> answer_;
+    ReviewSource source_;
     ProjectSession& session_;
     SheetForm* form_;
     BookView* pages_;

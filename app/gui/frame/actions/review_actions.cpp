@@ -60,25 +60,23 @@ void ReviewActions::closeSheets() { delete sheets_; }
 void ReviewActions::exportReview() { windows_.applies() ? exportWindows() : showSheets(); }
 
 void ReviewActions::exportWindows() {
-    const auto review = windows_.finished();
-    if (!review) return panel_.messages().showError(review.error());
+    const auto answer = windows_.finished();
+    if (!answer) return panel_.messages().showError(answer.error());
     const QString folder = askForFolder(&window_, tr("Export the review"));
     if (folder.isEmpty()) return;
     QStringList inTheWay;
     for (const std::string& name : windowFileNames())
         if (QFileInfo::exists(folder + '/' + QString::fromStdString(name)))
             inTheWay << QString::fromStdString(name);
-    if (mayReplace(&window_, folder, inTheWay)) windows_.write(*review, folder);
+    if (mayReplace(&window_, folder, inTheWay)) windows_.write(*answer, folder);
 }
 
 void ReviewActions::showSheets() {
     auto answer = review_.finished();
     if (!answer) return panel_.messages().showError(answer.error());
     closeSheets();
-    ProjectSession& session = workbench_.session();
-    sheets_ = new SheetsDialog({*std::move(answer), session.project(), session.file(),
-                                review_.library().warnings(), workbench_.exportRules()},
-                               session, readPageSetup(settings_), &window_);
+    sheets_ = new SheetsDialog(*std::move(answer), review_.source(), workbench_.session(),
+                               readPageSetup(settings_), &window_);
     connect(sheets_, &SheetsDialog::failed, &panel_.messages(), &MessageBar::showError);
     connect(sheets_, &SheetsDialog::written, &panel_.messages(), [this](const QString& folder) {
         panel_.messages().showNote(tr("The review was exported to %1").arg(folder));

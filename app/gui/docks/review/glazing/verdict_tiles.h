@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/gui/base/layers/tile_view.h"
-#include "app/gui/docks/review/glazing/window_question.h"
+#include "app/questions/window_question.h"
 
 namespace noonmark {
 

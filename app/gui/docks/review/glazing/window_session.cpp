@@ -36,7 +36,7 @@ bool WindowSession::applies() const {
 
 Result<WindowQuestion> WindowSession::question() { return questionOf(review_.comparedCities()); }
 
-Result<WindowQuestion> WindowSession::questionOf(const Result<ReviewSession::ComparedCities>& compared) {
+Result<WindowQuestion> WindowSession::questionOf(const Result<ReviewedCities>& cities) {
     if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
     auto rule = review_.rule();
     if (!rule) return tl::make_unexpected(rule.error());
@@ -44,19 +44,17 @@ Result<WindowQuestion> WindowSession::questionOf(const Result<ReviewSession::Com
     if (choice.windows.places == ElementPlaces::windows && choice.windows.windows.empty())
         return failure("No file of windows is chosen", {},
                        "Choose a file of points or polygons with heights, or take the facades");
-    if (!compared) return tl::make_unexpected(compared.error());
-    auto windows = findElementParts(choice.windows, workbench_.session().project(), *compared->after);
+    if (!cities) return tl::make_unexpected(cities.error());
+    auto windows = findElementParts(choice.windows, workbench_.session().project(), *cities->after);
     if (!windows) return tl::make_unexpected(windows.error());
     const StudySettings& study = workbench_.document().settings();
-    Region region = makeRegionFromLocalBox(bounds(*compared->after));
+    Region region = makeRegionFromLocalBox(bounds(*cities->after));
     region.name = "the whole city";
-    return WindowQuestion{*std::move(rule),
-                          choice.from,
-                          compared->to,
-                          compared->before,
-                          compared->after,
+    return WindowQuestion{*cities,
+                          *std::move(rule),
                           {*std::move(windows), std::move(region), study.period.zone,
-                           int(study.period.start.year()), std::nullopt}};
+                           int(study.period.start.year()), std::nullopt},
+                          {{"--region", {"city"}}}};
 }
 
 void WindowSession::run() {
@@ -99,7 +97,12 @@ void WindowSession::runAll() {
         tr("All reviews"),
         [questions = std::move(questions)](
             Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<WindowAnswer>> {
-            return computeEach<WindowAnswer>(questions, computeWindowReview, progress, stop);
+            return computeEach<WindowAnswer>(
+                questions,
+                [](const WindowQuestion& one, Progress& share, const std::stop_token& stopped) {
+                    return computeWindowReview(one, share, stopped);
+                },
+                progress, stop);
         },
         [this](Result<ComputedAnswers<WindowAnswer>> answers) {
             if (!answers) return tell(answers.error());
@@ -141,26 +144,22 @@ QString WindowSession::whyOutdated() {
     return tr("Not up to date: buildings, windows or the rule have changed. Run again.");
 }
 
-Result<WindowExport> WindowSession::finished() const {
+Result<std::shared_ptr<const WindowAnswer>> WindowSession::finished() const {
     if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
-    const ProjectSession& session = workbench_.session();
-    const SheetSettings& sheets = session.project().sheets;
-    return WindowExport{answer_,
-                        session.project(),
-                        session.file(),
-                        review_.library().warnings(),
-                        {.titleBlock = sheets.titleBlock, .units = sheets.units},
-                        workbench_.exportRules()};
+    return answer_;
 }
 
-void WindowSession::write(const WindowExport& review, const QString& folder) {
-    using Files = std::vector<std::filesystem::path>;
-    running_.start<Files>(
+void WindowSession::write(std::shared_ptr<const WindowAnswer> answer, const QString& folder) {
+    running_.start<WrittenWindows>(
         tr("Writing the review"),
-        [review, folder](Progress& progress, const std::stop_token& stop) {
-            return writeWindowReview(review, folder.toStdString(), progress, stop);
+        [answer = std::move(answer), source = review_.source(), folder](Progress& progress,
+                                                                        const std::stop_token& stop) {
+            const SheetSettings& sheets = source.project.sheets;
+            return writeWindowReview(*answer, source,
+                                     {.titleBlock = sheets.titleBlock, .units = sheets.units},
+                                     folder.toStdString(), false, progress, stop);
         },
-        [this, folder](const Result<Files>& files) {
+        [this, folder](const Result<WrittenWindows>& files) {
             if (!files) return tell(files.error());
             Q_EMIT written(folder);
         });

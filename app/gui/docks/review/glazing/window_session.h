@@ -1,14 +1,14 @@
 #pragma once
 
 // Rules about windows in the review dock. WindowSession runs the review of the windows that the choice of a
-// ReviewSession names, window_question is the work without a window, WindowForm chooses the windows, and
-// WindowTable lists the answer. verdict_tiles paints its verdicts; WindowPanel chooses which,
-// and VerdictLinks connects table and view.
+// ReviewSession names (app/questions/window_question.h), WindowForm chooses the windows, and WindowTable
+// lists the answer. verdict_tiles paints its verdicts; WindowPanel chooses which, and VerdictLinks connects
+// table and view.
 
 #include <QObject>
 
-#include "app/gui/docks/review/glazing/window_question.h"
 #include "app/gui/docks/review/review_session.h"
+#include "app/questions/window_question.h"
 
 namespace noonmark {
 
@@ -34,9 +34,9 @@ public:
     [[nodiscard]] std::shared_ptr<const WindowAnswer> answer() const { return answer_; }
     /// Why the answer is not up to date; empty: it is.
     [[nodiscard]] QString whyOutdated();
-    /// What write() would write. Error: there is no answer.
-    [[nodiscard]] Result<WindowExport> finished() const;
-    void write(const WindowExport& review, const QString& folder);
+    /// The answer that can be exported. Error: there is none.
+    [[nodiscard]] Result<std::shared_ptr<const WindowAnswer>> finished() const;
+    void write(std::shared_ptr<const WindowAnswer> answer, const QString& folder);
 
     [[nodiscard]] JobSlot& running() { return running_; }
     [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
@@ -49,7 +49,7 @@ Q_SIGNALS:
 
 private:
     void tell(const Error& error);
-    [[nodiscard]] Result<WindowQuestion> questionOf(const Result<ReviewSession::ComparedCities>& compared);
+    [[nodiscard]] Result<WindowQuestion> questionOf(const Result<ReviewedCities>& cities);
 
     Workbench& workbench_;
     ReviewSession& review_;

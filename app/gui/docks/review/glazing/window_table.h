@@ -2,7 +2,7 @@
 
 #include <QTreeWidget>
 
-#include "app/gui/docks/review/glazing/window_question.h"
+#include "app/questions/window_question.h"
 
 namespace noonmark {
 

@@ -1,12 +1,9 @@
-#include "app/gui/docks/review/review_question.h"
+#include "app/gui/docks/review/review_days.h"
 
 #include <algorithm>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
 #include "core/engines/auto_engine.h"
-#include "core/measures/place_run.h"
-#include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 
@@ -42,45 +39,13 @@ int lengthOf(const RuleDays& days) {
 
 }  // namespace
 
-bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) {
-    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
-           a.after == b.after && a.places == b.places && a.settings.zone == b.settings.zone &&
-           a.settings.year == b.settings.year && a.settings.cellM == b.settings.cellM;
-}
-
-const Place& ReviewAnswer::placeOf(std::size_t review) const {
-    const std::size_t each = question.rule.receivers.hasLines() ? 2 : 1;
-    return question.places[std::min(review / each, question.places.size() - 1)];
-}
-
 bool hasFewDays(const Rule& rule) { return !rule.days.fixed.empty(); }
 
-Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop) {
-    const Stopwatch watch;
-    return guardMemory({.what = "a review"},
-                       [&] {
-                           return runReview(question.rule, *question.before, *question.after, question.places,
-                                            question.settings, AutoEngine(), progress, std::move(stop));
-                       })
-        .map([&](ReviewStudy study) {
-            return ReviewAnswer{question, std::move(study), watch.seconds()};
-        });
-}
-
-Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
-                                          std::stop_token stop) {
-    Rule rule = question.rule;
-    if (!hasFewDays(rule)) {
-        rule.days.everyDays = std::max(7, rule.days.everyDays);
-        rule.sampling.stepMinutes = std::max(rangeStepMin, rule.sampling.stepMinutes);
-    }
-    const auto sun = computeRuleSun(
-        rule, {observerOfPlaces(*question.before), question.settings.zone, question.settings.year}, stop);
-    if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->sun.steps.empty())
-        return failure("No sun in these hours", rule.name, "Choose another rule or year");
-    return screenPlaces(*question.before, *question.after, question.places, sun->sun, {}, AutoEngine(),
-                        progress, std::move(stop));
+Rule thinnedOut(Rule rule) {
+    if (hasFewDays(rule)) return rule;
+    rule.days.everyDays = std::max(7, rule.days.everyDays);
+    rule.sampling.stepMinutes = std::max(rangeStepMin, rule.sampling.stepMinutes);
+    return rule;
 }
 
 Result<ReviewDay> computeReviewDay(const ReviewAnswer& answer, std::size_t review, CivilDate day,

@@ -1,0 +1,128 @@
+#include "app/questions/review_question.h"
+
+#include <algorithm>
+
+#include "app/report/files/review_files.h"
+#include "core/base/memory_guard.h"
+#include "core/base/progress_share.h"
+#include "core/base/stopwatch.h"
+#include "core/engines/auto_engine.h"
+#include "core/measures/place_run.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark {
+
+namespace {
+
+ReviewLabels labelsOf(const ReviewQuestion& question, const ReviewSource& source,
+                      const BookSettings& settings) {
+    ReviewLabels labels{question.from, question.to, provenanceOf(source, question), question.named,
+                        makeRepeatOptions(settings)};
+    // Not the names of what was measured: of rules about parcels these are two belts for each.
+    if (labels.places.empty())
+        for (const Place& place : question.places) labels.places.push_back(place.name);
+    labels.sheets.insert(labels.sheets.end(), question.repeat.begin(), question.repeat.end());
+    return labels;
+}
+
+ReviewBookSource bookSourceOf(const ReviewQuestion& question, const ReviewSource& source,
+                              const ReviewStudy& study, const ReviewLabels& labels) {
+    return {study,
+            labels,
+            *question.before,
+            *question.after,
+            question.places,
+            source.project.reading->heights,
+            placesOfKind(source.project, PlaceKind::street)};
+}
+
+}  // namespace
+
+Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities) {
+    if (source.loaded) return provenanceOf(*source.loaded);
+    return provenanceOf(source.project, source.file ? &*source.file : nullptr,
+                        {cities.to, cities.from, {}, {}});
+}
+
+void addWarnings(Warnings& warnings, const ReviewSource& source) {
+    warnings.insert(warnings.end(), source.ofRules.begin(), source.ofRules.end());
+    putBefore(warnings, source.project.reading->warnings);
+}
+
+bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) {
+    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
+           a.after == b.after && a.places == b.places && a.settings.zone == b.settings.zone &&
+           a.settings.year == b.settings.year && a.settings.cellM == b.settings.cellM;
+}
+
+const Place& ReviewAnswer::placeOf(std::size_t review) const {
+    const std::size_t each = question.rule.receivers.hasLines() ? 2 : 1;
+    return question.places[std::min(review / each, question.places.size() - 1)];
+}
+
+Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop) {
+    const Stopwatch watch;
+    return guardMemory({.what = "a review"},
+                       [&] {
+                           return runReview(question.rule, *question.before, *question.after, question.places,
+                                            question.settings, AutoEngine(), progress, std::move(stop));
+                       })
+        .map([&](ReviewStudy study) {
+            return ReviewAnswer{question, std::move(study), watch.seconds()};
+        });
+}
+
+Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
+                                          std::stop_token stop) {
+    const auto sun = computeRuleSun(
+        question.rule, {observerOfPlaces(*question.before), question.settings.zone, question.settings.year},
+        stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    if (sun->sun.steps.empty())
+        return failure("No sun in these hours", question.rule.name, "Choose another rule or year");
+    return screenPlaces(*question.before, *question.after, question.places, sun->sun, {}, AutoEngine(),
+                        progress, std::move(stop));
+}
+
+Result<std::shared_ptr<const ReviewStudy>> computeForFiles(const ReviewQuestion& question,
+                                                           const ReviewSource& source, Progress& progress,
+                                                           const std::stop_token& stop) {
+    ReviewQuestion asked = question;
+    asked.settings.timelines = asked.settings.contributions = true;
+    return computeReview(asked, progress, stop).map([&](ReviewAnswer answer) {
+        putBefore(answer.study.warnings, asked.moved);
+        addWarnings(answer.study.warnings, source);
+        return std::make_shared<const ReviewStudy>(std::move(answer.study));
+    });
+}
+
+Result<std::shared_ptr<const ReviewSheets>> layOutReview(const ReviewQuestion& question,
+                                                         const ReviewSource& source,
+                                                         std::shared_ptr<const ReviewStudy> study,
+                                                         const BookSettings& settings, Progress& progress,
+                                                         const std::stop_token& stop) {
+    ProgressShare computing(progress, 0, 2), drawing(progress, 1, 2);
+    if (!study) {
+        auto computed = computeForFiles(question, source, computing, stop);
+        if (!computed) return tl::make_unexpected(computed.error());
+        study = *std::move(computed);
+    }
+    auto sheets = std::make_shared<ReviewSheets>(
+        ReviewSheets{settings, labelsOf(question, source, settings), std::move(study), {}});
+    auto book = makeReviewBook(bookSourceOf(question, source, *sheets->study, sheets->labels), settings,
+                               drawing, stop);
+    if (!book) return tl::make_unexpected(book.error());
+    sheets->book = *std::move(book);
+    return sheets;
+}
+
+Result<std::vector<std::filesystem::path>> writeReview(const ReviewQuestion& question,
+                                                       const ReviewSource& source, const ReviewSheets& sheets,
+                                                       const std::filesystem::path& folder,
+                                                       bool byteOrderMark, Progress& progress,
+                                                       const std::stop_token& stop) {
+    return writeReviewFiles(bookSourceOf(question, source, *sheets.study, sheets.labels), sheets.book,
+                            {byteOrderMark, source.outputs}, folder, progress, stop);
+}
+
+}  // namespace noonmark

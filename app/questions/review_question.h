@@ -1,0 +1,99 @@
+#pragma once
+
+// The reviews by the rules of boards, which command line and window only ask and show: of places (this file),
+// and of windows (window_question.h).
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/input/load_city.h"
+#include "app/report/book/review/review_book.h"
+#include "core/io/files/check_output.h"
+#include "core/measures/place_screening.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark {
+
+/// The cities that a review compares.
+struct ReviewedCities {
+    std::string from, to;  ///< names of baseline and scenario
+    std::shared_ptr<const City> before, after;
+};
+
+/// What is reviewed, and what the files of a review state and protect.
+struct ReviewSource {
+    Project project;
+    std::optional<ProjectFile> file;   ///< none: the project was never saved, or the city was read from files
+    std::optional<LoadedCity> loaded;  ///< that city, of which `project` is made
+    Warnings ofRules;                  ///< of reading the library of rules
+    OutputRules outputs;               ///< which files may be replaced
+};
+
+/// What the cities of a review were made from. Costs hashes (project_provenance.h).
+Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities);
+/// Puts the warnings of reading the city before those of a review, and those of the rules behind them.
+void addWarnings(Warnings& warnings, const ReviewSource& source);
+
+/// A review of places, complete: it can be computed on another thread.
+struct ReviewQuestion : ReviewedCities {
+    Rule rule;
+    std::vector<Place> places;  ///< or parcels, of a rule with lines
+    ReviewSettings settings;
+    Warnings moved;  ///< parcels with roads: their line was moved out, or why not
+    /// As they were asked for: names, or "all". Empty: `places` by name.
+    std::vector<std::string> named{};
+    std::vector<CommandOption> repeat{};  ///< further options of the command that asks the same
+};
+
+/// Whether both have the same answer.
+bool isSame(const ReviewQuestion& a, const ReviewQuestion& b);
+
+/// A question with its answer.
+struct ReviewAnswer {
+    ReviewQuestion question;
+    ReviewStudy study;
+    double seconds = 0;  ///< to compute it
+    /// The place of study.places[review]; a parcel has two reviews.
+    [[nodiscard]] const Place& placeOf(std::size_t review) const;
+};
+
+/// Errors of runReview().
+Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop);
+
+/// Which places the shadow of the proposal reaches, tested as if it stood alone, by the days and hours of the
+/// rule. Error: no sun in these hours; errors of screenPlaces() and computeRuleSun().
+Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
+                                          std::stop_token stop);
+
+/// The review as its files state it: with timelines, contributions and all warnings.
+Result<std::shared_ptr<const ReviewStudy>> computeForFiles(const ReviewQuestion& question,
+                                                           const ReviewSource& source, Progress& progress,
+                                                           const std::stop_token& stop);
+
+/// What the files of a review are made of. Its book refers to the rest: never changed once it is made.
+struct ReviewSheets {
+    BookSettings settings;
+    ReviewLabels labels;
+    std::shared_ptr<const ReviewStudy> study;
+    Book book;
+};
+
+/// Lays the book of a review out. `study`: that of computeForFiles(), or null: it is computed here. Errors of
+/// runReview() and makeReviewBook(); cancelled().
+Result<std::shared_ptr<const ReviewSheets>> layOutReview(const ReviewQuestion& question,
+                                                         const ReviewSource& source,
+                                                         std::shared_ptr<const ReviewStudy> study,
+                                                         const BookSettings& settings, Progress& progress,
+                                                         const std::stop_token& stop);
+
+/// Writes the files of a review. `byteOrderMark`: see ReviewFileSettings. Errors of writeReviewFiles().
+/// Returns the paths written.
+Result<std::vector<std::filesystem::path>> writeReview(const ReviewQuestion& question,
+                                                       const ReviewSource& source, const ReviewSheets& sheets,
+                                                       const std::filesystem::path& folder,
+                                                       bool byteOrderMark, Progress& progress,
+                                                       const std::stop_token& stop);
+
+}  // namespace noonmark
