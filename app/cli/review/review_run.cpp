@@ -55,12 +55,11 @@ Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const R
     if (!taken) return tl::make_unexpected(taken.error());
     auto ground = prepareGround(options, source, reviewFileNames());
     if (!ground) return tl::make_unexpected(ground.error());
-    ReviewQuestion asked{
-        std::move(ground->cities),        rule,
-        std::move(taken->places),         {options.settings.cellM, ground->zone, ground->year, true, true},
-        std::move(taken->moved),          options.places,
-        makeRepeatOptions(options.sheets)};
-    if (options.inReach) asked.repeat.push_back({"--in-reach", {}});
+    const ReviewSettings settings{options.settings.cellM, ground->zone, ground->year, true, true};
+    auto repeat = makeRepeatOptions(options.sheets);
+    if (options.inReach) repeat.push_back({"--in-reach", {}});
+    ReviewQuestion asked{std::move(ground->cities), rule,           std::move(taken->places), settings,
+                         std::move(taken->moved),   options.places, std::move(repeat)};
     return PlaceQuestion{std::move(asked), std::move(ground->sheets)};
 }
 
