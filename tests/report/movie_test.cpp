@@ -75,17 +75,11 @@ City tower() {
     return city;
 }
 
-ShadowMovie movieOf(const City& baseline, const City* scenario, const std::vector<Place>& places,
-                    int frames) {
-    using namespace std::chrono;
-    ShadowMovie movie{baseline, scenario, places, {}, {}, "Test", "", false, {}};
-    for (int i = 0; i < frames; ++i) {
-        const Instant at = sys_days{year{2026} / 3 / 21} + 15h + i * 30min;
-        movie.times.push_back({"t",
-                               "2026-03-21",
-                               "2026-03-21 11:00 UTC",
-                               {tests::towardsSun(150 + 5 * float(i), 40), 150 + 5 * float(i), 40, 0, at}});
-    }
+ShadowMovie movieOf(const City& baseline, int frames) {
+    ShadowMovie movie{.baseline = std::make_shared<const City>(baseline),
+                      .when = {{"2026-03-21"}, {}, 0, "America/New_York"},
+                      .title = "Test"};
+    for (int i = 0; i < frames; ++i) movie.when.times.push_back(std::to_string(10 + i) + ":00");
     movie.drawing.area = Box2{{-100, -60}, {100, 100}};
     movie.format.size = {320, 180};
     return movie;
@@ -95,9 +89,7 @@ TEST(ShadowMovie, HasOneFrameATime) {
     const tests::TemporaryFolder folder;
     const City before = tower();
     NoProgress progress;
-    const std::vector<Place> none;
-    const auto made =
-        writeShadowMovie(movieOf(before, nullptr, none, 5), folder.path("day.mp4"), progress, {});
+    const auto made = writeShadowMovie(movieOf(before, 5), folder.path("day.mp4"), progress, {});
     ASSERT_TRUE(made) << made.error().text();
     EXPECT_EQ(made->frames, 5U);
     EXPECT_EQ(bytesOf(folder.path("day.mp4")).mid(4, 4), "ftyp");
@@ -108,8 +100,7 @@ TEST(ShadowMovie, ShowsShadowsInTheWholeFrame) {
     const tests::TemporaryFolder folder;
     const City before = tower();
     NoProgress progress;
-    const std::vector<Place> none;
-    ShadowMovie movie = movieOf(before, nullptr, none, 1);
+    ShadowMovie movie = movieOf(before, 1);
     movie.drawing.area = Box2{{-20, -20}, {20, 20}};
     const auto made = writeShadowMovie(movie, folder.path("day.gif"), progress, {});
     ASSERT_TRUE(made) << made.error().text();
@@ -125,13 +116,13 @@ TEST(ShadowMovie, SwipesFromTheBaselineToTheScenario) {
     City after = before;
     after.buildings.push_back(tests::buildingOf({{30, -10, 0}, {40, 10, 40}}));
     NoProgress progress;
-    const std::vector<Place> none;
-    ShadowMovie movie = movieOf(before, &after, none, 1);
+    ShadowMovie movie = movieOf(before, 1);
+    movie.scenario = std::make_shared<const City>(after);
     movie.swipe = true;
     const auto made = writeShadowMovie(movie, folder.path("swipe.gif"), progress, {});
     ASSERT_TRUE(made) << made.error().text();
     EXPECT_GT(made->frames, 48U);
-    movie.scenario = nullptr;
+    movie.scenario.reset();
     EXPECT_FALSE(writeShadowMovie(movie, folder.path("swipe.gif"), progress, {}));
 }
 
@@ -141,9 +132,7 @@ TEST(ShadowMovie, LeavesNoFileWhenItIsStopped) {
     NoProgress progress;
     std::stop_source stop;
     stop.request_stop();
-    const std::vector<Place> none;
-    EXPECT_FALSE(writeShadowMovie(movieOf(before, nullptr, none, 3), folder.path("day.mp4"), progress,
-                                  stop.get_token()));
+    EXPECT_FALSE(writeShadowMovie(movieOf(before, 3), folder.path("day.mp4"), progress, stop.get_token()));
     EXPECT_TRUE(std::filesystem::is_empty(folder.path("day.mp4").parent_path()));
 }
 

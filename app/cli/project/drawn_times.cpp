@@ -33,11 +33,10 @@ CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeChoice& options) {
     return day;
 }
 
-Result<std::vector<DrawnTime>> listChosenTimes(const DrawnTimeChoice& options, const City& city,
-                                               Warnings& warnings) {
+Result<void> checkTimesGiven(const DrawnTimeChoice& options) {
     if (options.times.empty() && options.everyMin == 0)
         return failure("The times are missing", "times", "Give --times 09:00,12:00 or --every 60");
-    return listDrawnTimes(options, city, warnings);
+    return {};
 }
 
 void addDrawnAreaOptions(CLI::App& command, DrawnAreaOptions& options) {

@@ -13,9 +13,8 @@ namespace noonmark::cli {
 /// --day, --times, --every and --zone. Returns --day, which is not required.
 CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeChoice& options);
 
-/// listDrawnTimes(); its errors name the options.
-Result<std::vector<DrawnTime>> listChosenTimes(const DrawnTimeChoice& options, const City& city,
-                                               Warnings& warnings);
+/// Error: neither --times nor --every is given.
+Result<void> checkTimesGiven(const DrawnTimeChoice& options);
 
 /// What --region or --place asks to draw.
 struct DrawnAreaOptions {

@@ -40,48 +40,52 @@ Result<QSize> sizeOf(const std::string& text) {
     return failure("The size is not two numbers", text, "Give width and height in pixels: 1280x720");
 }
 
-Result<MovieFacts> animate(const AnimateOptions& options, const ProjectFile& disk, Warnings& warnings,
-                           const Console& console) {
-    const Project& project = disk.project();
-    const OutputRules outputs = outputRules({options.file}, project.inputs, options.overwrite);
-    if (const auto may = checkOutput(options.out, OutputKind::movie, outputs); !may)
-        return tl::make_unexpected(may.error());
-    const auto before = cityOf(project, options.from);
+Result<ShadowMovie> movieOf(const AnimateOptions& options, const Project& project) {
+    auto before = cityOf(project, options.from);
     if (!before) return tl::make_unexpected(before.error());
-    const auto after = cityOf(project, options.to.empty() ? options.from : options.to);
-    if (!after) return tl::make_unexpected(after.error());
-    DrawnTimeChoice when = options.when;
-    if (options.year != 0) when.days = listDaysOf(options.year);
-    auto times = listChosenTimes(when, before->city, warnings);
-    if (!times) return tl::make_unexpected(times.error());
+    if (const auto given = checkTimesGiven(options.when); !given) return tl::make_unexpected(given.error());
     const auto area = findDrawnArea(options.where, project, before->city);
     if (!area) return tl::make_unexpected(area.error());
     const auto size = sizeOf(options.size);
     if (!size) return tl::make_unexpected(size.error());
-    ShadowMovie movie{before->city,        options.to.empty() ? nullptr : &after->city,
-                      project.places,      *std::move(times),
-                      options.drawing,     options.title,
-                      project.attribution, options.swipe,
-                      options.format};
+    ShadowMovie movie{.baseline = std::make_shared<const City>(std::move(before->city)),
+                      .places = project.places,
+                      .when = options.when,
+                      .drawing = options.drawing,
+                      .title = options.title,
+                      .credit = project.attribution,
+                      .swipe = options.swipe,
+                      .format = options.format,
+                      .outputs = outputRules({options.file}, project.inputs, options.overwrite)};
+    if (options.year != 0) movie.when.days = listDaysOf(options.year);
     movie.drawing.area = *area;
     movie.format.size = *size;
     if (movie.title.empty())
         movie.title = options.to.empty() ? "Shadow: " + options.from
                                          : fmt::format("{} compared with {}", options.to, options.from);
+    if (options.to.empty()) return movie;
+    auto after = cityOf(project, options.to);
+    if (!after) return tl::make_unexpected(after.error());
+    movie.scenario = std::make_shared<const City>(std::move(after->city));
+    return movie;
+}
+
+Result<MovieFacts> film(const ShadowMovie& movie, const std::string& file, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return writeShadowMovie(movie, options.out, progress, interrupt.token());
+    return writeShadowMovie(movie, file, progress, interrupt.token());
 }
 
 int runAnimate(const AnimateOptions& options, const Console& console) {
     const OffscreenQt qt;
     const auto disk = openProject(options.file, console);
     if (!disk) return fail(console, disk.error(), exitUsage);
-    Warnings warnings;
-    const auto made = animate(options, *disk, warnings, console);
+    const auto movie = movieOf(options, disk->project());
+    if (!movie) return fail(console, movie.error(), exitUsage);
+    const auto made = film(*movie, options.out, console);
     if (!made) return fail(console, made.error(), exitUsage);
     console.out << fmt::format("{}: {} frames, {:.1f} s\n", options.out, made->frames, made->seconds);
-    printWarnings(console.out, warnings);
+    printWarnings(console.out, made->warnings);
     return exitOk;
 }
 

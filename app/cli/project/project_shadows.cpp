@@ -86,7 +86,8 @@ Result<ShadowAnswer> computeDrawing(const ShadowOptions& options, const ProjectF
     const auto after = cityOf(project, options.to.empty() ? options.from : options.to);
     if (!after) return tl::make_unexpected(after.error());
     ShadowAnswer answer;
-    const auto times = listChosenTimes(options.when, before->city, answer.warnings);
+    if (const auto given = checkTimesGiven(options.when); !given) return tl::make_unexpected(given.error());
+    const auto times = listDrawnTimes(options.when, before->city, answer.warnings);
     if (!times) return tl::make_unexpected(times.error());
     const auto area = findDrawnArea(options.where, project, before->city);
     if (!area) return tl::make_unexpected(area.error());

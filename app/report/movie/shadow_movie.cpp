@@ -29,12 +29,12 @@ std::shared_ptr<const DiagramScene> makeScene(const ShadowMovie& movie, bool wit
     DiagramScene scene;
     // Hundreds of plantings without a name would cover the map.
     std::ranges::copy_if(movie.places, std::back_inserter(scene.places), hasOwnName);
-    if (!withScenario || movie.scenario == nullptr) {
-        scene.city = movie.baseline;
+    if (!withScenario || !movie.scenario) {
+        scene.city = *movie.baseline;
         return std::make_shared<const DiagramScene>(std::move(scene));
     }
-    scene.proposal = keepOwnBuildings(*movie.scenario, movie.baseline);
-    scene.removed = keepOwnBuildings(movie.baseline, *movie.scenario);
+    scene.proposal = keepOwnBuildings(*movie.scenario, *movie.baseline);
+    scene.removed = keepOwnBuildings(*movie.baseline, *movie.scenario);
     scene.city = keepOwnBuildings(*movie.scenario, scene.proposal);
     return std::make_shared<const DiagramScene>(std::move(scene));
 }
@@ -121,23 +121,24 @@ QImage composeSwipe(const QImage& covered, const QImage& uncovered, double share
 }
 
 /// The area that all frames show: as of a drawing of all times.
-Result<Box2> findArea(const ShadowMovie& movie, const std::stop_token& stop) {
+Result<Box2> findArea(const ShadowMovie& movie, const std::vector<DrawnTime>& times,
+                      const std::stop_token& stop) {
     if (movie.drawing.area) return *movie.drawing.area;
     // The first and the last times have the longest shadows of a day, those around noon the shortest.
-    std::vector<DrawnTime> some{movie.times.front(), movie.times[movie.times.size() / 2], movie.times.back()};
+    const std::vector<DrawnTime> some{times.front(), times[times.size() / 2], times.back()};
     DrawingSettings settings = movie.drawing;
     settings.withFans = false;
     settings.longestM = std::min(settings.longestM, longestShadowM);
     NoProgress quiet;
-    return drawShadows(movie.baseline, movie.scenario, movie.places, some, settings, quiet, stop)
+    return drawShadows(*movie.baseline, movie.scenario.get(), movie.places, some, settings, quiet, stop)
         .map([](const ShadowDrawing& drawing) { return drawing.area; });
 }
 
 class Filming {
 public:
-    Filming(const ShadowMovie& movie, MovieWriter& writer, const Box2& area, Progress& progress,
-            const std::stop_token& stop)
-        : movie_(movie), writer_(writer), area_(area), progress_(progress), stop_(stop) {}
+    Filming(const ShadowMovie& movie, std::span<const DrawnTime> times, MovieWriter& writer, const Box2& area,
+            Progress& progress, const std::stop_token& stop)
+        : movie_(movie), times_(times), writer_(writer), area_(area), progress_(progress), stop_(stop) {}
 
     Result<std::size_t> run() {
         if (auto done = movie_.swipe ? filmSwipe() : filmTimes(); !done)
@@ -150,8 +151,8 @@ private:
         std::vector<SunStep> steps;
         for (const DrawnTime& time : times) steps.push_back(time.sun);
         NoProgress quiet;
-        return outlineShadows(movie_.baseline, movie_.scenario, steps, {area_, movie_.drawing.cellM}, quiet,
-                              stop_);
+        return outlineShadows(*movie_.baseline, movie_.scenario.get(), steps, {area_, movie_.drawing.cellM},
+                              quiet, stop_);
     }
 
     Result<void> add(const QImage& frame) {
@@ -161,10 +162,9 @@ private:
 
     Result<void> filmTimes() {
         const FramePainter painter(movie_, makeScene(movie_, true), area_);
-        const std::span<const DrawnTime> all(movie_.times);
-        for (std::size_t first = 0; first < all.size(); first += timesAtOnce) {
-            const auto times = all.subspan(first, std::min(timesAtOnce, all.size() - first));
-            progress_.report(double(first) / double(all.size()), "computing the frames of the movie");
+        for (std::size_t first = 0; first < times_.size(); first += timesAtOnce) {
+            const auto times = times_.subspan(first, std::min(timesAtOnce, times_.size() - first));
+            progress_.report(double(first) / double(times_.size()), "computing the frames of the movie");
             const auto outlines = outlinesOf(times);
             if (!outlines) return tl::make_unexpected(outlines.error());
             for (std::size_t i = 0; i < times.size(); ++i) {
@@ -176,9 +176,9 @@ private:
     }
 
     Result<void> filmSwipe() {
-        const auto outlines = outlinesOf(std::span(movie_.times).first(1));
+        const auto outlines = outlinesOf(times_.first(1));
         if (!outlines) return tl::make_unexpected(outlines.error());
-        const DrawnTime& time = movie_.times.front();
+        const DrawnTime& time = times_.front();
         const QImage after =
             FramePainter(movie_, makeScene(movie_, true), area_).paint(time, outlines->front());
         const QImage before = FramePainter(movie_, makeScene(movie_, false), area_)
@@ -194,6 +194,7 @@ private:
     }
 
     const ShadowMovie& movie_;
+    std::span<const DrawnTime> times_;
     MovieWriter& writer_;
     Box2 area_;
     Progress& progress_;
@@ -205,20 +206,24 @@ private:
 
 Result<MovieFacts> writeShadowMovie(const ShadowMovie& movie, const std::filesystem::path& file,
                                     Progress& progress, const std::stop_token& stop) {
-    if (movie.times.empty()) return failure("The movie has no time to show", "times", "Give days and times");
-    if (movie.swipe && movie.scenario == nullptr)
+    if (const auto may = checkOutput(file, OutputKind::movie, movie.outputs); !may)
+        return tl::make_unexpected(may.error());
+    if (movie.swipe && !movie.scenario)
         return failure("A swipe needs a baseline and a scenario", "swipe", "Name the scenario");
-    const auto wanted = findArea(movie, stop);
+    Warnings warnings;
+    const auto times = listDrawnTimes(movie.when, *movie.baseline, warnings);
+    if (!times) return tl::make_unexpected(times.error());
+    const auto wanted = findArea(movie, *times, stop);
     if (!wanted) return tl::make_unexpected(wanted.error());
     const Box2 area = widenToFrame(*wanted, movie.format);
     PendingFile pending(file);
     auto writer = MovieWriter::create(pending.path(), movie.format);
     if (!writer) return tl::make_unexpected(writer.error());
-    const auto frames = Filming(movie, *writer, area, progress, stop).run();
+    const auto frames = Filming(movie, *times, *writer, area, progress, stop).run();
     if (!frames) return tl::make_unexpected(frames.error());
     if (auto done = writer->finish(); !done) return tl::make_unexpected(done.error());
     if (auto done = pending.commit(); !done) return tl::make_unexpected(done.error());
-    return MovieFacts{*frames, double(*frames) / movie.format.framesPerSecond, area};
+    return MovieFacts{*frames, double(*frames) / movie.format.framesPerSecond, area, std::move(warnings)};
 }
 
 }  // namespace noonmark

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -9,34 +9,38 @@
 #include "app/report/movie/movie_writer.h"
 #include "core/base/progress.h"
 #include "core/city/city.h"
-#include "core/io/shadows/shadow_drawing.h"
+#include "core/io/files/check_output.h"
+#include "core/io/shadows/drawn_times.h"
 #include "core/study/shadow_drawings.h"
 
 namespace noonmark {
 
 /// What a movie shows: the shadows of a baseline and a scenario in plan, moment after moment.
 struct ShadowMovie {
-    const City& baseline;
-    const City* scenario = nullptr;  ///< null: the baseline alone
-    const std::vector<Place>& places;
-    std::vector<DrawnTime> times;  ///< one frame each, in this order; of a swipe the first only
-    DrawingSettings drawing;       ///< area and cell size
+    std::shared_ptr<const City> baseline;  ///< not null
+    std::shared_ptr<const City> scenario;  ///< null: the baseline alone
+    std::vector<Place> places;
+    DrawnTimeChoice when;     ///< one frame for each time with the sun up; of a swipe the first only
+    DrawingSettings drawing;  ///< area and cell size
     std::string title;
     std::string credit;  ///< of the data
     /// At the first time, a line crosses the picture and uncovers the scenario.
     bool swipe = false;
     MovieFormat format;
+    OutputRules outputs;  ///< which files may be replaced
 };
 
 struct MovieFacts {
     std::size_t frames = 0;
     double seconds = 0;
-    Box2 area;  ///< that the frames show: the wanted one, widened to their proportions
+    Box2 area;          ///< that the frames show: the wanted one, widened to their proportions
+    Warnings warnings;  ///< of listDrawnTimes()
 };
 
 /// Computes the shadows and writes the movie; the file appears when it is complete. Each frame states its
-/// time, sun, legend, scale bar and north. Errors of drawShadows(), outlineShadows() and MovieWriter; a swipe
-/// without a scenario; cancelled(). A frame of a square kilometre of a dense city takes some 0.3 s.
+/// time, sun, legend, scale bar and north. Errors of checkOutput(), listDrawnTimes(), drawShadows(),
+/// outlineShadows() and MovieWriter; a swipe without a scenario; cancelled(). A frame of a square kilometre
+/// of a dense city takes some 0.3 s.
 Result<MovieFacts> writeShadowMovie(const ShadowMovie& movie, const std::filesystem::path& file,
                                     Progress& progress, const std::stop_token& stop);
 

@@ -3,12 +3,28 @@
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/export/movie_dialog.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
 
 namespace noonmark {
+
+namespace {
+
+DrawnTimeChoice timesOf(const MovieChoice& choice, const std::string& zone) {
+    using Kind = MovieChoice::Kind;
+    const bool isYear = choice.kind == Kind::year;
+    DrawnTimeChoice when{.days = isYear ? listDaysOf(int(choice.date.year()))
+                                        : std::vector<std::string>{formatText(choice.date)},
+                         .zone = zone};
+    if (choice.kind == Kind::day)
+        when.everyMin = choice.everyMin;
+    else
+        when.times = {formatText(choice.at)};
+    return when;
+}
+
+}  // namespace
 
 MovieActions::MovieActions(Workbench& workbench, ViewPanel& panel, QWidget& window)
     : workbench_(workbench),
@@ -48,30 +64,33 @@ MovieChoice MovieActions::firstChoice() const {
     return first;
 }
 
-Result<MovieSource> MovieActions::sourceFor(MovieChoice::Area area) {
+Result<ShadowMovie> MovieActions::movieOf(const MovieChoice& choice) {
     ProjectSession& session = workbench_.session();
     const StudySettings& settings = workbench_.document().settings();
-    MovieSource source{.baseline = session.city(),
-                       .places = session.project().places,
-                       .zone = settings.period.zone,
-                       .attribution = session.project().attribution,
-                       .outputs = workbench_.exportRules()};
-    if (area == MovieChoice::Area::region) source.area = bounds(settings.region);
-    if (area == MovieChoice::Area::view) source.area = bounds(panel_.visibleGround());
-    if (!workbench_.comparing()) return source;
+    ShadowMovie movie{.baseline = session.city(),
+                      .places = session.project().places,
+                      .when = timesOf(choice, settings.period.zone),
+                      .title = choice.title,
+                      .credit = session.project().attribution,
+                      .swipe = choice.kind == MovieChoice::Kind::swipe,
+                      .format = choice.format,
+                      .outputs = workbench_.exportRules()};
+    if (choice.area == MovieChoice::Area::region) movie.drawing.area = bounds(settings.region);
+    if (choice.area == MovieChoice::Area::view) movie.drawing.area = bounds(panel_.visibleGround());
+    if (!workbench_.comparing()) return movie;
     const auto baseline = session.cityOf(session.baseline());
     if (!baseline) return tl::make_unexpected(baseline.error());
-    source.scenario = std::exchange(source.baseline, *baseline);
-    return source;
+    movie.scenario = std::exchange(movie.baseline, *baseline);
+    return movie;
 }
 
 void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
-    auto source = sourceFor(choice.area);
-    if (!source) return panel_.messages().showError(source.error());
+    auto movie = movieOf(choice);
+    if (!movie) return panel_.messages().showError(movie.error());
     writing_.start<MovieFacts>(
         tr("Movie"),
-        [source = *std::move(source), choice, file](Progress& progress, const std::stop_token& stop) {
-            return exportMovie(source, choice, file.toStdString(), progress, stop);
+        [movie = *std::move(movie), file](Progress& progress, const std::stop_token& stop) {
+            return writeShadowMovie(movie, file.toStdString(), progress, stop);
         },
         [this, file](const Result<MovieFacts>& facts) {
             if (facts)

@@ -3,7 +3,8 @@
 #include <QObject>
 
 #include "app/gui/base/jobs/job_slot.h"
-#include "app/gui/docks/export/movie_export.h"
+#include "app/gui/docks/export/movie_dialog.h"
+#include "app/report/movie/shadow_movie.h"
 
 class QAction;
 class QWidget;
@@ -13,7 +14,8 @@ namespace noonmark {
 class ViewPanel;
 class Workbench;
 
-/// Writes movies of the displayed scenario, and of its difference from the baseline where one is chosen.
+/// Writes the movies of `noonmark-cli project animate` of the displayed scenario, and of its difference from
+/// the baseline where one is chosen.
 class MovieActions final : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +31,7 @@ public:
 private:
     void ask();
     [[nodiscard]] MovieChoice firstChoice() const;
-    [[nodiscard]] Result<MovieSource> sourceFor(MovieChoice::Area area);
+    [[nodiscard]] Result<ShadowMovie> movieOf(const MovieChoice& choice);
 
     Workbench& workbench_;
     ViewPanel& panel_;

@@ -2,7 +2,8 @@
 
 #include <QDialog>
 
-#include "app/gui/docks/export/movie_export.h"
+#include "app/report/movie/movie_writer.h"
+#include "core/sun/civil_time.h"
 
 class QComboBox;
 class QDateEdit;
@@ -13,6 +14,27 @@ class QSpinBox;
 class QTimeEdit;
 
 namespace noonmark {
+
+/// What a movie from the window shows.
+struct MovieChoice {
+    enum class Kind {
+        day,    ///< one day, as long as the sun is up
+        year,   ///< every day of a year, at one time
+        swipe,  ///< at one moment, a line uncovers the scenario
+    };
+    enum class Area {
+        automatic,  ///< see DrawingSettings::area
+        region,     ///< of the study
+        view,       ///< the ground that the view shows
+    };
+    Kind kind = Kind::day;
+    Area area = Area::automatic;
+    CivilDate date{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}};
+    std::chrono::minutes at{12 * 60};  ///< of a year and a swipe
+    int everyMin = 10;                 ///< of a day, 1 to 720
+    MovieFormat format;
+    std::string title;
+};
 
 /// Asks what a movie shows: a day, a year, or the change by a scenario. Not modal.
 class MovieDialog final : public QDialog {
