@@ -48,9 +48,7 @@ Result<ScenarioStudy> measureScenario(const std::string& name, const StudySettin
     if (!study) return tl::make_unexpected(study.error());
     putBefore(study->warnings, project.reading->warnings);
     study->provenance = provenanceOf(project, &disk, {name, {}, settings.region, {}});
-    const std::vector<Edit> edits = collectEdits(project.scenarios, name).value_or(std::vector<Edit>());
-    return ScenarioStudy{name, std::make_shared<const Study>(*std::move(study)), sumUses(edits),
-                         findProposedHeightM(city->city, edits)};
+    return makeScenarioStudy(project.scenarios, name, std::make_shared<const Study>(*std::move(study)));
 }
 
 Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const StudySettings& settings,

@@ -49,9 +49,8 @@ Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
     auto answers = scenarioAnswers_ ? scenarioAnswers_() : std::map<std::string, ScenarioAnswers>();
     ScenarioStudies measured;
     for (const std::string& name : measuredScenarios()) {
-        const auto edits = collectEdits(session_.project().scenarios, name).value_or(std::vector<Edit>());
-        measured.push_back({name, known.at(name), sumUses(edits),
-                            findProposedHeightM(known.at(name)->city, edits), std::move(answers[name])});
+        measured.push_back(makeScenarioStudy(session_.project().scenarios, name, known.at(name)));
+        measured.back().answers = std::move(answers[name]);
     }
     return [measured, origin = AnswerOrigin(session_), how = withProject(choice)](const auto& folder) {
         ScenarioStudies stated = measured;

@@ -12,6 +12,7 @@
 #include "core/study/study.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/massing/tower_design.h"
+#include "scenarios/scenario.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
@@ -52,6 +53,11 @@ struct ScenarioStudy {
     ScenarioAnswers answers{};
 };
 using ScenarioStudies = std::vector<ScenarioStudy>;
+
+/// A scenario of a project with its study and what its towers add; without its other answers. Some ms per
+/// tower.
+ScenarioStudy makeScenarioStudy(const std::vector<Scenario>& scenarios, std::string name,
+                                std::shared_ptr<const Study> study);
 
 /// Steps from the existing city to the scenario, including those of its bases.
 std::size_t countChanges(const ScenarioStudy& scenario);
