@@ -2772,24 +2772,12 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>mittlere Minuten am Tag mit der Sonne über dem Horizont: 100 % der Zeit</translation>
     </message>
     <message>
-        <source>hours of sun a day, mean over days and points</source>
-        <translation>Sonnenstunden am Tag, Mittel über Tage und Punkte</translation>
-    </message>
-    <message>
         <source>Least sun</source>
         <translation>Wenigste Sonne</translation>
     </message>
     <message>
-        <source>hours of sun a day at the darkest point</source>
-        <translation>Sonnenstunden am Tag am dunkelsten Punkt</translation>
-    </message>
-    <message>
         <source>Most sun</source>
         <translation>Meiste Sonne</translation>
-    </message>
-    <message>
-        <source>hours of sun a day at the sunniest point</source>
-        <translation>Sonnenstunden am Tag am sonnigsten Punkt</translation>
     </message>
     <message>
         <source>minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
@@ -3082,6 +3070,18 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>score divided by the area of all receivers</source>
         <translation>Wert geteilt durch die Fläche aller Messpunkte</translation>
+    </message>
+    <message>
+        <source>time in the sun per day, mean over days and points</source>
+        <translation>Zeit in der Sonne am Tag, Mittel über Tage und Punkte</translation>
+    </message>
+    <message>
+        <source>time in the sun per day at the darkest point</source>
+        <translation>Zeit in der Sonne am Tag am dunkelsten Punkt</translation>
+    </message>
+    <message>
+        <source>time in the sun per day at the sunniest point</source>
+        <translation>Zeit in der Sonne am Tag am sonnigsten Punkt</translation>
     </message>
 </context>
 <context>

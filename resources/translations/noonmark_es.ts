@@ -2772,24 +2772,12 @@ Todos los lados %2, área %3</translation>
         <translation>minutos medios al día con el sol sobre el horizonte: 100 % del tiempo</translation>
     </message>
     <message>
-        <source>hours of sun a day, mean over days and points</source>
-        <translation>horas de sol al día, media de días y puntos</translation>
-    </message>
-    <message>
         <source>Least sun</source>
         <translation>Sol mínimo</translation>
     </message>
     <message>
-        <source>hours of sun a day at the darkest point</source>
-        <translation>horas de sol al día en el punto más oscuro</translation>
-    </message>
-    <message>
         <source>Most sun</source>
         <translation>Sol máximo</translation>
-    </message>
-    <message>
-        <source>hours of sun a day at the sunniest point</source>
-        <translation>horas de sol al día en el punto más soleado</translation>
     </message>
     <message>
         <source>minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
@@ -3082,6 +3070,18 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>score divided by the area of all receivers</source>
         <translation>puntuación dividida por el área de todos los receptores</translation>
+    </message>
+    <message>
+        <source>time in the sun per day, mean over days and points</source>
+        <translation>tiempo al sol al día, media de días y puntos</translation>
+    </message>
+    <message>
+        <source>time in the sun per day at the darkest point</source>
+        <translation>tiempo al sol al día en el punto más oscuro</translation>
+    </message>
+    <message>
+        <source>time in the sun per day at the sunniest point</source>
+        <translation>tiempo al sol al día en el punto más soleado</translation>
     </message>
 </context>
 <context>

@@ -2750,24 +2750,12 @@ All sides %2, area %3</source>
         <translation>太陽が地平線より上にある 1 日の平均分数：時間の 100 %</translation>
     </message>
     <message>
-        <source>hours of sun a day, mean over days and points</source>
-        <translation>1 日の日照時間（日と点の平均）</translation>
-    </message>
-    <message>
         <source>Least sun</source>
         <translation>最小の日照</translation>
     </message>
     <message>
-        <source>hours of sun a day at the darkest point</source>
-        <translation>最も暗い点の 1 日の日照時間</translation>
-    </message>
-    <message>
         <source>Most sun</source>
         <translation>最大の日照</translation>
-    </message>
-    <message>
-        <source>hours of sun a day at the sunniest point</source>
-        <translation>最も日当たりのよい点の 1 日の日照時間</translation>
     </message>
     <message>
         <source>minutes in shadow per day, mean over days and points; a point that faces away from the sun is in shadow</source>
@@ -3060,6 +3048,18 @@ All sides %2, area %3</source>
     <message>
         <source>score divided by the area of all receivers</source>
         <translation>スコアを全測定点の面積で割った値</translation>
+    </message>
+    <message>
+        <source>time in the sun per day, mean over days and points</source>
+        <translation>1 日の日照時間（日と点の平均）</translation>
+    </message>
+    <message>
+        <source>time in the sun per day at the darkest point</source>
+        <translation>最も暗い点の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>time in the sun per day at the sunniest point</source>
+        <translation>最も日当たりのよい点の 1 日の日照時間</translation>
     </message>
 </context>
 <context>
