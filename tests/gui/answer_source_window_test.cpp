@@ -133,7 +133,8 @@ TEST_F(AnswerSourceWindow, AComparisonAndAScoreNameTheirScenarios) {
     session().compareWith(existingCity);
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
-    const auto compared = nlohmann::json::parse(AnswerOrigin(session()).stated(*workbench().answer())->json());
+    const auto compared =
+        nlohmann::json::parse(AnswerOrigin(session()).stated(*workbench().answer())->json());
     EXPECT_THAT(compared["repeat"].get<std::string>(), HasSubstr("--from Existing --to Tower"));
     EXPECT_EQ(compared["baseline"], "Existing");
     EXPECT_EQ(compared["warnings"][0]["where"][0], "way 7");

@@ -68,7 +68,8 @@ struct AnswersWindow : ::testing::Test {
     }
     void showSaved(const std::string& name) {
         enter(ProjectPart::result, name);
-        ASSERT_TRUE(waitFor([this] { return workbench().answerAs<SavedContent>() && !workbench().following().busy(); }));
+        ASSERT_TRUE(waitFor(
+            [this] { return workbench().answerAs<SavedContent>() && !workbench().following().busy(); }));
     }
 };
 

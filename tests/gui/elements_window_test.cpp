@@ -33,8 +33,9 @@ struct ElementsWindow : test::AnswersWindow {
     void measure() {
         const auto before = workbench().answerAs<ElementAnswer>();
         workbench().run();
-        ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ElementAnswer>() && workbench().answerAs<ElementAnswer>() != before; }))
-            << window->panel().messages().text().toStdString();
+        ASSERT_TRUE(waitFor([&] {
+            return workbench().answerAs<ElementAnswer>() && workbench().answerAs<ElementAnswer>() != before;
+        })) << window->panel().messages().text().toStdString();
     }
     ElementsDock& dock() { return *window->findChild<ElementsDock*>(); }
     QAbstractItemModel& rows() { return *table().model(); }
@@ -265,9 +266,11 @@ TEST_F(ElementsWindow, TheFacadesOfATowerThatIsBuiltAreMeasured) {
     EXPECT_GT(ofTower, 20);
     const auto before = workbench().answerAs<ElementAnswer>();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
-    ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ElementAnswer>() && workbench().answerAs<ElementAnswer>() != before; }))
-        << "a quick result is computed again";
-    EXPECT_LT(std::ranges::count(workbench().answerAs<ElementAnswer>()->map.elements, "New", &MeasuredElement::building),
+    ASSERT_TRUE(waitFor([&] {
+        return workbench().answerAs<ElementAnswer>() && workbench().answerAs<ElementAnswer>() != before;
+    })) << "a quick result is computed again";
+    EXPECT_LT(std::ranges::count(workbench().answerAs<ElementAnswer>()->map.elements, "New",
+                                 &MeasuredElement::building),
               ofTower / 2);
 }
 

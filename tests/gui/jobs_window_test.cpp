@@ -144,7 +144,8 @@ TEST_F(WholeJob, AnArchitectLeavesWithTheMassingAndWhatItChanges) {
     buildTower(edge() + glm::vec2(0, 40));
     EXPECT_NEAR(double(topM(*workbench().city()->city().buildings.back())), 140, 0.05);
     trigger("Ctrl+K");
-    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }, 240000)) << message();
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }, 240000))
+        << message();
     const ChangeFigures gross = computeFigures(workbench().answerAs<ImpactAnswer>()->study.total).gross;
     EXPECT_GT(gross.gainedM2, 1000) << "a tower of 140 m on a lawn";
     exportShown();
@@ -165,7 +166,8 @@ TEST_F(WholeJob, APlannerLeavesWithTheScoreOfAYear) {
     Q_EMIT preset.activated(year);
     EXPECT_EQ(workbench().document().settings().period.days, 365);
     push("score");
-    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }, 240000)) << message();
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }, 240000))
+        << message();
     exportShown();
     EXPECT_TRUE(contentOf("score.pdf").startsWith("%PDF"));
     EXPECT_FALSE(contentOf("score.tif").isEmpty());

@@ -118,7 +118,9 @@ TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
         << legend.legend()->unit.toStdString();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 8}}, QStringLiteral("low")));
     const auto before = workbench().answerAs<ImpactAnswer>();
-    ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ImpactAnswer>() && workbench().answerAs<ImpactAnswer>() != before; }));
+    ASSERT_TRUE(waitFor([&] {
+        return workbench().answerAs<ImpactAnswer>() && workbench().answerAs<ImpactAnswer>() != before;
+    }));
     EXPECT_EQ(legend.legend()->scale.top, 60) << "another proposal, the same scale";
     field->setValue(25);
     EXPECT_EQ(legend.legend()->scale.top, 25);

@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "app/cli/base/table.h"
-#include "app/cli/base/table.h"
 #include "app/report/maps/shadow_measure.h"
 #include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"

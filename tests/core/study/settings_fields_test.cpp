@@ -6,8 +6,6 @@
 #include "core/describe/command_options.h"
 #include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
-#include "core/io/settings/read_settings_text.h"
-#include "core/io/settings/read_fields.h"
 #include "core/io/settings/read_fields.h"
 #include "core/io/settings/read_settings_text.h"
 #include "core/study/elements/element_fields.h"

@@ -40,9 +40,9 @@ QString notCounted() { return QObject::tr("Continuous shadow was not counted"); 
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
     return markMissingRuns({.map = std::shared_ptr<const ShadowField>(study, &study->field),
-                          .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
-                          .note = describeError(study->error, ShadowMeasure::gross),
-                          .runNote = describeError(study->error, ShadowMeasure::continuous)});
+                            .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
+                            .note = describeError(study->error, ShadowMeasure::gross),
+                            .runNote = describeError(study->error, ShadowMeasure::continuous)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
@@ -67,8 +67,8 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
         return error.isEmpty() ? names : QObject::tr("%1. %2").arg(names, error);
     };
     return markMissingRuns({.map = std::shared_ptr<const Impact>(comparison, &comparison->study.total),
-                          .note = noteOf(ShadowMeasure::gross),
-                          .runNote = noteOf(ShadowMeasure::continuous)});
+                            .note = noteOf(ShadowMeasure::gross),
+                            .runNote = noteOf(ShadowMeasure::continuous)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {

@@ -35,7 +35,9 @@ public:
 
     void savePicture(const QString& file);  ///< format by the file extension, PNG by default
     void copyPicture();                     ///< to the clipboard
-    void usePaper(const PageSetup& setup) { last_.book.setup = setup; }  ///< of sheets, until another is chosen
+    void usePaper(const PageSetup& setup) {
+        last_.book.setup = setup;
+    }  ///< of sheets, until another is chosen
 
 Q_SIGNALS:
     void sheetsWanted();  ///< of the review
