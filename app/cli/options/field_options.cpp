@@ -32,7 +32,7 @@ private:
         CLI::Option* option = isList(field) ? addList(field) : addSingle(field);
         if (field.range)
             option->check(within(field.range->min * field.shownTimes, field.range->max * field.shownTimes));
-        if (!field.choices.empty()) option->check(CLI::IsMember(keysOf(field), CLI::ignore_case));
+        if (!field.choices.empty()) option->transform(CLI::IsMember(keysOf(field), CLI::ignore_case));
         if (showsDefault(field)) option->default_str(formatShown(field, field.standard));
         return option->type_name(hintOf(field));
     }
