@@ -3,7 +3,7 @@
 // The folder app/questions lists what Noonmark is asked about shadows over cells or points. A Question
 // (question.h) computes an Answer (this file) from what the user asks of it (Asked). Window and command line
 // show an answer, save it in the project and write its files without knowing which it is: only the file that
-// bears the question's name takes it apart. saved_answers.h reads back what was saved.
+// bears the question's name takes it apart. saved_question.h reads back what was saved.
 
 #include <filesystem>
 #include <memory>

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <stop_token>
 
 #include "app/input/load_city.h"
@@ -25,7 +24,7 @@ struct Asked {
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
 };
 
-/// One thing that can be asked. A row of listQuestions().
+/// One thing that can be asked.
 struct Question {
     std::string_view key;    ///< "impact": the kind of a saved result
     std::string_view label;  ///< of the running work, NM_TEXT: "Comparison"
@@ -42,8 +41,5 @@ const Question& studyQuestion();
 const Question& comparisonQuestion();
 const Question& scoreQuestion();
 const Question& pointsQuestion();
-
-/// All of them.
-std::span<const Question* const> listQuestions();
 
 }  // namespace noonmark

@@ -14,7 +14,7 @@ struct SavedContent {
     [[nodiscard]] bool upToDate() const { return changes.empty() && weightChanges.empty(); }
 };
 
-/// Not in listQuestions(), since it is read, not computed.
+/// It is read, not computed.
 const Question& savedQuestion();
 
 /// For use in a job. Error: as of readSavedAnswer().

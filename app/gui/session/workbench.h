@@ -40,8 +40,7 @@ public:
     /// Asks the document's question of the displayed scenario: a comparison if a baseline is chosen, else
     /// points or cells. The previous answer stays until then. Replaces a run that is in progress.
     void run();
-    /// Asks a question of listQuestions(), or one of a list of the caller's, which must outlive the
-    /// workbench. `weights`: the name of the table of a score.
+    /// Asks a question, which must outlive the workbench. `weights`: the name of the table of a score.
     void ask(const Question& question, const std::string& weights = {});
     /// Asks for the score of the displayed scenario with a weight table of the project.
     void runScore(const std::string& weights) { ask(scoreQuestion(), weights); }
