@@ -126,15 +126,14 @@ TEST_F(AnswerSourceWindow, AComparisonAndAScoreNameTheirScenarios) {
     goTo("Tower");
     workbench().runScore("default");
     ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
-    const auto stated = AnswerOrigin(session()).stated(*workbench().answer());
+    const auto stated = AnswerOrigin(session()).stated(workbench().answer());
     const auto json = nlohmann::json::parse(stated->json());
     EXPECT_THAT(json["repeat"].get<std::string>(),
                 HasSubstr("noonmark-cli score small.noonmark.gpkg --scenario Tower"));
     session().compareWith(existingCity);
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
-    const auto compared =
-        nlohmann::json::parse(AnswerOrigin(session()).stated(*workbench().answer())->json());
+    const auto compared = nlohmann::json::parse(AnswerOrigin(session()).stated(workbench().answer())->json());
     EXPECT_THAT(compared["repeat"].get<std::string>(), HasSubstr("--from Existing --to Tower"));
     EXPECT_EQ(compared["baseline"], "Existing");
     EXPECT_EQ(compared["warnings"][0]["where"][0], "way 7");

@@ -118,6 +118,15 @@ TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
     EXPECT_FALSE(dock->faded());
 }
 
+TEST_F(AnswersWindow, AScoreDoesNotDependOnTheBaseline) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    workbench().runScore("default");
+    session().compareWith({});  // while it runs
+    EXPECT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
+}
+
 TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
     session().goTo("Tower");
     session().compareWith(existingCity);

@@ -107,7 +107,7 @@ Result<Asked> Workbench::makeAsked(const Question& question, const std::string& 
                 .settings = document_.settings(),
                 .byBuilding = true,
                 .thresholdsMin = {usualThresholdsMin.begin(), usualThresholdsMin.end()}};
-    if (comparing()) {
+    if (&question == &comparisonQuestion()) {
         auto before = session_.cityOf(asked.baseline);
         if (!before) return tl::make_unexpected(before.error());
         asked.before = *std::move(before);

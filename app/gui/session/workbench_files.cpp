@@ -30,7 +30,7 @@ AnswerFiles Workbench::withProject(AnswerFiles files) const {
 Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
     return [answer = answer(), origin = AnswerOrigin(session_), city = session_.city(),
             how = withProject(choice)](const auto& folder) {
-        return origin.stated(*answer)->write(*city, folder, how);
+        return origin.stated(answer)->write(*city, folder, how);
     };
 }
 
@@ -109,7 +109,7 @@ void Workbench::saveAnswer(const QString& name) {
         tr("Saving %1").arg(name),
         [answer = answer(), origin = AnswerOrigin(session_), project = session_.project()](
             Progress&, const std::stop_token&) -> Result<SavedResult> {
-            return origin.stated(*answer)->toSave(project);
+            return origin.stated(answer)->toSave(project);
         },
         [this, name](Result<SavedResult> result) {
             if (!result) return report(result.error());

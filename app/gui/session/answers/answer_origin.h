@@ -12,8 +12,9 @@ public:
     explicit AnswerOrigin(const ProjectSession& session)
         : project_(session.project()), file_(session.file()) {}
 
-    [[nodiscard]] std::shared_ptr<const Answer> stated(const Answer& answer) const {
-        return answer.stated(of(answer.part()));
+    /// A saved result states its own origin and stays as it is.
+    [[nodiscard]] std::shared_ptr<const Answer> stated(const std::shared_ptr<const Answer>& answer) const {
+        return answer->settings() ? answer->stated(of(answer->part())) : answer;
     }
     [[nodiscard]] std::shared_ptr<const Study> stated(Study study, const std::string& scenario) const {
         study.provenance = of({scenario, {}, study.settings.region, {}});
