@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/memory_guard.h"
-#include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/engine_in_use.h"
@@ -99,6 +98,9 @@ Result<void> findSun(Measuring& m) {
     m.made.daylight = *std::move(sun);
     const TerrainCoverage coverage = computeTerrainCoverage(m.city, m.on.receivers, m.made.daylight);
     for (Warning& warning : makeWarnings(coverage)) m.made.warnings.push_back(std::move(warning));
+    const Box2 box = bounds(study.region);
+    const LonLat middle = m.city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    if (auto question = questionZone(study.period, middle)) m.made.warnings.push_back(*std::move(question));
     return checkCoverage(coverage, study.region.name);
 }
 

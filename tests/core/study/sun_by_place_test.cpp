@@ -18,6 +18,8 @@ namespace {
 
 using namespace tests;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
 City tower() {
     City city = cityOf({{{0, 0, 0}, {20, 20, 60}}});
@@ -139,6 +141,15 @@ TEST(SunByPlace, APlaceBelowABuildingIsListedAndNotDropped) {
     EXPECT_TRUE(std::isnan(sun.sun[0].meanHours));
     ASSERT_FALSE(sun.warnings.empty());
     EXPECT_EQ(sun.warnings.back().where, "Inside");
+}
+
+TEST(SunByPlace, AZoneFarFromThePlacesIsQuestioned) {
+    SunByPlaceSettings far = ofDays(3);
+    far.study.period.zone = "Asia/Tokyo";
+    far.study.period.window.reset();
+    far.study.period.from = std::chrono::hours(23);  // 9 in New York
+    EXPECT_THAT(measured(tower(), {namedPlace("Park", 0, 20, 20, 60)}, far).warnings, Not(IsEmpty()));
+    EXPECT_THAT(measured(tower(), {namedPlace("Park", 0, 20, 20, 60)}, ofDays(3)).warnings, IsEmpty());
 }
 
 TEST(SunByPlace, RefusesWhatItCannotMeasure) {
