@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/answers/figure_row.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "core/study/elements/element_tables.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "app/gui/base/widgets/translated.h"
-#include "app/gui/session/answers/figure_row.h"
+#include "app/gui/session/answers/result_rows.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/answers/answer_viewer.h"
-#include "app/gui/session/answers/figure_row.h"
+#include "app/gui/session/answers/result_rows.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "app/gui/session/answers/figure_row.h"
+#include "app/gui/session/answers/result_rows.h"
 
 #include <QObject>
 #include <cmath>

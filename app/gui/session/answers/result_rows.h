@@ -3,6 +3,7 @@
 #include <QString>
 #include <vector>
 
+#include "core/describe/figure_text.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/error_words.h"
@@ -17,6 +18,15 @@ struct ResultRow {
     QString value;
     QString meaning;
 };
+
+/// A row for each figure in the user's language and units: label, value, and the definition as a tooltip.
+std::vector<ResultRow> figureRows(const std::vector<FigureLine>& lines);
+
+/// The same in one text: "Weighted shade +10 m² h, Shadow area 9 m²".
+QString joinFigures(const std::vector<FigureLine>& lines);
+
+/// The heading of a column of a figure: "Longest sun, h".
+QString headingOf(const Figure& figure);
 
 /// The meaning of the row of steps: "Positions of the sun above the horizon; 312 below it were left out".
 QString describeSteps(std::uint64_t belowHorizon);
