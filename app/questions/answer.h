@@ -14,6 +14,7 @@
 
 #include "app/report/book/book.h"
 #include "app/report/maps/change_scale.h"
+#include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
 #include "core/io/files/check_output.h"
 #include "core/study/study.h"
@@ -49,6 +50,13 @@ public:
     [[nodiscard]] virtual MeasuredPart part() const = 0;
     [[nodiscard]] virtual const Warnings& warnings() const = 0;
     [[nodiscard]] virtual double seconds() const = 0;  ///< taken to compute it
+
+    /// The answer in sentences and charts.
+    [[nodiscard]] virtual AnswerPage page() const { return {}; }
+    /// The command line that asks the same, of an answer that is stated(); error: why there is none.
+    [[nodiscard]] virtual Result<std::string> command() const {
+        return failure("No command asks this question", {}, "Ask it in the window");
+    }
 
     /// Its figures and its minutes by cell, as the window shows those of a question that has no viewer of its
     /// own (app/gui/session/answers/answer_viewer.h).

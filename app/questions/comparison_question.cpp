@@ -38,6 +38,10 @@ public:
         return std::make_shared<ComparisonAnswer>(std::move(impact), seconds_);
     }
 
+    [[nodiscard]] AnswerPage page() const override {
+        return makePage(content().study.total, computeFigures(content()));
+    }
+    [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::string json() const override { return impactJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, content());

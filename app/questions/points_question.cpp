@@ -3,6 +3,7 @@
 #include "core/describe/text.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/elements/repeat_elements.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/results/save_result.h"
 
@@ -33,6 +34,10 @@ public:
         return std::make_shared<PointsAnswer>(std::move(answer), scenario_);
     }
 
+    [[nodiscard]] AnswerPage page() const override {
+        return makePage(content().map, computeFigures(content().study));
+    }
+    [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content().study); }
     [[nodiscard]] std::string json() const override { return elementStudyJson(content().study, {}); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, scenario_, content().study);

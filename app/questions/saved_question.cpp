@@ -1,8 +1,13 @@
 #include "app/questions/saved_question.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/questions/question.h"
 #include "app/report/files/saved_files.h"
 #include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
+#include "core/study/text/region_text.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -12,6 +17,37 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
     std::vector<std::string> all = saved.changes;
     all.insert(all.end(), saved.weightChanges.begin(), saved.weightChanges.end());
     return all;
+}
+
+AnswerPage pageOf(const SavedStudy& study, const SavedContent& saved) {
+    Region region;
+    region.name = saved.answer.origin.region;
+    return makePage(study.field, study.statistics, nameOf(region));
+}
+
+AnswerPage pageOf(const SavedImpact& impact, const SavedContent&) {
+    return makePage(impact.impact, impact.figures);
+}
+
+AnswerPage pageOf(const SavedScore& score, const SavedContent& saved) {
+    return makePage(score.score, saved.result->scenario);
+}
+
+AnswerPage pageOf(const SavedElements& points, const SavedContent&) {
+    return makePage(points.map, points.figures);
+}
+
+// Its JSON states it, or why there is none (addRepeat() in provenance_json.h).
+Result<std::string> commandOf(const SavedResult& result) {
+    const auto json = nlohmann::ordered_json::parse(result.settings, nullptr, false);
+    const auto textOf = [&](const char* key) {
+        return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>()
+                                                                               : std::string();
+    };
+    if (std::string command = textOf("repeat"); !command.empty()) return command;
+    std::string why = textOf("repeat_note");
+    return failure(why.empty() ? "The saved result states no command" : std::move(why), result.name,
+                   "Ask the question again");
 }
 
 /// A result of any kind as it was saved in the project.
@@ -41,6 +77,12 @@ public:
     [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance) const override {
         return std::make_shared<SavedResultAnswer>(shared());
     }
+
+    [[nodiscard]] AnswerPage page() const override {
+        return std::visit([&](const auto& saved) { return pageOf(saved, content()); },
+                          content().answer.answer);
+    }
+    [[nodiscard]] Result<std::string> command() const override { return commandOf(*content().result); }
 
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }

@@ -6,6 +6,7 @@
 #include "core/describe/text.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/results/save_result.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -38,6 +39,8 @@ public:
         return std::make_shared<WeighedAnswer>(std::move(score), seconds_);
     }
 
+    [[nodiscard]] AnswerPage page() const override { return makePage(content().score, content().scenario); }
+    [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::string json() const override { return scoreJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, content());

@@ -2,6 +2,9 @@
 #include "app/questions/question.h"
 #include "app/report/files/study_files.h"
 #include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
+#include "core/study/provenance/repeat_command.h"
+#include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/timed_study_json.h"
 #include "scenarios/project/results/save_result.h"
@@ -38,6 +41,13 @@ public:
         return std::make_shared<StudyAnswer>(std::move(study), scenario_);
     }
 
+    [[nodiscard]] AnswerPage page() const override {
+        AnswerPage page = makePage(content().field, content().statistics, nameOf(content().settings.region));
+        if (Bars months = makeMonthBars(content()); !months.groups.empty())
+            page.charts.insert(page.charts.begin(), std::move(months));
+        return page;
+    }
+    [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::string json() const override { return studyJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, scenario_, content());

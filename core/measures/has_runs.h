@@ -20,6 +20,11 @@ inline bool hasRuns(std::span<const float> continuousMin) {
 }
 inline bool hasRuns(const ShadowField& field) { return hasRuns(field.continuousMin); }
 
+/// Whether it is the field of one moment, which holds 0 (sunlit) or 1 (in shadow) instead of minutes.
+inline bool isInstant(const ShadowField& field) {
+    return field.days == 1 && field.stepMinutes == 1 && field.sunlitMinutesPerDay <= 1;
+}
+
 inline bool hasRuns(const ShadowStatistics& figures) { return !std::isnan(figures.meanContinuousMin); }
 inline bool hasRuns(const SampledError& error) { return !std::isnan(error.continuous.meanMin); }
 

@@ -1,8 +1,44 @@
 #include "core/measures/shadow_figures.h"
 
 #include "core/describe/text.h"
+#include "core/measures/has_runs.h"
+#include "core/measures/histogram.h"
 
 namespace noonmark {
+
+namespace {
+
+Sentence describeMoment(const ShadowStatistics& statistics, const std::string& where) {
+    const Amount shade{statistics.shadowAreaM2 / statistics.receiverAreaM2, FigureUnit::share};
+    if (where.empty()) return {NM_TEXT("%1 of the area in shadow"), {shade}};
+    return {NM_TEXT("%1: %2 in shadow"), {where, shade}};
+}
+
+Sentence describeHours(const ShadowField& field, const ShadowStatistics& statistics,
+                       const std::string& where) {
+    const double possible = field.sunlitMinutesPerDay;
+    const Amount sun{possible - statistics.meanGrossMin, FigureUnit::hours};
+    const Amount shade{statistics.meanGrossMin / possible, FigureUnit::share, 0};
+    if (where.empty()) return {NM_TEXT("%1 of sun a day, %2 in shade"), {sun, shade}};
+    return {NM_TEXT("%1: %2 of sun a day, %3 in shade"), {where, sun, shade}};
+}
+
+}  // namespace
+
+AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where) {
+    if (statistics.receivers == 0) return {};
+    if (isInstant(field)) return {describeMoment(statistics, where)};
+    AnswerPage page{describeHours(field, statistics, where)};
+    const double possible = field.sunlitMinutesPerDay;
+    page.findings.push_back({NM_TEXT("Of %1 a day with the sun up, the darkest spot gets %2."),
+                             {Amount{possible, FigureUnit::hours},
+                              Amount{possible - statistics.maxGrossMin, FigureUnit::hours}}});
+    if (hasRuns(statistics))
+        page.findings.push_back({NM_TEXT("The longest unbroken shadow lasts %1."),
+                                 {Amount{statistics.maxContinuousMin, FigureUnit::hours}}});
+    page.charts.push_back(makeSunHistogram(field));
+    return page;
+}
 
 const Figures<ShadowStatistics>& shadowFigures() {
     static const Figures<ShadowStatistics> figures{

@@ -1,10 +1,15 @@
 #pragma once
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
 
 const Figures<ShadowStatistics>& shadowFigures();
+
+/// What a field says: hours of sun a day and the share in shade, the darkest spot, how the area divides into
+/// hours of sun. `where`: the name of the region; empty: it has none. O(cells).
+AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where);
 
 }  // namespace noonmark

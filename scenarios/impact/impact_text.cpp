@@ -10,6 +10,7 @@
 
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
+#include "core/measures/histogram.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
@@ -135,6 +136,39 @@ std::vector<FigureLine> listThresholdLines(const ImpactFigures& figures) {
     std::vector<FigureLine> lines;
     addChange(lines, {}, figures.gross, figures.thresholdMin);
     return lines;
+}
+
+namespace {
+
+Sentence describeChange(const std::string& scenario, const ChangeFigures& change) {
+    const auto minutes = [](double value) { return Amount{value, FigureUnit::minutes}; };
+    if (change.mostGainedMin == 0 && change.mostLostMin == 0)
+        return {NM_TEXT("%1 changes no shadow here"), {scenario}};
+    if (change.meanMin >= 0)
+        return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
+                {scenario, minutes(change.meanMin), minutes(change.mostGainedMin)}};
+    return {NM_TEXT("%1 gives %2 of sun a day on average, at most %3 at one spot"),
+            {scenario, minutes(-change.meanMin), minutes(change.mostLostMin)}};
+}
+
+Sentence describeAreas(const ImpactFigures& figures) {
+    const auto area = [](double m2) { return Amount{m2, FigureUnit::squareMetres}; };
+    return {NM_TEXT("More shadow on %1, less on %2; by more than %3 a day on %4 and %5."),
+            {area(figures.gross.touchedM2), area(figures.gross.easedM2),
+             Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.gainedM2),
+             area(figures.gross.lostM2)}};
+}
+
+}  // namespace
+
+AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures) {
+    const ImpactFigures& first = figures.all.front();
+    if (impact.sunlitMinutesPerDay <= 1)
+        return {{NM_TEXT("%1 changes the shadow by %2 at this moment"),
+                 {figures.to, Amount{first.shadowAreaChangeM2, FigureUnit::squareMetres, 0, true}}}};
+    return {describeChange(figures.to, first.gross),
+            {describeAreas(first)},
+            {makeChangeHistogram(impact.grossMin, impact.grid.cellAreaM2(), noChangeMin)}};
 }
 
 Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width) {

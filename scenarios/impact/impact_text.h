@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
 #include "scenarios/impact/impact_figures.h"
 
@@ -33,6 +34,10 @@ struct ComparisonFigures {
     double waterM2 = 0;  ///< of the region, left out
 };
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
+
+/// What a comparison says: how much sun the scenario takes or gives, on average and at most, over how much
+/// area, and how the area divides into minutes. O(cells).
+AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures);
 
 /// What people read of a comparison: the change of the shadow area, the change of gross and continuous shadow
 /// over each threshold, that of gross shadow in the whole, and what was compared.

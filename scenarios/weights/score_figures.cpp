@@ -1,6 +1,7 @@
 #include "scenarios/weights/score_figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
@@ -91,6 +92,42 @@ const Figures<IntervalFigures>& scoreIntervalFigures() {
                 .shownDecimals = 3}),
         weightedShade<IntervalFigures>(), shadowArea<IntervalFigures>(), scoreM2<IntervalFigures>()};
     return figures;
+}
+
+namespace {
+
+Sentence describeBalance(const Score& score, const std::string& scenario) {
+    const Amount total{score.scoreM2, FigureUnit::squareMetres, 0, true};
+    if (score.scoreM2 > 0)
+        return {NM_TEXT("%1 scores %2: wanted shade outweighs unwanted shadow"), {scenario, total}};
+    if (score.scoreM2 < 0)
+        return {NM_TEXT("%1 scores %2: unwanted shadow outweighs wanted shade"), {scenario, total}};
+    return {NM_TEXT("%1 scores 0: wanted shade and unwanted shadow weigh the same"), {scenario}};
+}
+
+Bars monthBars(const Score& score, std::string_view title, double MonthFigures::*value) {
+    Bars bars{.title = title};
+    for (const MonthFigures& month : score.months) bars.groups.push_back({month.month, {month.*value}});
+    return bars;
+}
+
+Bars weightedBars(const Score& score) {
+    Bars bars = monthBars(score, NM_TEXT("Weighted shade by month, m² h"), &MonthFigures::weightedShadeM2h);
+    for (Bars::Group& group : bars.groups)
+        group.tone = group.values.front() < 0 ? BarTone::loss : BarTone::gain;
+    return bars;
+}
+
+}  // namespace
+
+AnswerPage makePage(const Score& score, const std::string& scenario) {
+    AnswerPage page{describeBalance(score, scenario)};
+    if (!std::isnan(score.weightedShadeM2h))
+        page.findings.push_back({NM_TEXT("Weighted by time: %1."),
+                                 {Amount{score.weightedShadeM2h, FigureUnit::squareMetreHours, 0, true}}});
+    page.charts = {weightedBars(score),
+                   monthBars(score, NM_TEXT("Shadow area by month, m²"), &MonthFigures::shadowAreaM2)};
+    return page;
 }
 
 }  // namespace noonmark

@@ -39,7 +39,7 @@ namespace noonmark {
 namespace {
 
 constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
-constexpr int layoutVersion = 9;
+constexpr int layoutVersion = 10;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -243,6 +243,10 @@ void MainWindow::connectDocks() {
     });
     connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
+    docks_.results->setActions(results_.saveResult(), scenarios_.compare(), results_.exportAction());
+    connect(docks_.results, &ResultsDock::commandWanted, &workbench_, &Workbench::findCommand);
+    connect(docks_.results, &ResultsDock::warningsWanted, this, [this] { showDock(docks_.warnings); });
+    connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
     connectElementForms();

@@ -45,8 +45,9 @@ QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
 
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     const int studyWidth = docks.study->sizeHint().width() + 22;
+    docks.results->setMinimumWidth(narrowWidth);
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", docks.study);
-    QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
+    QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", docks.results);
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
     QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
@@ -68,7 +69,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     for (QDockWidget* beside : {scenarios, weights}) window.tabifyDockWidget(results, beside);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
-    window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
+    window.resizeDocks({project, results, warnings}, {180, 470, 90}, Qt::Vertical);
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);

@@ -85,6 +85,9 @@ public:
     /// Saves the displayed answer in the project, once its buildings are hashed.
     void saveAnswer(const QString& name);
 
+    /// Finds the command line that asks the same as the displayed answer; costs a hash of its files.
+    void findCommand();
+
     /// Writes the same files as the command line. Existing ones are replaced as far as exportRules() allow;
     /// ask the user before, see filesInTheWay().
     void exportShown(const std::filesystem::path& folder, const ExportChoice& choice);
@@ -139,6 +142,7 @@ Q_SIGNALS:
     void openFailed(noonmark::Error error);          ///< or cancelled: the current project stays
     void recovered(std::filesystem::path recovery);  ///< recover() has finished
     void noted(QString text);
+    void commandFound(QString command);
 
 private:
     using SharedAnswer = std::shared_ptr<const Answer>;

@@ -100,6 +100,19 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
         });
 }
 
+void Workbench::findCommand() {
+    if (!answer()) return report({"There is no result", {}, "Press Run first"});
+    writing_.start<std::string>(
+        tr("Finding the command"),
+        [answer = answer(), origin = AnswerOrigin(session_)](Progress&, const std::stop_token&) {
+            return origin.stated(answer)->command();
+        },
+        [this](const Result<std::string>& command) {
+            if (!command) return report(command.error());
+            Q_EMIT commandFound(QString::fromStdString(*command));
+        });
+}
+
 void Workbench::saveAnswer(const QString& name) {
     if (const auto saved = answerAs<SavedContent>())
         return report({"This result is already saved", saved->result->name, {}});

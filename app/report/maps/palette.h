@@ -13,6 +13,7 @@ QColor impactColour(double share);
 /// Colours of shadows, told apart by colour-blind readers and by lightness in grey print.
 namespace shade {
 constexpr QColor baseline{0xb4, 0xb8, 0xc4};
+constexpr QColor sun{0xe0, 0xa8, 0x3c};
 constexpr QColor incremental{0xd5, 0x5e, 0x00};
 constexpr QColor gained{0xf7, 0xdc, 0x6f};
 constexpr QColor place{0xe4, 0xf0, 0xe2};

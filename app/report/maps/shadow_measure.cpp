@@ -18,10 +18,6 @@ QString describeMeasure(ShadowMeasure measure) {
                                            : QStringLiteral("longest run, minutes");
 }
 
-bool isInstant(const ShadowField& field) {
-    return field.days == 1 && field.stepMinutes == 1 && field.sunlitMinutesPerDay <= 1;
-}
-
 double topOf(const ShadowField& field, ShadowMeasure measure) {
     double top = std::max(field.sunlitMinutesPerDay, 0.0);
     for (const float value : getValues(field, measure))

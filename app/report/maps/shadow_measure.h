@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/engines/api/shadow_field.h"
+#include "core/measures/has_runs.h"
 
 namespace noonmark {
 
@@ -15,9 +15,6 @@ const std::vector<float>& getValues(const ShadowField& field, ShadowMeasure meas
 
 QString nameOf(ShadowMeasure measure);           ///< "Gross shadow"
 QString describeMeasure(ShadowMeasure measure);  ///< "minutes in shadow a day": measure and unit
-
-/// True for a field of a single moment: values are 0 (sunlit) or 1 (in shadow) instead of minutes.
-bool isInstant(const ShadowField& field);
 
 /// Upper end of the colour scale, minutes: the sunlit minutes of a day, or the band's maximum where that is
 /// larger (on a day longer than the mean). Both bands of a field have the same top unless one exceeds it, so

@@ -5,6 +5,7 @@
 
 #include "app/report/sheets/period_words.h"
 #include "app/report/sheets/study_words.h"
+#include "core/study/text/region_text.h"
 
 namespace noonmark {
 
@@ -21,8 +22,6 @@ void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, cons
     canvas.painter.drawText(QPointF(area.left(), area.top() + baselinePt * canvas.point), fitting);
 }
 
-bool hasName(const Region& region) { return !region.name.empty() && region.name != "box"; }
-
 }  // namespace
 
 Headline makeHeadline(const Study& study, const QString& subject) {
@@ -35,8 +34,8 @@ Headline makeHeadline(const Study& study, const QString& subject) {
 Headline makeHeadline(const StudySettings& settings, const Frame& frame, const QString& subject,
                       const QString& sunlit) {
     const Region& region = settings.region;
-    const QString name =
-        hasName(region) ? QStringLiteral(": ") + QString::fromStdString(region.name) : QString();
+    const QString named = QString::fromStdString(nameOf(region));
+    const QString name = named.isEmpty() ? named : QStringLiteral(": ") + named;
     const QString where =
         describePlace(region, frame) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);
     return {subject + name, describePeriod(settings.period), where};

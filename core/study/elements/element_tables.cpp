@@ -9,6 +9,7 @@
 #include "core/base/csv_text.h"
 #include "core/describe/text.h"
 #include "core/geo/earth_drop.h"
+#include "core/measures/histogram.h"
 
 namespace noonmark {
 
@@ -136,6 +137,17 @@ ElementFigures computeFigures(const ElementStudy& study) {
     }
     figures.meanGrossMin = figures.possibleMin - figures.meanSunlitMin;
     return figures;
+}
+
+AnswerPage makePage(const ElementMap& map, const ElementFigures& figures) {
+    const auto hours = [](double minutes) { return Amount{minutes, FigureUnit::hours}; };
+    std::vector<double> sunMin;
+    for (const MeasuredElement& element : map.elements) sunMin.push_back(element.sunlitMin);
+    return {{NM_TEXT("%1 of sun a day on average at %2 points"),
+             {hours(figures.meanSunlitMin), Amount{double(figures.points), FigureUnit::none, 0}}},
+            {{NM_TEXT("The darkest point gets %1, the sunniest %2, of %3 a day with the sun up."),
+              {hours(figures.leastSunlitMin), hours(figures.mostSunlitMin), hours(figures.possibleMin)}}},
+            {makeSunHistogram(sunMin, map.possibleMin, NM_TEXT("Share of the points, %"))}};
 }
 
 const Figures<ElementFigures>& elementFigures() {

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
 #include "core/study/elements/element_map.h"
@@ -40,6 +41,9 @@ struct ElementFigures {
 };
 ElementFigures computeFigures(const ElementStudy& study);
 const Figures<ElementFigures>& elementFigures();
+
+/// What points say: hours of sun on average, at the darkest and the sunniest, and how they divide into hours.
+AnswerPage makePage(const ElementMap& map, const ElementFigures& figures);
 
 /// A point of a map, for the figures of its row.
 struct MapPoint {

@@ -28,6 +28,23 @@ void addLine(CsvText& csv, const Caster& caster, const BuildingShadow& shadow, c
     csv.endRow();
 }
 
+constexpr double minutesOfHour = 60;
+
+struct MonthDays {
+    std::chrono::year_month month;
+    double days = 0;  // of the period, with those on which the sun does not rise
+};
+
+std::vector<MonthDays> countDays(const SunSteps& sun) {
+    std::vector<MonthDays> months;
+    for (const SunDay& day : sun.days) {
+        const std::chrono::year_month month{day.date.year(), day.date.month()};
+        if (months.empty() || months.back().month != month) months.push_back({month});
+        ++months.back().days;
+    }
+    return months;
+}
+
 std::vector<std::string> contributionColumns(const ShadowBreakdown& breakdown) {
     std::vector<std::string> columns{"building", "source_id", "name", "attributed_min_m2", "sole_min_m2"};
     for (std::size_t set = 0; breakdown.sets.names.size() > 1 && set < breakdown.sets.names.size(); ++set)
@@ -75,6 +92,18 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
     const std::size_t receivers = breakdown.minutes.front().size() - std::size_t(nothing);
     return monthsFromSums(breakdown.sets, breakdown.sunlitMinutes, sums, receivers,
                           breakdown.grid.cellAreaM2());
+}
+
+Bars makeMonthBars(const Study& study) {
+    Bars bars{.title = NM_TEXT("Hours of sun a day by month")};
+    if (!study.settings.byMonth || !study.breakdown) return bars;
+    const std::vector<MonthDays> days = countDays(study.sun);  // as many as sets (monthsOf in step_sets.h)
+    const std::vector<MonthShadow> months = monthsOf(*study.breakdown);
+    for (std::size_t i = 0; i < std::min(days.size(), months.size()); ++i) {
+        const double sunMin = months[i].sunlitMinutes - months[i].meanMinutes;
+        bars.groups.push_back({days[i].month, {sunMin / minutesOfHour / days[i].days}, BarTone::sun});
+    }
+    return bars;
 }
 
 const Figures<MonthShadow>& monthFigures() {

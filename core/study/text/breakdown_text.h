@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
 #include "core/study/study.h"
 
@@ -32,6 +33,9 @@ double sumOf(const std::vector<float>& minutes);
 double sumOf(const std::vector<double>& minM2);
 /// The breakdown's buildings, those with the most attributed shadow first.
 std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown);
+
+/// Hours of sun a day, mean over the receivers, of each month. No groups: of a study without months.
+Bars makeMonthBars(const Study& study);
 
 /// One object for each month: month, and its figures.
 nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months);

@@ -110,4 +110,7 @@ std::string regionGeoJson(const Region& region, const Frame& frame) {
     return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
+// A box that was typed has no name of its own.
+std::string nameOf(const Region& region) { return region.name == "box" ? std::string() : region.name; }
+
 }  // namespace noonmark

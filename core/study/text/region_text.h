@@ -30,4 +30,7 @@ std::string formatRegion(const Region& region, const City& city);
 /// stays in one piece.
 std::string regionGeoJson(const Region& region, const Frame& frame);
 
+/// The name that people gave it; empty: none.
+std::string nameOf(const Region& region);
+
 }  // namespace noonmark

@@ -86,7 +86,8 @@ void ResultDisplay::showPast() {
     if (!past) {
         places_.layer.setAnswer(std::nullopt);
         places_.elements.show(nullptr);
-        return places_.figures.show({});
+        places_.figures.setWarningCount(0);
+        return places_.figures.show({}, {});
     }
     showLayer(outdated(viewerOf(*past).layer(past)), false);
     showFigures(*past);
@@ -100,9 +101,8 @@ void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isSt
 }
 
 void ResultDisplay::showFigures(const Answer& answer) {
-    const AnswerViewer& viewer = viewerOf(answer);
-    places_.figures.show(viewer.rows(answer),
-                         viewer.months ? viewer.months(answer) : std::vector<MonthFigures>());
+    places_.figures.show(answer.page(), viewerOf(answer).rows(answer));
+    places_.figures.setWarningCount(answer.warnings().size());
 }
 
 void ResultDisplay::update() {

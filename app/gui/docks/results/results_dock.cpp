@@ -1,58 +1,191 @@
 #include "app/gui/docks/results/results_dock.h"
 
-#include <QFormLayout>
+#include <QAction>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/push_button.h"
-#include "app/gui/docks/results/month_chart.h"
+#include "app/gui/docks/results/bar_charts.h"
 
 namespace noonmark {
 
 namespace {
 
-QString usualHint() {
+constexpr double headlineSize = 1.3;  // of the font of the window
+
+QString defaultHint() {
     return ResultsDock::tr(
         "No study yet.\nChoose what, when and where in the dock Study, and press Run study (Ctrl+R). The "
-        "figures of the study then stand here.");
+        "answer then stands here.");
+}
+
+QLabel* textLabel(const char* name) {
+    auto* label = new QLabel;
+    label->setObjectName(QString::fromLatin1(name));
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+QLabel* headlineLabel() {
+    QLabel* label = textLabel("answerHeadline");
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * headlineSize);
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+QToolButton* foldingHeading() {
+    auto* heading = new QToolButton;
+    heading->setObjectName(QStringLiteral("howMade"));
+    heading->setText(ResultsDock::tr("How this was made"));
+    heading->setToolTip(ResultsDock::tr("Period, engine, error, time, and the command that asks the same"));
+    heading->setCheckable(true);
+    heading->setAutoRaise(true);
+    heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    return heading;
+}
+
+QLabel* rowLabel(const QString& text, const QString& meaning) {
+    auto* label = new QLabel(text);
+    label->setToolTip(meaning);
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    return label;
+}
+
+// No QFormLayout: in 6.4 it gives wrapped text too little height below another layout.
+void fillRows(QWidget& widget, const std::vector<ResultRow>& rows, bool ofMethod) {
+    qDeleteAll(widget.findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    delete widget.layout();
+    auto* grid = new QGridLayout(&widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setColumnStretch(1, 1);
+    for (const ResultRow& row : rows) {
+        if (row.isMethod != ofMethod) continue;
+        QLabel* value = rowLabel(row.value, row.meaning);
+        value->setWordWrap(true);
+        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        const int at = grid->rowCount();
+        grid->addWidget(rowLabel(row.name, row.meaning), at, 0);
+        grid->addWidget(value, at, 1);
+    }
+}
+
+void follow(QPushButton& button, QAction* action) {
+    button.setCheckable(action->isCheckable());
+    const auto look = [&button, action] {
+        button.setEnabled(action->isEnabled());
+        button.setChecked(action->isChecked());
+    };
+    QObject::connect(action, &QAction::changed, &button, look);
+    QObject::connect(&button, &QPushButton::clicked, action, &QAction::trigger);
+    button.setToolTip(action->toolTip());
+    look();
 }
 
 }  // namespace
 
 ResultsDock::ResultsDock(QWidget* parent)
     : QWidget(parent),
-      note_(new QLabel),
+      scroll_(new QScrollArea),
+      headline_(headlineLabel()),
+      findings_(textLabel("answerFindings")),
+      note_(textLabel("resultNote")),
       back_(pushButton(tr("Show the study again"), "wayBack",
                        tr("Replaces this result by the current study or comparison"))),
-      months_(new MonthChart),
-      form_(new QFormLayout(this)),
-      hint_(usualHint()) {
-    note_->setObjectName(QStringLiteral("resultNote"));
-    note_->setWordWrap(true);
-    // A single layout: in a nested one, wrapped text gets too little height.
-    for (QWidget* whole : std::initializer_list<QWidget*>{note_, back_, months_}) form_->addRow(whole);
-    fixedRows_ = form_->rowCount();
+      charts_(new BarCharts),
+      figures_(new QWidget),
+      sections_(new QWidget),
+      howMade_(foldingHeading()),
+      method_(new QWidget),
+      command_(pushButton(tr("Copy command"), "copyCommand",
+                          tr("The command line that asks the same of the saved project or of the files"))),
+      warnings_(pushButton({}, "answerWarnings",
+                           tr("What was repaired, left out or assumed when the data was read"))),
+      foot_(new QWidget),
+      hint_(defaultHint()) {
+    placeContent();
+    placeFoot();
     connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
-    show({});
+    connect(command_, &QPushButton::clicked, this, &ResultsDock::commandWanted);
+    connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsWanted);
+    connect(howMade_, &QToolButton::toggled, this, &ResultsDock::showMethod);
+    setWarningCount(0);
+    show({}, {});
 }
 
-void ResultsDock::show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months) {
-    while (form_->rowCount() > fixedRows_) form_->removeRow(fixedRows_);
+void ResultsDock::placeContent() {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{headline_, findings_, note_, back_, charts_, figures_, sections_,
+                                         howMade_, method_, command_, warnings_})
+        column->addWidget(each);
+    column->addStretch(1);
+    auto* sections = new QVBoxLayout(sections_);
+    sections->setContentsMargins(0, 0, 0, 0);
+    scroll_->setWidget(content);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->setSpacing(0);
+    whole->addWidget(scroll_, 1);
+    whole->addWidget(foot_);
+}
+
+void ResultsDock::placeFoot() {
+    auto* row = new QHBoxLayout(foot_);
+    for (QPushButton* button :
+         {pushButton(tr("Save"), "answerSave", {}), pushButton(tr("Compare"), "answerCompare", {}),
+          pushButton(tr("Export..."), "answerExport", {})})
+        row->addWidget(button);
+}
+
+void ResultsDock::setActions(QAction* save, QAction* compare, QAction* exporting) {
+    int at = 0;
+    for (QAction* action : {save, compare, exporting})
+        follow(*qobject_cast<QPushButton*>(foot_->layout()->itemAt(at++)->widget()), action);
+}
+
+void ResultsDock::addSection(QWidget* section) {
+    sections_->layout()->addWidget(section);
+    sections_->setVisible(filled_);
+}
+
+QString ResultsDock::headline() const { return headline_->text(); }
+
+void ResultsDock::show(const AnswerPage& page, const std::vector<ResultRow>& rows) {
     filled_ = !rows.empty();
     rows_ = rows;
+    QStringList findings;
+    for (const Sentence& finding : page.findings) findings << sentenceText(finding);
+    headline_->setText(sentenceText(page.headline));
+    findings_->setText(findings.join(QLatin1Char(' ')));
+    charts_->show(page.charts);
+    fillRows(*figures_, rows, false);
+    fillRows(*method_, rows, true);
+    sections_->setVisible(filled_ && sections_->layout()->count() > 0);
+    foot_->setVisible(filled_);
+    showMethod();
     setNote({});
     offerWayBack(false);
-    months_->show(months);
-    for (const ResultRow& row : rows) {
-        auto* value = new QLabel(row.value);
-        value->setWordWrap(true);
-        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        value->setToolTip(row.meaning);
-        form_->addRow(row.name, value);
-        form_->labelForField(value)->setToolTip(row.meaning);
-    }
+}
+
+void ResultsDock::showMethod() {
+    const bool open = howMade_->isChecked();
+    howMade_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    howMade_->setVisible(filled_);
+    method_->setVisible(open && filled_);
+    command_->setVisible(open && filled_);
 }
 
 void ResultsDock::setNote(const QString& note, bool warns) {
@@ -61,38 +194,45 @@ void ResultsDock::setNote(const QString& note, bool warns) {
     note_->setStyleSheet(amber ? QStringLiteral("background: %1; color: %2; padding: 4px;")
                                      .arg(colours.background.name(), colours.text.name())
                                : QString());
-    if (filled_) hint_ = usualHint();
+    if (filled_) hint_ = defaultHint();
     note_->setText(filled_ ? note : hint_);
     setFaded(amber && !note.isEmpty());
-    note_->setVisible(!note_->text().isEmpty());
-    fitNote();
+    fitLabels();
 }
 
-// Sets the note's height, since the layout gives a wrapped label no height when it returns after a score was
-// shown.
-void ResultsDock::fitNote() {
-    const QMargins margins = form_->contentsMargins();
-    const int width = std::max(1, this->width() - margins.left() - margins.right());
-    note_->setMinimumHeight(note_->text().isEmpty() ? 0 : note_->heightForWidth(width));
+// Sets the height of the texts that come and go, since the layout gives a wrapped label no height when it
+// returns.
+void ResultsDock::fitLabels() {
+    const QMargins margins = scroll_->widget()->layout()->contentsMargins();
+    const int width = std::max(1, scroll_->viewport()->width() - margins.left() - margins.right());
+    for (QLabel* label : {headline_, findings_, note_}) {
+        label->setVisible(!label->text().isEmpty());
+        label->setMinimumHeight(label->text().isEmpty() ? 0 : label->heightForWidth(width));
+    }
 }
 
 void ResultsDock::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    fitNote();
+    fitLabels();
 }
 
 void ResultsDock::setHint(const QString& hint) {
-    hint_ = hint.isEmpty() ? usualHint() : hint;
+    hint_ = hint.isEmpty() ? defaultHint() : hint;
     if (!filled_) setNote({});
 }
 
-// Greys out figures that do not belong to what is displayed.
+void ResultsDock::setWarningCount(std::size_t warnings) {
+    warnings_->setText(
+        tr("%1 warning(s) about the data", "", pluralNumber(warnings)).arg(formatCount(warnings)));
+    warnings_->setVisible(warnings > 0);
+}
+
+// Greys out what does not belong to what is displayed.
 void ResultsDock::setFaded(bool faded) {
     faded_ = faded;
-    for (int row = fixedRows_; row < form_->rowCount(); ++row)
-        for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole})
-            if (QLayoutItem* item = form_->itemAt(row, role))
-                item->widget()->setStyleSheet(faded ? QStringLiteral("color: #8b909a;") : QString());
+    const QString style = faded ? QStringLiteral("color: #8b909a;") : QString();
+    for (QWidget* each : std::initializer_list<QWidget*>{headline_, findings_, figures_, method_})
+        each->setStyleSheet(style);
 }
 
 void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }

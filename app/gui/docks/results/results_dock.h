@@ -3,50 +3,71 @@
 #include <QWidget>
 
 #include "app/gui/session/answers/result_rows.h"
-#include "scenarios/weights/score.h"
+#include "core/describe/answer_page.h"
 
-class QFormLayout;
+class QAction;
 class QLabel;
 class QPushButton;
+class QScrollArea;
+class QToolButton;
 
 namespace noonmark {
 
-class MonthChart;
+class BarCharts;
 
-/// The figures of the displayed result: a study, comparison, score or saved result.
+/// The answer sheet of the displayed result, whatever was asked: the answer in a sentence, charts, figures;
+/// how it was made is folded below, and what to do with it stands at the foot.
 class ResultsDock final : public QWidget {
     Q_OBJECT
 public:
     explicit ResultsDock(QWidget* parent = nullptr);
 
-    /// Shows these figures; none: no result yet. `months`: of a score, as charts. Removes the note and the
-    /// button back to the study.
-    void show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months = {});
+    /// Shows an answer; no rows: no result yet. Removes the note and the button back to the study.
+    void show(const AnswerPage& page, const std::vector<ResultRow>& rows);
     /// Text above the figures; empty: none. `warns`: in amber, and the figures are greyed out, since they do
     /// not belong to what is displayed.
     void setNote(const QString& note, bool warns = true);
-    void setHint(const QString& hint);  ///< shown while there are no figures; empty: the usual one
+    void setHint(const QString& hint);           ///< shown while there are no figures; empty: the default one
+    void setWarningCount(std::size_t warnings);  ///< of the data; shown as a button
+    /// The buttons at the foot trigger these.
+    void setActions(QAction* save, QAction* compare, QAction* exporting);
+    /// Puts a widget between the figures and how they were made.
+    void addSection(QWidget* section);
     [[nodiscard]] bool faded() const { return faded_; }  ///< greyed out by a note that warns
     [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
+    [[nodiscard]] QString headline() const;
     void offerWayBack(bool offered);  ///< shows a button back to the study
 
 Q_SIGNALS:
     void studyWanted();
+    void commandWanted();   ///< on the clipboard
+    void warningsWanted();  ///< their list
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void fitNote();
+    void placeContent();
+    void placeFoot();
+    void showMethod();
+    void fitLabels();
     void setFaded(bool faded);
 
+    QScrollArea* scroll_;
+    QLabel* headline_;
+    QLabel* findings_;
     QLabel* note_;
     QPushButton* back_;
-    MonthChart* months_;
-    QFormLayout* form_;
+    BarCharts* charts_;
+    QWidget* figures_;  ///< rows
+    QWidget* sections_;
+    QToolButton* howMade_;
+    QWidget* method_;  ///< rows below howMade_
+    QPushButton* command_;
+    QPushButton* warnings_;
+    QWidget* foot_;
     QString hint_;
     std::vector<ResultRow> rows_;
-    int fixedRows_ = 0;  // the rows above the figures
     bool filled_ = false;
     bool faded_ = false;
 };

@@ -58,6 +58,8 @@ void CopyActions::copyFigures() {
     put(makeTableText(dock_.rows()), tr("Figures"));
 }
 
+void CopyActions::copyCommand(const QString& command) { put(command, tr("Command")); }
+
 void CopyActions::put(const QString& text, const QString& what) {
     QApplication::clipboard()->setText(text);
     panel_.messages().showNote(tr("%1 copied").arg(what));

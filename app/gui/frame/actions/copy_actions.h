@@ -22,6 +22,7 @@ public:
 
     /// Copies what `focus` shows; false if it shows nothing that can be copied as text.
     bool copyText(QWidget* focus);
+    void copyCommand(const QString& command);
 
 private:
     void copy();

@@ -32,6 +32,7 @@ public:
 
     [[nodiscard]] QList<QAction*> fileActions() const { return {savePicture_, export_}; }
     [[nodiscard]] QAction* saveResult() const { return saveResult_; }
+    [[nodiscard]] QAction* exportAction() const { return export_; }
 
     void savePicture(const QString& file);  ///< format by the file extension, PNG by default
     void copyPicture();                     ///< to the clipboard

@@ -20,6 +20,7 @@ public:
                     ScenariosDock& scenarios);
 
     [[nodiscard]] QList<QAction*> actions() const;
+    [[nodiscard]] QAction* compare() const { return compare_; }
 
 private:
     QAction* newScenario_;

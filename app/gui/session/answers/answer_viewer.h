@@ -27,8 +27,7 @@ struct AnswerViewer {
     QString (*title)(const Answer&);  ///< "Tower compared with Existing city"
     /// The name that it is saved under, with its first day; null: the title.
     QString (*name)(const Answer&) = nullptr;
-    std::vector<MonthFigures> (*months)(const Answer&) = nullptr;  ///< as charts; null: none
-    AnswerNote (*note)(const Answer&) = nullptr;                   ///< null: none
+    AnswerNote (*note)(const Answer&) = nullptr;  ///< null: none
 };
 
 /// The row of the answer's question, or that of all others.

@@ -56,9 +56,9 @@ std::vector<ResultRow> makeRows(const ComparisonFigures& figures) {
              "Minutes of the first minus minutes of the second, with the same engine, steps and cells")}};
     for (ResultRow& row : figureRows(listLines(figures))) rows.push_back(std::move(row));
     addBuildings(rows, figures);
-    rows.push_back({QObject::tr("Period"), QString::fromStdString(figures.period), {}});
-    rows.push_back(
-        {QObject::tr("Engine"), QString::fromStdString(figures.engine), QObject::tr("Used for both")});
+    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(figures.period)));
+    rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine),
+                             QObject::tr("Used for both")));
     return rows;
 }
 

@@ -19,12 +19,23 @@ QString labelText(const FigureLine& line) {
                              : QObject::tr("%1: %2").arg(measure, label);
 }
 
-QString valueText(const FigureLine& line) {
-    QString text = QString::fromStdString(valueOf(line, unitsInUse()));
-    if (std::isnan(line.value)) return translated(text.toStdString());
-    const std::string unit(unitText(line.figure->unit));
+// `value`: as core writes it.
+QString localised(const std::string& value, double number, FigureUnit of) {
+    if (std::isnan(number)) return translated(value);
+    QString text = QString::fromStdString(value);
+    const std::string unit(unitText(of));
     if (!unit.empty()) text.replace(QString::fromStdString(unit), translated(unit));
     return localiseNumbers(text);
+}
+
+QString valueText(const FigureLine& line) {
+    return localised(valueOf(line, unitsInUse()), line.value, line.figure->unit);
+}
+
+std::string argumentText(const Sentence::Argument& argument) {
+    const auto* amount = std::get_if<Amount>(&argument);
+    if (!amount) return std::get<std::string>(argument);
+    return localised(valueOf(*amount, unitsInUse()), amount->value, amount->unit).toStdString();
 }
 
 }  // namespace
@@ -40,6 +51,18 @@ QString joinFigures(const std::vector<FigureLine>& lines) {
     QStringList words;
     for (const FigureLine& line : lines) words << labelText(line) + QLatin1Char(' ') + valueText(line);
     return words.join(QStringLiteral(", "));
+}
+
+QString sentenceText(const Sentence& sentence) {
+    std::vector<std::string> values;
+    for (const Sentence::Argument& argument : sentence.arguments) values.push_back(argumentText(argument));
+    QString text = QString::fromStdString(fillIn(translated(sentence.source).toStdString(), values));
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+ResultRow methodRow(const QString& name, const QString& value, const QString& meaning) {
+    return {name, value, meaning, true};
 }
 
 QString headingOf(const Figure& figure) {

@@ -44,18 +44,19 @@ const AnswerViewer& pointsViewer() {
 std::vector<ResultRow> makeRows(const PointFigures& shown) {
     std::vector<ResultRow> rows =
         figureRows(listLines(elementFigures().of(shown.figures), {.sunlitMin = shown.figures.possibleMin}));
+    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
+    rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
+                             describeSteps(shown.belowHorizon)));
     rows.push_back(
-        {QObject::tr("Steps of the sun"), formatCount(shown.steps), describeSteps(shown.belowHorizon)});
-    rows.push_back({QObject::tr("Time"), formatAmount(shown.seconds, 2) + QStringLiteral(" s"),
-                    QObject::tr("Time taken by the engine")});
-    rows.push_back({QObject::tr("Period"), QString::fromStdString(shown.period), {}});
+        methodRow(QObject::tr("Engine"),
+                  shown.byRays ? QObject::tr("Ray reference") : QObject::tr("Horizons of the points"),
+                  QString::fromStdString(shown.engine)));
     if (!shown.error.empty())
-        rows.push_back({QObject::tr("Error"), localiseNumbers(QString::fromStdString(shown.error)),
-                        QObject::tr("Against the ray reference, on a sample of the points over the same "
-                                    "steps")});
-    rows.push_back({QObject::tr("Engine"),
-                    shown.byRays ? QObject::tr("Ray reference") : QObject::tr("Horizons of the points"),
-                    QString::fromStdString(shown.engine)});
+        rows.push_back(methodRow(QObject::tr("Error"), localiseNumbers(QString::fromStdString(shown.error)),
+                                 QObject::tr("Against the ray reference, on a sample of the points over the "
+                                             "same steps")));
+    rows.push_back(methodRow(QObject::tr("Time"), formatAmount(shown.seconds, 2) + QStringLiteral(" s"),
+                             QObject::tr("Time taken by the engine")));
     return rows;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/describe/figure_text.h"
+#include "core/describe/sentence.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/error_words.h"
@@ -17,13 +18,20 @@ struct ResultRow {
     QString name;
     QString value;
     QString meaning;
+    bool isMethod = false;  ///< how the result was made, not what it is
 };
+
+/// A row about how a result was made: period, steps, engine, error, time.
+ResultRow methodRow(const QString& name, const QString& value, const QString& meaning = {});
 
 /// A row for each figure in the user's language and units: label, value, and the definition as a tooltip.
 std::vector<ResultRow> figureRows(const std::vector<FigureLine>& lines);
 
 /// The same in one text: "Weighted shade +10 m² h, Shadow area 9 m²".
 QString joinFigures(const std::vector<FigureLine>& lines);
+
+/// A sentence of a result in the user's language and units.
+QString sentenceText(const Sentence& sentence);
 
 /// The heading of a column of a figure: "Longest sun, h".
 QString headingOf(const Figure& figure);

@@ -96,11 +96,6 @@ QString titleOfSaved(const Answer& answer) {
     return QObject::tr("Saved result %1").arg(formatText(answer.as<SavedContent>()->result->name));
 }
 
-std::vector<MonthFigures> monthsOfSaved(const Answer& answer) {
-    const auto* score = std::get_if<SavedScore>(&answer.as<SavedContent>()->answer.answer);
-    return score ? score->score.months : std::vector<MonthFigures>();
-}
-
 // When the result was saved, and each change since.
 AnswerNote describeSaved(const Answer& answer) {
     const auto& saved = *answer.as<SavedContent>();
@@ -114,8 +109,8 @@ AnswerNote describeSaved(const Answer& answer) {
 }  // namespace
 
 const AnswerViewer& savedViewer() {
-    static const AnswerViewer viewer{savedQuestion().key, layerOfSaved, rowsOfSaved, titleOfSaved, nullptr,
-                                     monthsOfSaved,       describeSaved};
+    static const AnswerViewer viewer{savedQuestion().key, layerOfSaved, rowsOfSaved,
+                                     titleOfSaved,        nullptr,      describeSaved};
     return viewer;
 }
 

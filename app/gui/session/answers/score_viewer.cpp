@@ -47,15 +47,10 @@ QString titleOfScore(const Answer& answer) {
         .arg(QString::fromStdString(score.scenario), QString::fromStdString(score.weights.name));
 }
 
-std::vector<MonthFigures> monthsOfScore(const Answer& answer) {
-    return answer.as<ScoreAnswer>()->score.months;
-}
-
 }  // namespace
 
 const AnswerViewer& scoreViewer() {
-    static const AnswerViewer viewer{scoreQuestion().key, layerOfScore, rowsOfScore,
-                                     titleOfScore,        nullptr,      monthsOfScore};
+    static const AnswerViewer viewer{scoreQuestion().key, layerOfScore, rowsOfScore, titleOfScore};
     return viewer;
 }
 
@@ -74,8 +69,8 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
                     {}});
     addMonths(rows, score);
     addIntervals(rows, score);
-    rows.push_back({QObject::tr("Period"), QString::fromStdString(period), {}});
-    rows.push_back({QObject::tr("Engine"), QString::fromStdString(score.engine), {}});
+    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(period)));
+    rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(score.engine)));
     return rows;
 }
 

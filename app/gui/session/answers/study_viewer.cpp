@@ -16,21 +16,21 @@ double accumulateSeconds(const Study& study) {
 
 void addErrorRows(std::vector<ResultRow>& rows, const std::vector<ErrorLine>& errors) {
     for (const ErrorLine& line : errors)
-        rows.push_back(
-            {QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
-             localiseNumbers(QString::fromStdString(line.value)),
-             QObject::tr("Against the ray reference, on a sample of the receivers over the same steps")});
+        rows.push_back(methodRow(
+            QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
+            localiseNumbers(QString::fromStdString(line.value)),
+            QObject::tr("Against the ray reference, on a sample of the receivers over the same steps")));
 }
 
 void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
     const double megaRays = figures.seconds > 0 ? double(figures.rays) / figures.seconds * 1e-6 : 0;
     if (figures.rays > 0)
-        rows.push_back(
-            {QObject::tr("Speed"), formatAmount(megaRays) + QObject::tr(" M rays/s"),
-             QObject::tr("%1 occlusion ray(s) divided by the engine's time", "", pluralNumber(figures.rays))
-                 .arg(formatCount(figures.rays))});
-    rows.push_back({QObject::tr("Time"), formatAmount(figures.seconds, 2) + QStringLiteral(" s"),
-                    QObject::tr("Time taken by the engine")});
+        rows.push_back(methodRow(
+            QObject::tr("Speed"), formatAmount(megaRays) + QObject::tr(" M rays/s"),
+            QObject::tr("%1 occlusion ray(s) divided by the engine's time", "", pluralNumber(figures.rays))
+                .arg(formatCount(figures.rays))));
+    rows.push_back(methodRow(QObject::tr("Time"), formatAmount(figures.seconds, 2) + QStringLiteral(" s"),
+                             QObject::tr("Time taken by the engine")));
 }
 
 StudyFigures figuresOfStudy(const Study& study) {
@@ -76,15 +76,15 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures) {
     const FigureContext context{figures.statistics.receiverAreaM2, figures.sunlitMinutesPerDay,
                                 figures.instant};
     std::vector<ResultRow> rows = figureRows(listLines(shadowFigures().of(figures.statistics), context));
-    rows.push_back(
-        {QObject::tr("Steps of the sun"), formatCount(figures.steps), describeSteps(figures.belowHorizon)});
     rows.push_back({QObject::tr("Sunlit time"),
                     formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
                     QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
-    addTimeRows(rows, figures);
-    rows.push_back({QObject::tr("Period"), QString::fromStdString(figures.period), {}});
+    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(figures.period)));
+    rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(figures.steps),
+                             describeSteps(figures.belowHorizon)));
+    rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine)));
     addErrorRows(rows, figures.errors);
-    rows.push_back({QObject::tr("Engine"), QString::fromStdString(figures.engine), {}});
+    addTimeRows(rows, figures);
     return rows;
 }
 

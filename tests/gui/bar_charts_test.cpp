@@ -1,4 +1,4 @@
-#include "app/gui/docks/results/month_chart.h"
+#include "app/gui/docks/results/bar_charts.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,16 @@ namespace {
 
 using namespace std::chrono;
 
-TEST(MonthChart, MonthsWithoutAnyShadowHaveAnAxisFromZeroToOne) {
-    MonthChart chart;
-    chart.show({{2026y / March, 0, 0, 600}, {2026y / April, 0, 0, 700}});
+Bars barsOf(std::initializer_list<double> values) {
+    Bars bars{.title = "Shade"};
+    unsigned month = 0;
+    for (const double value : values) bars.groups.push_back({2026y / std::chrono::month(++month), {value}});
+    return bars;
+}
+
+TEST(BarCharts, MonthsWithoutAnyShadowHaveAnAxisFromZeroToOne) {
+    BarCharts chart;
+    chart.show({barsOf({0, 0}), barsOf({0, 0})});
     const auto views = chart.findChildren<QChartView*>();
     ASSERT_EQ(views.size(), 2);
     for (const QChartView* view : views) {
@@ -28,9 +35,9 @@ TEST(MonthChart, MonthsWithoutAnyShadowHaveAnAxisFromZeroToOne) {
     }
 }
 
-TEST(MonthChart, TheAxisHoldsTheLargestMonth) {
-    MonthChart chart;
-    chart.show({{2026y / March, 1234, 0, 600, -560}, {2026y / April, 10, 0, 700, 5}});
+TEST(BarCharts, TheAxisHoldsTheLargestMonth) {
+    BarCharts chart;
+    chart.show({barsOf({1234, 10}), barsOf({-560, 5})});
     const auto views = chart.findChildren<QChartView*>();
     ASSERT_EQ(views.size(), 2);
     const auto* area = qobject_cast<QValueAxis*>(views[0]->chart()->axes(Qt::Vertical).front());
@@ -39,15 +46,22 @@ TEST(MonthChart, TheAxisHoldsTheLargestMonth) {
     EXPECT_LE(weighted->min(), -560);
 }
 
+TEST(BarCharts, AChartWithoutGroupsIsLeftOut) {
+    BarCharts chart;
+    chart.show({barsOf({}), barsOf({1})});
+    EXPECT_EQ(chart.findChildren<QChartView*>().size(), 1);
+    chart.show({});
+    EXPECT_TRUE(chart.isHidden());
+}
+
 // The months from October on are longer than January there.
-TEST(MonthChart, JapaneseMonthsKeepTheirTens) {
+TEST(BarCharts, JapaneseMonthsKeepTheirTens) {
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::Japanese));
-    std::vector<MonthFigures> months;
-    for (unsigned month = 1; month <= 12; ++month) months.push_back({2026y / month, 10, 5, 700});
-    MonthChart chart;
+    const Bars months = barsOf({10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10});
+    BarCharts chart;
     chart.resize(320, 320);
-    chart.show(months);
+    chart.show({months, months});
     static_cast<QWidget&>(chart).show();
     QCoreApplication::processEvents();
     QLocale::setDefault(before);

@@ -1,0 +1,190 @@
+#include "app/gui/docks/results/bar_charts.h"
+
+#include <QBarCategoryAxis>
+#include <QBarSeries>
+#include <QBarSet>
+#include <QChart>
+#include <QChartView>
+#include <QFontMetrics>
+#include <QGraphicsLayout>
+#include <QLegend>
+#include <QStackedBarSeries>
+#include <QToolTip>
+#include <QVBoxLayout>
+#include <QValueAxis>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/translated.h"
+#include "app/gui/session/answers/result_rows.h"
+#include "app/report/maps/palette.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int chartHeightPx = 160;
+constexpr int letterPx = 10;
+constexpr int marginPx = 4;
+
+QFont smallFont(QFont font, bool bold = false) {
+    font.setPixelSize(letterPx);
+    font.setBold(bold);
+    return font;
+}
+
+QString nameOf(const Bars::Group& group) {
+    if (const auto* month = std::get_if<std::chrono::year_month>(&group.name)) return describeMonth(*month);
+    return localiseNumbers(QString::fromStdString(std::get<std::string>(group.name)));
+}
+
+QStringList namesOf(const Bars& bars) {
+    QStringList names;
+    for (const Bars::Group& group : bars.groups) names << nameOf(group);
+    return names;
+}
+
+QColor colourOf(BarTone tone) {
+    if (tone == BarTone::amount) return shadowColour(0.6);
+    if (tone == BarTone::sun) return shade::sun;
+    return impactColour(tone == BarTone::gain ? -0.8 : 0.8);
+}
+
+QColor colourOf(std::size_t series) { return series == 0 ? QColor(shade::baseline) : QColor(shade::sun); }
+
+// "Jun 2026: 1,204.5"
+QString describeBar(const Bars& bars, int group, std::size_t series) {
+    const Bars::Group& of = bars.groups[std::size_t(group)];
+    const QString value = formatAmount(of.values[series], std::abs(of.values[series]) < 100 ? 2 : 0);
+    QString text = QObject::tr("%1: %2").arg(nameOf(of), value);
+    if (!bars.series[series].empty())
+        text = QString::fromStdString(bars.series[series]) + QStringLiteral(", ") + text;
+    return text;
+}
+
+QBarSet* setOf(const Bars& bars, std::size_t series, const QColor& colour) {
+    auto* set = new QBarSet(QString::fromStdString(bars.series[series]));
+    set->setColor(colour);
+    set->setBorderColor(Qt::transparent);
+    QObject::connect(set, &QBarSet::hovered, set, [bars, series](bool above, int group) {
+        if (above && group >= 0 && group < int(bars.groups.size()))
+            QToolTip::showText(QCursor::pos(), describeBar(bars, group, series));
+        else
+            QToolTip::hideText();
+    });
+    return set;
+}
+
+// A set for each tone: those of the others are empty, and stand on one another.
+QAbstractBarSeries* tonedSeries(const Bars& bars) {
+    auto* series = new QStackedBarSeries;
+    for (const BarTone tone : {BarTone::amount, BarTone::sun, BarTone::gain, BarTone::loss}) {
+        QBarSet* set = setOf(bars, 0, colourOf(tone));
+        for (const Bars::Group& group : bars.groups)
+            *set << (group.tone == tone ? group.values.front() : 0.0);
+        series->append(set);
+    }
+    return series;
+}
+
+QAbstractBarSeries* seriesOf(const Bars& bars) {
+    if (bars.series.size() == 1) return tonedSeries(bars);
+    auto* all = new QBarSeries;
+    for (std::size_t i = 0; i < bars.series.size(); ++i) {
+        QBarSet* set = setOf(bars, i, colourOf(i));
+        for (const Bars::Group& group : bars.groups) *set << group.values[i];
+        all->append(set);
+    }
+    return all;
+}
+
+template <class Axis>
+Axis* axisOf(const QFont& font) {
+    const Inks inks = inksOf(themeInUse());
+    auto* axis = new Axis;
+    axis->setLabelsFont(smallFont(font));
+    axis->setLabelsBrush(inks.quiet);
+    axis->setGridLinePen(QPen(inks.line, 0.5));
+    axis->setLinePen(QPen(inks.quiet, 0.5));
+    return axis;
+}
+
+void addAxes(QChart& chart, QAbstractBarSeries& series, const Bars& bars, const QFont& font) {
+    auto* groups = axisOf<QBarCategoryAxis>(font);
+    groups->append(namesOf(bars));
+    groups->setTitleText(translated(bars.groupName));
+    groups->setTitleVisible(!bars.groupName.empty());
+    groups->setTitleFont(smallFont(font));
+    groups->setTitleBrush(inksOf(themeInUse()).quiet);
+    groups->setLabelsAngle(-90);
+    groups->setTruncateLabels(false);
+    groups->setGridLineVisible(false);
+    auto* amount = axisOf<QValueAxis>(font);
+    chart.addAxis(groups, Qt::AlignBottom);
+    chart.addAxis(amount, Qt::AlignLeft);
+    series.attachAxis(groups);
+    series.attachAxis(amount);
+    if (amount->min() < amount->max())
+        amount->applyNiceNumbers();
+    else
+        amount->setRange(0, 1);  // all values are 0: an empty range would give no tick labels
+    amount->setLabelFormat(amount->max() - amount->min() < 10 ? QStringLiteral("%g")
+                                                              : QStringLiteral("%.0f"));
+}
+
+// The axis leaves room for names as long as the first. Those of October to December are longer in some
+// languages and lost their tens.
+int roomForLongerNames(const QStringList& names, const QFont& font) {
+    const QFontMetrics metrics(smallFont(font));
+    const auto widthOf = [&](const QString& name) { return metrics.horizontalAdvance(name); };
+    const auto [least, most] = std::ranges::minmax(names, {}, widthOf);
+    return widthOf(most) - widthOf(least) + marginPx;
+}
+
+QChartView* viewOf(const Bars& bars, const QFont& font) {
+    const Inks inks = inksOf(themeInUse());
+    auto* chart = new QChart;
+    chart->setAnimationOptions(QChart::NoAnimation);
+    chart->legend()->setVisible(bars.series.size() > 1);
+    chart->legend()->setFont(smallFont(font));
+    chart->legend()->setLabelColor(inks.text);
+    chart->setTitle(translated(bars.title));
+    chart->setTitleFont(smallFont(font, true));
+    chart->setTitleBrush(inks.text);
+    chart->setBackgroundBrush(inks.paper);
+    chart->setMargins({0, 0, marginPx, roomForLongerNames(namesOf(bars), font)});
+    chart->layout()->setContentsMargins(0, 0, 0, 0);
+    QAbstractBarSeries* series = seriesOf(bars);
+    series->setBarWidth(0.8);
+    chart->addSeries(series);
+    addAxes(*chart, *series, bars, font);
+    auto* view = new QChartView(chart);  // owns the chart
+    view->setRenderHint(QPainter::Antialiasing);
+    view->setFixedHeight(chartHeightPx);
+    view->setFrameShape(QFrame::NoFrame);
+    return view;
+}
+
+}  // namespace
+
+BarCharts::BarCharts(QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    hide();
+    followTheme(*this, [this] { show(charts_); });
+}
+
+void BarCharts::show(const std::vector<Bars>& charts) {
+    charts_ = charts;
+    std::erase_if(charts_, [](const Bars& bars) { return bars.groups.empty(); });
+    while (QLayoutItem* item = layout()->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    setVisible(!charts_.empty());
+    for (const Bars& bars : charts_) layout()->addWidget(viewOf(bars, font()));
+}
+
+}  // namespace noonmark

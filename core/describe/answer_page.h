@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/describe/sentence.h"
+
+namespace noonmark {
+
+/// What bars of a single series stand for.
+enum class BarTone {
+    amount,
+    sun,   ///< hours of sun, or what gets them
+    gain,  ///< sun gained, or shade that is wanted
+    loss,  ///< sun lost, or shadow that is unwanted
+};
+
+/// Bars in groups, one bar of each series: by month, or by class of a histogram.
+struct Bars {
+    struct Group {
+        std::variant<std::string, std::chrono::year_month> name;
+        std::vector<double> values;  ///< as many as series
+        BarTone tone = BarTone::amount;
+    };
+    std::string_view title = {};      ///< NM_TEXT, with its unit: "Hours of sun a day by month"
+    std::string_view groupName = {};  ///< NM_TEXT: what the groups are, with its unit; empty: months
+    std::vector<std::string> series{std::string()};  ///< names of scenarios; a single one may have none
+    std::vector<Group> groups{};
+};
+
+/// What an answer states, as data: the window, sheets and the command line draw it. Its map, figures and
+/// settings are members of the answer itself.
+struct AnswerPage {
+    Sentence headline;                 ///< the answer in one sentence
+    std::vector<Sentence> findings{};  ///< what else it says, most important first
+    std::vector<Bars> charts{};
+};
+
+}  // namespace noonmark
