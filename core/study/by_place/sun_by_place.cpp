@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/memory_guard.h"
+#include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/engine_in_use.h"
@@ -41,13 +42,21 @@ std::vector<CountedCell> listCells(const PlaceReceivers& on, std::size_t place) 
     return cells;
 }
 
+/// What the cities have in common.
+struct Common {
+    std::vector<const City*> cities;  ///< the first is the baseline
+    const Engine& engine;
+    PlaceReceivers on{};
+    std::vector<std::vector<CountedCell>> cells{};  ///< of each place
+    SunSteps daylight{};
+    Warnings warnings{};
+};
+
 /// What is measured, in the course of it.
 struct Measuring {
     const City& city;
-    const Engine& engine;
+    const Common& common;
     SunByPlace& made;
-    PlaceReceivers on{};
-    std::vector<std::vector<CountedCell>> cells{};  ///< of each place
     Progress& progress;
     std::stop_token stop;
 };
@@ -67,6 +76,9 @@ Result<void> checkSettings(const SunByPlaceSettings& settings, const std::vector
     if (!(settings.enoughHours >= 0 && settings.enoughHours <= SunByPlaceSettings::maxHours))
         return failure("The hours of sun that are enough must be 0 to 24",
                        fmt::format("{:g} h", settings.enoughHours), "Give hours a day");
+    if (!(settings.lossMin >= 0 && settings.lossMin <= 1440))
+        return failure("The minutes of sun that may be lost must be 0 to 1440",
+                       fmt::format("{:g} min", settings.lossMin), "Give minutes a day");
     if (settings.dates.size() > SunByPlaceSettings::maxDates)
         return failure("There are too many dates", fmt::format("{} dates", settings.dates.size()),
                        fmt::format("Give at most {}", SunByPlaceSettings::maxDates));
@@ -80,27 +92,26 @@ Region unite(const std::vector<Place>& places) {
     return region;
 }
 
-Result<void> placeCells(Measuring& m) {
-    const City* const cities[]{&m.city};
-    auto on = placeReceiversOnPlaces(cities, m.made.places, m.made.settings.study.receivers, m.stop);
+Result<void> placeCells(Common& common, const SunByPlace& made, const std::stop_token& stop) {
+    auto on = placeReceiversOnPlaces(common.cities, made.places, made.settings.study.receivers, stop);
     if (!on) return tl::make_unexpected(on.error());
-    m.on = *std::move(on);
-    if (m.on.receivers.cells.empty())
+    common.on = *std::move(on);
+    if (common.on.receivers.cells.empty())
         return failure("No cell of the places lies on open ground", "places", "Choose smaller cells");
-    for (std::size_t i = 0; i < m.made.places.size(); ++i) m.cells.push_back(listCells(m.on, i));
+    for (std::size_t i = 0; i < made.places.size(); ++i) common.cells.push_back(listCells(common.on, i));
     return {};
 }
 
-Result<void> findSun(Measuring& m) {
-    const StudySettings& study = m.made.settings.study;
-    auto sun = computeDaylightSteps(study.period, makeObserver(m.city, study), m.stop);
+Result<void> findSun(Common& common, const StudySettings& study, const std::stop_token& stop) {
+    const City& city = *common.cities.front();
+    auto sun = computeDaylightSteps(study.period, makeObserver(city, study), stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    m.made.daylight = *std::move(sun);
-    const TerrainCoverage coverage = computeTerrainCoverage(m.city, m.on.receivers, m.made.daylight);
-    for (Warning& warning : makeWarnings(coverage)) m.made.warnings.push_back(std::move(warning));
+    common.daylight = *std::move(sun);
+    const TerrainCoverage coverage = computeTerrainCoverage(city, common.on.receivers, common.daylight);
+    for (Warning& warning : makeWarnings(coverage)) common.warnings.push_back(std::move(warning));
     const Box2 box = bounds(study.region);
-    const LonLat middle = m.city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
-    if (auto question = questionZone(study.period, middle)) m.made.warnings.push_back(*std::move(question));
+    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    if (auto question = questionZone(study.period, middle)) common.warnings.push_back(*std::move(question));
     return checkCoverage(coverage, study.region.name);
 }
 
@@ -123,7 +134,7 @@ Result<void> measureError(Measuring& m) {
     const ErrorSampleSettings& sample = m.made.settings.study.errorSample;
     if (sample.receivers == 0 || m.made.settings.study.engine == referenceEngine) return {};
     auto error =
-        sampleError(m.city, m.on.receivers, m.made.daylight, m.made.field, sample, m.progress, m.stop);
+        sampleError(m.city, m.common.on.receivers, m.made.daylight, m.made.field, sample, m.progress, m.stop);
     if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
     if (error)
         m.made.error = *error;
@@ -139,15 +150,14 @@ Result<ShadowBreakdown> sweep(const Measuring& m, const EngineInUse& engine, con
 
 // By the engine in use, and by those that it goes on to while samples are off by more than it aims at.
 Result<ShadowBreakdown> sweepMonths(Measuring& m) {
-    const City* const cities[]{&m.city};
-    EngineInUse engine(m.engine, cities, m.on.receivers, m.made.daylight);
+    EngineInUse engine(m.common.engine, m.common.cities, m.common.on.receivers, m.made.daylight);
     const StepSets months = monthsOf(m.made.daylight);
     for (;;) {
         const Stopwatch watch;
         auto sums = sweep(m, engine, months);
         m.made.seconds["accumulate"] += watch.seconds();
         if (!sums) return sums;
-        m.made.field = fieldOf(*sums, m.on.receivers, m.made.daylight);
+        m.made.field = fieldOf(*sums, m.common.on.receivers, m.made.daylight);
         auto checked = timeStage(m.made, "error_sample", [&] { return measureError(m); });
         if (!checked) return tl::make_unexpected(checked.error());
         if (!m.made.error || !engine.goOn(m.made.error->grossOff())) return sums;
@@ -195,6 +205,8 @@ SunOfPlace summarize(const Measuring& m, const std::vector<CountedCell>& cells) 
     sun.areaM2 = sums.cells * field.grid.cellM * field.grid.cellM;
     sun.meanHours = sums.hours / sums.cells;
     sun.enoughShare = sums.enough / sums.cells;
+    for (const CountedCell& one : cells)
+        sun.ofCells.push_back({float(hours(one.cell)), float(one.share), one.isInside});
     const bool anyInside = std::ranges::any_of(cells, &CountedCell::isInside);
     for (const CountedCell& one : cells) {
         if (anyInside && !one.isInside) continue;
@@ -208,12 +220,12 @@ SunOfPlace summarize(const Measuring& m, const std::vector<CountedCell>& cells) 
 void addMonths(Measuring& m, const ShadowBreakdown& sums) {
     m.made.months = sums.sets.names;
     const std::vector<double> days = countDays(m.made.daylight, m.made.months);
-    for (std::size_t place = 0; place < m.cells.size(); ++place)
+    for (std::size_t place = 0; place < m.common.cells.size(); ++place)
         for (std::size_t month = 0; month < m.made.months.size(); ++month) {
             const auto hours = [&](std::uint32_t cell) {
                 return (sums.sunlitMinutes[month] - double(sums.minutes[month][cell])) / 60 / days[month];
             };
-            const AreaSums all = sumUp(m.cells[place], 0, hours);
+            const AreaSums all = sumUp(m.common.cells[place], 0, hours);
             m.made.sun[place].monthHours.push_back(all.hours / all.cells);
         }
 }
@@ -225,35 +237,32 @@ Result<void> addDate(Measuring& m, const CivilDate& date) {
     day.days = 1;
     auto sun = computeSunSteps(day, makeObserver(m.city, m.made.settings.study), m.stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    ShadowField field = makeBlankField(m.on.receivers, *sun);
+    ShadowField field = makeBlankField(m.common.on.receivers, *sun);
     if (!sun->steps.empty()) {
-        const City* const cities[]{&m.city};
-        const EngineInUse engine(m.engine, cities, m.on.receivers, *sun);
+        const EngineInUse engine(m.common.engine, m.common.cities, m.common.on.receivers, *sun);
         const auto sums = sweep(m, engine, makeOneSet(*sun));
         if (!sums) return tl::make_unexpected(sums.error());
-        field = fieldOf(*sums, m.on.receivers, *sun);
+        field = fieldOf(*sums, m.common.on.receivers, *sun);
     }
-    for (std::size_t place = 0; place < m.cells.size(); ++place) {
+    for (std::size_t place = 0; place < m.common.cells.size(); ++place) {
         const auto hours = [&](std::uint32_t cell) { return hoursAt(field, cell); };
-        const AreaSums sums = sumUp(m.cells[place], m.made.settings.enoughHours, hours);
+        const AreaSums sums = sumUp(m.common.cells[place], m.made.settings.enoughHours, hours);
         m.made.sun[place].belowShare.push_back(1 - sums.enough / sums.cells);
     }
     return {};
 }
 
 void listPlacesWithoutCells(Measuring& m) {
-    for (std::size_t i = 0; i < m.cells.size(); ++i)
-        if (m.cells[i].empty())
+    for (std::size_t i = 0; i < m.common.cells.size(); ++i)
+        if (m.common.cells[i].empty())
             m.made.warnings.push_back(
                 {WarningKind::leftOut, "a place without a cell on open ground", m.made.places[i].name});
 }
 
 Result<void> measure(Measuring& m) {
-    if (auto done = timeStage(m.made, "receivers", [&] { return placeCells(m); }); !done) return done;
-    if (auto done = timeStage(m.made, "sun", [&] { return findSun(m); }); !done) return done;
     const auto sums = sweepMonths(m);
     if (!sums) return tl::make_unexpected(sums.error());
-    for (const auto& cells : m.cells) m.made.sun.push_back(summarize(m, cells));
+    for (const auto& cells : m.common.cells) m.made.sun.push_back(summarize(m, cells));
     addMonths(m, *sums);
     for (const CivilDate& date : m.made.settings.dates)
         if (auto done = timeStage(m.made, "dates", [&] { return addDate(m, date); }); !done) return done;
@@ -262,35 +271,79 @@ Result<void> measure(Measuring& m) {
     return {};
 }
 
-Result<SunByPlace> answerSunByPlace(const City& city, std::vector<Place> places,
-                                    const SunByPlaceSettings& settings, Progress& progress,
-                                    const std::stop_token& stop, const EngineList& engines) {
+Result<void> prepare(Common& common, SunByPlace& baseline, const EngineList& engines,
+                     const std::stop_token& stop) {
+    baseline.settings.study.region = unite(baseline.places);
+    baseline.settings.study.byMonth = true;
+    if (auto fits = checkMemory(*common.cities.front(), baseline.settings.study, engines); !fits) return fits;
+    if (auto done = timeStage(baseline, "receivers", [&] { return placeCells(common, baseline, stop); });
+        !done)
+        return done;
+    return timeStage(baseline, "sun", [&] { return findSun(common, baseline.settings.study, stop); });
+}
+
+Result<std::unique_ptr<Engine>> makeSummingEngine(const StudySettings& study, const EngineList& engines) {
+    auto engine = makeEngine(study.engine, study.engineSettings, engines);
+    if (engine && !(*engine)->capabilities().sets)
+        return failure("This engine sums no months", study.engine, "Choose auto, horizon or projected");
+    return engine;
+}
+
+Result<SunByPlace> measureCity(SunByPlace made, const Common& common, Progress& progress,
+                               const std::stop_token& stop) {
     const Stopwatch watch;
-    if (auto valid = checkSettings(settings, places); !valid) return tl::make_unexpected(valid.error());
-    const auto engine = makeEngine(settings.study.engine, settings.study.engineSettings, engines);
-    if (!engine) return tl::make_unexpected(engine.error());
-    if (!(*engine)->capabilities().sets)
-        return failure("This engine sums no months", settings.study.engine,
-                       "Choose auto, horizon or projected");
-    SunByPlace made{.city = city, .settings = settings, .places = std::move(places)};
-    made.settings.study.region = unite(made.places);
-    made.settings.study.byMonth = true;
-    if (auto fits = checkMemory(city, made.settings.study, engines); !fits)
-        return tl::make_unexpected(fits.error());
-    Measuring m{.city = city, .engine = **engine, .made = made, .progress = progress, .stop = stop};
+    made.daylight = common.daylight;
+    made.warnings = common.warnings;
+    const City city = made.city;
+    Measuring m{.city = city, .common = common, .made = made, .progress = progress, .stop = stop};
     if (auto done = measure(m); !done) return tl::make_unexpected(done.error());
-    made.seconds["total"] = watch.seconds();
+    made.seconds["total"] = watch.seconds() + made.seconds["receivers"] + made.seconds["sun"];
     return made;
+}
+
+Result<SunOfCities> answerSunByPlace(std::span<const NamedCity> cities, std::vector<Place> places,
+                                     const SunByPlaceSettings& settings, Progress& progress,
+                                     const std::stop_token& stop, const EngineList& engines) {
+    if (auto valid = checkSettings(settings, places); !valid) return tl::make_unexpected(valid.error());
+    const auto engine = makeSummingEngine(settings.study, engines);
+    if (!engine) return tl::make_unexpected(engine.error());
+    Common common{.cities = {}, .engine = **engine};
+    for (const NamedCity& one : cities) common.cities.push_back(&one.city);
+    SunByPlace blank{.settings = settings, .places = std::move(places)};
+    if (auto ready = prepare(common, blank, engines, stop); !ready) return tl::make_unexpected(ready.error());
+    SunOfCities all;
+    for (std::size_t i = 0; i < cities.size(); ++i) {
+        ProgressShare share(progress, i, cities.size());
+        blank.name = cities[i].name;
+        blank.city = cities[i].city;
+        auto made = measureCity(blank, common, share, stop);
+        if (!made) return tl::make_unexpected(made.error());
+        if (i == 0)
+            all.baseline = *std::move(made);
+        else
+            all.compared.push_back({*std::move(made), {}});
+        if (i == 0) blank.seconds.clear();
+    }
+    for (ComparedSun& one : all.compared) one.changes = computeChanges(all.baseline, one.sun);
+    return all;
 }
 
 }  // namespace
 
+Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::vector<Place> places,
+                                      const SunByPlaceSettings& settings, Progress& progress,
+                                      std::stop_token stop, const EngineList& engines) {
+    return guardMemory({.advice = "Choose larger cells or fewer places"}, [&] {
+        return answerSunByPlace(cities, std::move(places), settings, progress, stop, engines);
+    });
+}
+
 Result<SunByPlace> runSunByPlace(const City& city, std::vector<Place> places,
                                  const SunByPlaceSettings& settings, Progress& progress, std::stop_token stop,
                                  const EngineList& engines) {
-    return guardMemory({.advice = "Choose larger cells or fewer places"}, [&] {
-        return answerSunByPlace(city, std::move(places), settings, progress, stop, engines);
-    });
+    const NamedCity alone[]{{{}, city}};
+    return compareSunByPlace(alone, std::move(places), settings, progress, std::move(stop), engines)
+        .map([](SunOfCities&& all) { return std::move(all.baseline); });
 }
 
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -24,6 +25,14 @@ struct SunByPlaceSettings {
     StudySettings study;           ///< its region is replaced by the places; receivers stand on the ground
     double enoughHours = 2;        ///< hours of sun a day that are enough, 0 to 24
     std::vector<CivilDate> dates;  ///< days on which the area with less is stated; any, at most 31
+    double lossMin = 15;           ///< a cell that loses more minutes a day counts as lost; 0 to 1440
+};
+
+/// A cell of a place.
+struct SunOfCell {
+    float hours = 0;       ///< of sun a day, mean over the days
+    float share = 1;       ///< of the cell that counts as the place's open ground; may be above 1
+    bool isInside = true;  ///< its centre lies in the place
 };
 
 /// The sun of one place. Hours are hours of sun a day; NaN: no cell.
@@ -37,9 +46,11 @@ struct SunOfPlace {
     std::vector<double> monthHours;  ///< mean over the cells and the month's days; of SunByPlace::months
     std::vector<double>
         belowShare;  ///< of the area, with less than enoughHours; of SunByPlaceSettings::dates
+    std::vector<SunOfCell> ofCells;  ///< also those beside it that count for some of it
 };
 
 struct SunByPlace {
+    std::string name;  ///< of the city, where several are compared: "Tower"
     City city;
     SunByPlaceSettings settings;
     std::vector<Place> places;
@@ -54,6 +65,33 @@ struct SunByPlace {
     Provenance provenance;                  ///< set by the caller
 };
 
+/// What a place gets in one city, set against another. Losses are positive; NaN: no cell.
+struct SunChange {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    double meanHours = none;   ///< more sun a day, mean over the place; negative: less
+    double maxLossMin = none;  ///< a day, at the cell that loses most; 0: no cell loses
+    double maxGainMin = none;  ///< likewise
+    double lostShare = none;   ///< of the area, which loses more than SunByPlaceSettings::lossMin a day
+};
+
+/// The same places in another city.
+struct ComparedSun {
+    SunByPlace sun;
+    std::vector<SunChange> changes;  ///< of each place
+};
+
+/// The places in a city and, on the same cells, in others.
+struct SunOfCities {
+    SunByPlace baseline;
+    std::vector<ComparedSun> compared;  ///< none: nothing is compared
+};
+
+struct NamedCity {
+    std::string name;
+    City city;
+};
+
 /// How much sun the places of a city get. Places without a cell on open ground are listed as warnings, with
 /// NaN as figures. Error: no place, a setting out of range, an engine that sums no months; errors of
 /// runStudy(). Stops with cancelled() within 0.2 s. Cost: one field with its months over the union of the
@@ -62,13 +100,25 @@ Result<SunByPlace> runSunByPlace(const City& city, std::vector<Place> places,
                                  const SunByPlaceSettings& settings, Progress& progress, std::stop_token stop,
                                  const EngineList& engines = coreEngines());
 
+/// The same in several cities of one project, on cells that are open ground in all of them; the first is the
+/// baseline. Cost: that of the first and, of each further city, a field where its changed buildings cast
+/// shadow; by engines whose cells depend on each other, a whole field.
+Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::vector<Place> places,
+                                      const SunByPlaceSettings& settings, Progress& progress,
+                                      std::stop_token stop, const EngineList& engines = coreEngines());
+
+/// `before` and `after` have the same places and cells.
+std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after);
+
 const Figures<SunOfPlace>& sunOfPlaceFigures();
+const Figures<SunChange>& sunChangeFigures();
 
-/// A row for each place: name, kind, the figures, a column for each month and each date, lon_deg and lat_deg
-/// of its middle, source. As CSV by toCsv(), as polygons by writePlacesGeoPackage().
-ElementTable makeTable(const SunByPlace& sun);
+/// A row for each place: name, kind, the figures, a column for each month and each date, for each compared
+/// city its figures and changes in columns that end in its name ("hours_mean_tower"), lon_deg and lat_deg of
+/// its middle, source. As CSV by toCsv(), as polygons by writePlacesGeoPackage().
+ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared = {});
 
-/// Settings, figures, error, times and what it was made from.
-std::string toJson(const SunByPlace& sun);
+/// Settings, figures, changes, error, times and what it was made from.
+std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared = {});
 
 }  // namespace noonmark

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "core/base/version.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
@@ -36,41 +39,119 @@ LonLat middleOf(const Place& place, const Frame& frame) {
     return frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5);
 }
 
-std::vector<ElementColumn> columnsOf(const SunByPlace& sun) {
+// The name of a city at the end of a column: "tower_b" for "Tower B".
+std::string suffixOf(const std::string& name) {
+    std::string suffix = "_";
+    for (const char c : name) {
+        const bool isPlain = (c & 0x80) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (isPlain)
+            suffix += char((c & 0x80) != 0 ? c : std::tolower(static_cast<unsigned char>(c)));
+        else if (suffix.back() != '_')
+            suffix += '_';
+    }
+    if (suffix.size() > 1 && suffix.back() == '_') suffix.pop_back();
+    return suffix;
+}
+
+// Each different: names that differ by case or signs alone get a number.
+std::vector<std::string> suffixesOf(std::span<const ComparedSun> compared) {
+    std::vector<std::string> suffixes;
+    for (const ComparedSun& one : compared) {
+        const std::string plain = suffixOf(one.sun.name);
+        std::string own = plain;
+        for (int number = 2; std::ranges::find(suffixes, own) != suffixes.end(); ++number)
+            own = fmt::format("{}_{}", plain, number);
+        suffixes.push_back(own);
+    }
+    return suffixes;
+}
+
+// The area is the same in all cities.
+bool isCompared(const Figure& figure) { return figure.use != FigureUse::basis; }
+
+void addComparedColumns(std::vector<ElementColumn>& columns, std::span<const ComparedSun> compared) {
+    const std::vector<std::string> suffixes = suffixesOf(compared);
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+        for (const Figure& figure : sunOfPlaceFigures().rows())
+            if (isCompared(figure)) columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
+        for (const CivilDate& date : compared[i].sun.settings.dates)
+            columns.push_back({dateKey(date) + suffixes[i], 0.0, digits});
+        for (const Figure& figure : sunChangeFigures().rows())
+            columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
+    }
+}
+
+void addComparedValues(std::vector<ElementValue>& row, const ComparedSun& compared, std::size_t i) {
+    const DescribedFigures sun = sunOfPlaceFigures().of(compared.sun.sun[i]);
+    for (const Figure& figure : sun.figures)
+        if (isCompared(figure)) row.emplace_back(sun.get(figure));
+    for (const double share : compared.sun.sun[i].belowShare) row.emplace_back(share);
+    const DescribedFigures change = sunChangeFigures().of(compared.changes[i]);
+    for (const Figure& figure : change.figures) row.emplace_back(change.get(figure));
+}
+
+std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const ComparedSun> compared) {
     std::vector<ElementColumn> columns{{"name", std::string()}, {"kind", std::string()}};
     for (const Figure& figure : sunOfPlaceFigures().rows())
         columns.push_back({std::string(figure.key), 0.0, figure.decimals});
     for (const std::string& month : sun.months) columns.push_back({monthKey(month), 0.0, digits});
     for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date), 0.0, digits});
+    addComparedColumns(columns, compared);
     columns.push_back({"lon_deg", 0.0, placeDecimals});
     columns.push_back({"lat_deg", 0.0, placeDecimals});
     columns.push_back({"source", std::string()});
     return columns;
 }
 
-std::vector<ElementValue> rowOf(const SunByPlace& sun, std::size_t i) {
+std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedSun> compared,
+                                std::size_t i) {
     const Place& place = sun.places[i];
     std::vector<ElementValue> row{place.name, std::string(nameOf(place.kind))};
     const DescribedFigures figures = sunOfPlaceFigures().of(sun.sun[i]);
     for (const Figure& figure : figures.figures) row.emplace_back(figures.get(figure));
     for (const double hours : sun.sun[i].monthHours) row.emplace_back(hours);
     for (const double share : sun.sun[i].belowShare) row.emplace_back(share);
+    for (const ComparedSun& one : compared) addComparedValues(row, one, i);
     const LonLat middle = middleOf(place, sun.city.frame);
     row.insert(row.end(), {middle.lonDeg, middle.latDeg, place.source});
     return row;
 }
 
-Json placeJson(const SunByPlace& sun, std::size_t i) {
-    const Place& place = sun.places[i];
+Json figuresOf(const SunByPlace& sun, std::size_t i) {
     const SunOfPlace& of = sun.sun[i];
-    Json json{{"name", place.name}, {"kind", nameOf(place.kind)}};
-    json.update(figuresJson(sunOfPlaceFigures().of(of)));
+    Json json = figuresJson(sunOfPlaceFigures().of(of));
     for (std::size_t month = 0; month < of.monthHours.size(); ++month)
         json["month_hours"][sun.months[month]] = of.monthHours[month];
     for (std::size_t date = 0; date < of.belowShare.size(); ++date)
         json["share_below"][formatText(sun.settings.dates[date])] = of.belowShare[date];
+    return json;
+}
+
+Json placeJson(const SunByPlace& sun, std::span<const ComparedSun> compared, std::size_t i) {
+    const Place& place = sun.places[i];
+    Json json{{"name", place.name}, {"kind", nameOf(place.kind)}};
+    json.update(figuresOf(sun, i));
+    for (const ComparedSun& one : compared) {
+        Json other = figuresOf(one.sun, i);
+        other.update(figuresJson(sunChangeFigures().of(one.changes[i])));
+        json["scenarios"][one.sun.name] = std::move(other);
+    }
     json["source"] = place.source;
     return json;
+}
+
+// What the changes refer to, and the error of each compared city.
+void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSun> compared) {
+    json["baseline"] = sun.name;
+    json["loss_min"] = sun.settings.lossMin;
+    for (const ComparedSun& one : compared)
+        json["scenarios"].push_back(
+            {{"name", one.sun.name},
+             {"engine", one.sun.field.engine},
+             {"error", one.sun.error ? errorJson(*one.sun.error, sun.city.frame) : Json()},
+             {"seconds", one.sun.seconds},
+             {"warnings", warningsJson(one.sun.warnings)}});
+    json["definitions"].update(definitionsJson(sunChangeFigures().rows()));
 }
 
 }  // namespace
@@ -101,13 +182,50 @@ const Figures<SunOfPlace>& sunOfPlaceFigures() {
     return figures;
 }
 
-ElementTable makeTable(const SunByPlace& sun) {
-    ElementTable table{.columns = columnsOf(sun), .rows = {}, .places = {}};
-    for (std::size_t i = 0; i < sun.places.size(); ++i) table.rows.push_back(rowOf(sun, i));
+const Figures<SunChange>& sunChangeFigures() {
+    static const Figures<SunChange> figures{
+        figure(&SunChange::meanHours,
+               {.key = "change_hours",
+                .label = NM_TEXT("Change of mean sun"),
+                .definition = NM_TEXT("hours of sun a day more than in the baseline, mean over the days and "
+                                      "the place; negative: less"),
+                .decimals = digits,
+                .jsonDecimals = digits,
+                .shownDecimals = 2,
+                .isChange = true}),
+        figure(&SunChange::maxLossMin,
+               {.key = "max_loss_min",
+                .label = NM_TEXT("Largest loss"),
+                .definition = NM_TEXT("minutes of sun a day less than in the baseline, mean over the days, at "
+                                      "the cell that loses most"),
+                .jsonDecimals = 2,
+                .unit = FigureUnit::minutesADay}),
+        figure(&SunChange::maxGainMin,
+               {.key = "max_gain_min",
+                .label = NM_TEXT("Largest gain"),
+                .definition = NM_TEXT("minutes of sun a day more than in the baseline, mean over the days, at "
+                                      "the cell that gains most"),
+                .jsonDecimals = 2,
+                .unit = FigureUnit::minutesADay}),
+        figure(&SunChange::lostShare,
+               {.key = "share_lost",
+                .label = NM_TEXT("Share that loses sun"),
+                .definition = NM_TEXT("share of the area that loses more minutes of sun a day than the "
+                                      "threshold of loss"),
+                .decimals = digits,
+                .jsonDecimals = digits,
+                .unit = FigureUnit::share}),
+    };
+    return figures;
+}
+
+ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared) {
+    ElementTable table{.columns = columnsOf(sun, compared), .rows = {}, .places = {}};
+    for (std::size_t i = 0; i < sun.places.size(); ++i) table.rows.push_back(rowOf(sun, compared, i));
     return table;
 }
 
-std::string toJson(const SunByPlace& sun) {
+std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared) {
     const StudySettings& study = sun.settings.study;
     Json json{{"program", std::string("Noonmark ") + std::string(version())},
               {"period", periodJson(study.period, sun.daylight, makeObserver(sun.city, study))},
@@ -120,8 +238,9 @@ std::string toJson(const SunByPlace& sun) {
     json["error"] = sun.error ? errorJson(*sun.error, sun.city.frame) : Json();
     json["seconds"] = sun.seconds;
     json["places"] = Json::array();
-    for (std::size_t i = 0; i < sun.places.size(); ++i) json["places"].push_back(placeJson(sun, i));
+    for (std::size_t i = 0; i < sun.places.size(); ++i) json["places"].push_back(placeJson(sun, compared, i));
     json["definitions"] = definitionsJson(sunOfPlaceFigures().rows());
+    if (!compared.empty()) addComparison(json, sun, compared);
     json["warnings"] = warningsJson(sun.warnings);
     addProvenance(json, sun.provenance);
     return toJsonText(json);

@@ -152,6 +152,68 @@ TEST(SunByPlace, AZoneFarFromThePlacesIsQuestioned) {
     EXPECT_THAT(measured(tower(), {namedPlace("Park", 0, 20, 20, 60)}, ofDays(3)).warnings, IsEmpty());
 }
 
+// A wall 60 m high along the south of the park, in one city alone.
+City withWall(const City& city) {
+    City changed = city;
+    changed.buildings.push_back(buildingOf(Box3{{-30, 15, 0}, {50, 18, 60}}));
+    return changed;
+}
+
+SunOfCities compared(const std::vector<NamedCity>& cities, const std::vector<Place>& places,
+                     const SunByPlaceSettings& settings) {
+    NoProgress quiet;
+    auto sun = compareSunByPlace(cities, places, settings, quiet, {});
+    EXPECT_TRUE(sun) << (sun ? "" : sun.error().text());
+    return sun ? *std::move(sun) : SunOfCities{};
+}
+
+// The park lies north of the wall, the far place where nothing of it can be seen.
+TEST(SunByPlace, ChangesEqualThoseOfCitiesMeasuredApart) {
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60),
+                                    namedPlace("Far", -400, -400, -360, -360)};
+    const SunOfCities both =
+        compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, ofDays(3));
+    const SunByPlace alone = measured(withWall(tower()), places, ofDays(3));
+    ASSERT_EQ(both.compared.size(), 1U);
+    const ComparedSun& wall = both.compared[0];
+    EXPECT_EQ(wall.sun.name, "Wall");
+    EXPECT_DOUBLE_EQ(wall.sun.sun[0].meanHours, alone.sun[0].meanHours);
+    EXPECT_DOUBLE_EQ(wall.sun.sun[0].monthHours[0], alone.sun[0].monthHours[0]);
+    EXPECT_DOUBLE_EQ(wall.changes[0].meanHours, alone.sun[0].meanHours - both.baseline.sun[0].meanHours);
+    EXPECT_LT(wall.changes[0].meanHours, -3) << "the wall takes most of the day";
+    EXPECT_GT(wall.changes[0].maxLossMin, -60 * wall.changes[0].meanHours);
+    EXPECT_EQ(wall.changes[0].maxGainMin, 0);
+    EXPECT_GT(wall.changes[0].lostShare, 0.9);
+    EXPECT_EQ(wall.changes[1].meanHours, 0);
+    EXPECT_EQ(wall.changes[1].maxLossMin, 0);
+    EXPECT_EQ(wall.changes[1].lostShare, 0);
+}
+
+// A building of the scenario stands on a fifth of the park: that ground counts in neither city.
+TEST(SunByPlace, CitiesAreComparedOnGroundThatIsOpenInAllOfThem) {
+    City built = tower();
+    built.buildings.push_back(buildingOf(Box3{{34, 20, 0}, {50, 60, 3}}));
+    const SunOfCities both =
+        compared({{"Now", tower()}, {"Built", built}}, {namedPlace("Park", -30, 20, 50, 60)}, ofDays(3));
+    EXPECT_DOUBLE_EQ(both.baseline.sun[0].areaM2, 64 * 40);
+    EXPECT_DOUBLE_EQ(both.compared[0].sun.sun[0].areaM2, 64 * 40);
+}
+
+TEST(SunByPlace, ColumnsNameTheScenarios) {
+    const SunOfCities all =
+        compared({{"Now", tower()}, {"Tower B!", withWall(tower())}, {"tower b?", tower()}},
+                 {namedPlace("Park", -30, 20, 50, 60)}, ofDays(3));
+    const std::string csv = toCsv(makeTable(all.baseline, all.compared));
+    EXPECT_THAT(csv, HasSubstr("hours_mean_tower_b,"));
+    EXPECT_THAT(csv, HasSubstr("change_hours_tower_b,max_loss_min_tower_b,max_gain_min_tower_b,"
+                               "share_lost_tower_b,hours_mean_tower_b_2,"));
+    const auto json = nlohmann::json::parse(toJson(all.baseline, all.compared));
+    EXPECT_NEAR(json["places"][0]["scenarios"]["Tower B!"]["change_hours"].get<double>(),
+                all.compared[0].changes[0].meanHours, 1e-4);
+    EXPECT_EQ(json["scenarios"][1]["name"], "tower b?");
+    EXPECT_TRUE(json["definitions"].contains("change_hours"));
+}
+
 TEST(SunByPlace, RefusesWhatItCannotMeasure) {
     EXPECT_THAT(refusal({}, ofDays(3)), HasSubstr("no place"));
     SunByPlaceSettings tooMuch = ofDays(3);
