@@ -136,6 +136,37 @@ TEST_F(PlacesCommand, ARegionMayBeAPlaceByItsName) {
                 HasSubstr("Pond Lawn"));
 }
 
+// One57 shades the lawn: without it there is more sun, and nothing else changes.
+TEST_F(PlacesCommand, SunByPlaceSetsScenariosAgainstTheBaseline) {
+    const std::vector<std::string> asked{"by-place",   file_,
+                                         "--start",    "2026-03-21",
+                                         "--from",     "12:00",
+                                         "--hours",    "7",
+                                         "--step",     "10",
+                                         "--zone",     "America/New_York",
+                                         "--cell",     "4",
+                                         "--scenario", "Without One57",
+                                         "--out",      folder_.path("sun").string(),
+                                         "--date",     "2026-03-21"};
+    const auto words = noonmarkCli(asked);
+    ASSERT_EQ(words.code, 0) << words.err;
+    EXPECT_THAT(words.out,
+                AllOf(HasSubstr("baseline"), HasSubstr("Without One57: +"), HasSubstr("places.csv")));
+    auto again = asked;
+    again.insert(again.end(), {"--json", "--overwrite"});
+    const auto json = noonmarkCli(again).json();
+    const auto& lawn = json["places"][0];
+    const auto& without = lawn["scenarios"]["Without One57"];
+    EXPECT_GT(without["change_hours"].get<double>(), 0);
+    EXPECT_NEAR(without["hours_mean"].get<double>() - lawn["hours_mean"].get<double>(),
+                without["change_hours"].get<double>(), 2e-4);
+    EXPECT_EQ(without["max_loss_min"], 0);
+    EXPECT_EQ(json["baseline"], "Existing");
+    again.back() = "--baseline";
+    again.insert(again.end(), {"Without One57", "--overwrite"});
+    EXPECT_EQ(noonmarkCli(again).json()["places"][0]["scenarios"]["Without One57"]["change_hours"], 0);
+}
+
 TEST(PlacesOfFiles, MidtownsParksAndARegionByName) {
     const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";

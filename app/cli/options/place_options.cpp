@@ -35,7 +35,9 @@ void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
         ->allow_extra_args(false)
         ->check(checkKind)
         ->each([&options](const std::string& text) {
-            if (const auto kind = kindFrom(text)) options.settings.kinds.insert(*kind);
+            const auto kind = kindFrom(text);
+            if (kind) options.settings.kinds.insert(*kind);
+            if (kind == PlaceKind::street) options.settings.streets = true;
         })
         ->type_name("KIND");
     command.add_flag("--streets", options.settings.streets,

@@ -98,7 +98,7 @@ Result<StudyRequest> requestOfProject(const StudyOptions& options, Progress& pro
     const std::string& file = options.read.files.front();
     if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
     const Stopwatch watch;
-    const auto disk = ProjectFile::open(file);
+    auto disk = ProjectFile::open(file);
     if (!disk) return tl::make_unexpected(disk.error());
     Warnings photographs;
     const Project project = withPhotographAtHand(disk->project(), photographs, progress, stop);
@@ -120,7 +120,8 @@ Result<StudyRequest> requestOfProject(const StudyOptions& options, Progress& pro
     loaded.read.warnings.insert(loaded.read.warnings.end(), photographs.begin(), photographs.end());
     loaded.seconds = watch.seconds();
     Provenance provenance = provenanceOf(project, &*disk, {scenario, {}, settings.region, {}});
-    return StudyRequest{std::move(loaded), std::move(settings), *std::move(elements), std::move(provenance)};
+    return StudyRequest{std::move(loaded), std::move(settings), *std::move(elements), std::move(provenance),
+                        std::make_shared<const ProjectFile>(*std::move(disk))};
 }
 
 Result<void> checkBeforeReading(const StudyOptions& options, const std::vector<std::string>& files) {

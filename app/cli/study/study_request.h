@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -10,6 +11,7 @@
 #include "app/cli/options/study_options.h"
 #include "app/input/load_city.h"
 #include "app/input/output_rules.h"
+#include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
 
@@ -28,8 +30,9 @@ tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
 struct StudyRequest {
     LoadedCity loaded;
     StudySettings settings;
-    ElementSettings elements;              ///< with their parts
-    std::optional<Provenance> provenance;  ///< for a scenario of a project
+    ElementSettings elements;                      ///< with their parts
+    std::optional<Provenance> provenance;          ///< for a scenario of a project
+    std::shared_ptr<const ProjectFile> project{};  ///< that the city is of; null: of none
 };
 
 Provenance provenanceOf(const StudyRequest& request);

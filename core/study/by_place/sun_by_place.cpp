@@ -76,7 +76,7 @@ Result<void> checkSettings(const SunByPlaceSettings& settings, const std::vector
     if (!(settings.enoughHours >= 0 && settings.enoughHours <= SunByPlaceSettings::maxHours))
         return failure("The hours of sun that are enough must be 0 to 24",
                        fmt::format("{:g} h", settings.enoughHours), "Give hours a day");
-    if (!(settings.lossMin >= 0 && settings.lossMin <= 1440))
+    if (!(settings.lossMin >= 0 && settings.lossMin <= SunByPlaceSettings::maxLossMin))
         return failure("The minutes of sun that may be lost must be 0 to 1440",
                        fmt::format("{:g} min", settings.lossMin), "Give minutes a day");
     if (settings.dates.size() > SunByPlaceSettings::maxDates)

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/describe/field.h"
 #include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
 #include "core/receivers/place.h"
@@ -21,12 +22,16 @@ namespace noonmark {
 struct SunByPlaceSettings {
     static constexpr double maxHours = 24;
     static constexpr std::size_t maxDates = 31;
+    static constexpr double maxLossMin = 1440;
 
     StudySettings study;           ///< its region is replaced by the places; receivers stand on the ground
     double enoughHours = 2;        ///< hours of sun a day that are enough, 0 to 24
     std::vector<CivilDate> dates;  ///< days on which the area with less is stated; any, at most 31
     double lossMin = 15;           ///< a cell that loses more minutes a day counts as lost; 0 to 1440
 };
+
+/// All but those of the study.
+const Fields<SunByPlaceSettings>& sunByPlaceFields();
 
 /// A cell of a place.
 struct SunOfCell {

@@ -73,7 +73,8 @@ void addComparedColumns(std::vector<ElementColumn>& columns, std::span<const Com
     const std::vector<std::string> suffixes = suffixesOf(compared);
     for (std::size_t i = 0; i < compared.size(); ++i) {
         for (const Figure& figure : sunOfPlaceFigures().rows())
-            if (isCompared(figure)) columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
+            if (isCompared(figure))
+                columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
         for (const CivilDate& date : compared[i].sun.settings.dates)
             columns.push_back({dateKey(date) + suffixes[i], 0.0, digits});
         for (const Figure& figure : sunChangeFigures().rows())
@@ -103,8 +104,7 @@ std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const Comp
     return columns;
 }
 
-std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedSun> compared,
-                                std::size_t i) {
+std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedSun> compared, std::size_t i) {
     const Place& place = sun.places[i];
     std::vector<ElementValue> row{place.name, std::string(nameOf(place.kind))};
     const DescribedFigures figures = sunOfPlaceFigures().of(sun.sun[i]);
@@ -193,20 +193,22 @@ const Figures<SunChange>& sunChangeFigures() {
                 .jsonDecimals = digits,
                 .shownDecimals = 2,
                 .isChange = true}),
-        figure(&SunChange::maxLossMin,
-               {.key = "max_loss_min",
-                .label = NM_TEXT("Largest loss"),
-                .definition = NM_TEXT("minutes of sun a day less than in the baseline, mean over the days, at "
-                                      "the cell that loses most"),
-                .jsonDecimals = 2,
-                .unit = FigureUnit::minutesADay}),
-        figure(&SunChange::maxGainMin,
-               {.key = "max_gain_min",
-                .label = NM_TEXT("Largest gain"),
-                .definition = NM_TEXT("minutes of sun a day more than in the baseline, mean over the days, at "
-                                      "the cell that gains most"),
-                .jsonDecimals = 2,
-                .unit = FigureUnit::minutesADay}),
+        figure(
+            &SunChange::maxLossMin,
+            {.key = "max_loss_min",
+             .label = NM_TEXT("Largest loss"),
+             .definition = NM_TEXT("minutes of sun a day less than in the baseline, mean over the days, at "
+                                   "the cell that loses most"),
+             .jsonDecimals = 2,
+             .unit = FigureUnit::minutesADay}),
+        figure(
+            &SunChange::maxGainMin,
+            {.key = "max_gain_min",
+             .label = NM_TEXT("Largest gain"),
+             .definition = NM_TEXT("minutes of sun a day more than in the baseline, mean over the days, at "
+                                   "the cell that gains most"),
+             .jsonDecimals = 2,
+             .unit = FigureUnit::minutesADay}),
         figure(&SunChange::lostShare,
                {.key = "share_lost",
                 .label = NM_TEXT("Share that loses sun"),

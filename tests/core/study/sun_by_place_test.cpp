@@ -171,8 +171,7 @@ SunOfCities compared(const std::vector<NamedCity>& cities, const std::vector<Pla
 TEST(SunByPlace, ChangesEqualThoseOfCitiesMeasuredApart) {
     const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60),
                                     namedPlace("Far", -400, -400, -360, -360)};
-    const SunOfCities both =
-        compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, ofDays(3));
+    const SunOfCities both = compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, ofDays(3));
     const SunByPlace alone = measured(withWall(tower()), places, ofDays(3));
     ASSERT_EQ(both.compared.size(), 1U);
     const ComparedSun& wall = both.compared[0];
