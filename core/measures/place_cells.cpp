@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "core/city/footprints/plan_overlay.h"
-#include "core/city/footprints/shared_area.h"
 #include "core/city/terrain/ground_contact.h"
-#include "core/receivers/rasterize.h"
 
 namespace noonmark {
 
@@ -27,59 +24,89 @@ Box2 boxAround(const Place& place) {
     return box;
 }
 
-/// Calls `take(cell)` for the cells that an edge passes through.
-void walkEdge(glm::vec2 from, glm::vec2 to, const Grid& grid, const auto& take) {
-    const glm::dvec2 origin(grid.westM, grid.southM);
-    glm::dvec2 a = (glm::dvec2(from) - origin) / grid.cellM, b = (glm::dvec2(to) - origin) / grid.cellM;
-    if (a.y > b.y) std::swap(a, b);
-    const auto xAt = [&](double y) {
-        const double along = b.y > a.y ? std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0) : 0;
-        return a.x + along * (b.x - a.x);
-    };
-    const auto cellOf = [](double at, int count) {
-        return int(std::clamp(std::floor(at), 0.0, count - 1.0));
-    };
-    for (int row = cellOf(a.y, grid.rows); row <= cellOf(b.y, grid.rows); ++row) {
-        const bool level = a.y == b.y;
-        const double x = level ? a.x : xAt(row), y = level ? b.x : xAt(row + 1);
-        const int first = cellOf(std::min(x, y), grid.columns), last = cellOf(std::max(x, y), grid.columns);
-        for (int column = first; column <= last; ++column) take(std::uint32_t(grid.index(column, row)));
-    }
-}
+/// What the edges that pass through a cell cover of it, in cells: `right` of their own part of the row's
+/// height, and `height`, which they cover of every cell farther east.
+struct CellEdge {
+    std::uint32_t cell = 0;
+    double right = 0, height = 0;
+};
 
-void sortEachOnce(std::vector<std::uint32_t>& cells) {
-    std::ranges::sort(cells);
-    const auto again = std::ranges::unique(cells);
-    cells.erase(again.begin(), again.end());
-}
+/// Collects what edges cover, as font rasterisers do: the ground to the east of an edge counts once for an
+/// edge that runs south, and is taken off again by one that runs north.
+class EdgeWalk {
+public:
+    explicit EdgeWalk(const Grid& grid) : grid_(grid) {}
 
-std::vector<std::uint32_t> collectCrossed(const std::vector<Footprint>& polygons, const Grid& grid) {
-    std::vector<std::uint32_t> cells;
-    const auto walk = [&](const Ring& ring) {
+    void add(const Ring& ring, bool isHole) {
+        const double sign = (signedArea(ring) < 0) == isHole ? 1 : -1;
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-            walkEdge(ring[j], ring[i], grid, [&](std::uint32_t cell) { cells.push_back(cell); });
-    };
-    for (const Footprint& polygon : polygons) {
-        walk(polygon.outer);
-        for (const Ring& hole : polygon.holes) walk(hole);
+            addEdge(inCells(ring[j]), inCells(ring[i]), sign);
     }
-    sortEachOnce(cells);
-    return cells;
-}
 
-Footprint squareOf(const Grid& grid, std::uint32_t cell) {
-    const double west = grid.westM + double(cell % std::uint32_t(grid.columns)) * grid.cellM,
-                 south = grid.southM + double(cell / std::uint32_t(grid.columns)) * grid.cellM;
-    const auto x0 = float(west), y0 = float(south), x1 = float(west + grid.cellM),
-               y1 = float(south + grid.cellM);
-    return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
-}
+    /// Ascending; of each cell one.
+    std::vector<CellEdge> collect() {
+        std::ranges::sort(edges_, {}, &CellEdge::cell);
+        std::vector<CellEdge> sums;
+        for (const CellEdge& edge : edges_) {
+            if (sums.empty() || sums.back().cell != edge.cell) sums.push_back({edge.cell});
+            sums.back().right += edge.right;
+            sums.back().height += edge.height;
+        }
+        return sums;
+    }
 
-double shareOf(const std::vector<Footprint>& polygons, const Grid& grid, std::uint32_t cell) {
-    const Footprint square = squareOf(grid, cell);
-    double shared = 0;
-    for (const Footprint& polygon : polygons) shared += computeSharedArea(square, polygon);
-    return std::min(1.0, shared / area(square));
+private:
+    [[nodiscard]] glm::dvec2 inCells(glm::vec2 point) const {
+        return (glm::dvec2(point) - glm::dvec2(grid_.westM, grid_.southM)) / grid_.cellM;
+    }
+
+    void addEdge(glm::dvec2 a, glm::dvec2 b, double sign) {
+        if (a.y < b.y) sign = -sign;
+        if (a.y > b.y) std::swap(a, b);
+        const auto xAt = [&](double y) {
+            return std::clamp(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y), std::min(a.x, b.x),
+                              std::max(a.x, b.x));
+        };
+        const int end = int(std::clamp(std::ceil(b.y), 0.0, double(grid_.rows)));
+        for (int row = int(std::clamp(std::floor(a.y), 0.0, double(grid_.rows))); row < end; ++row) {
+            const double low = std::max(a.y, double(row)), high = std::min(b.y, row + 1.0);
+            if (low < high) addInRow(row, xAt(low), xAt(high), sign * (high - low));
+        }
+    }
+
+    // An edge from column position x to another one, over a height with its sign.
+    void addInRow(int row, double x, double otherX, double height) {
+        const double west = std::min(x, otherX), east = std::max(x, otherX);
+        const int first = columnOf(west), last = columnOf(east);
+        for (int column = first; column <= last; ++column) {
+            const double from = column == first ? west : column, to = column == last ? east : column + 1.0;
+            const double part = east > west ? height * (to - from) / (east - west) : height;
+            addInCell(column, row, (from + to) / 2 - column, part);
+        }
+    }
+
+    // West of the grid an edge covers whole cells, east of it none.
+    void addInCell(int column, int row, double middle, double height) {
+        if (column >= grid_.columns) return;
+        const double right = column < 0 ? 1 : std::clamp(1 - middle, 0.0, 1.0);
+        edges_.push_back({std::uint32_t(grid_.index(std::max(column, 0), row)), height * right, height});
+    }
+
+    [[nodiscard]] int columnOf(double x) const {
+        return int(std::clamp(std::floor(x), -1.0, double(grid_.columns)));
+    }
+
+    const Grid& grid_;
+    std::vector<CellEdge> edges_;
+};
+
+std::vector<CellEdge> collectEdges(const std::vector<Footprint>& polygons, const Grid& grid) {
+    EdgeWalk walk(grid);
+    for (const Footprint& polygon : polygons) {
+        walk.add(polygon.outer, false);
+        for (const Ring& hole : polygon.holes) walk.add(hole, true);
+    }
+    return walk.collect();
 }
 
 double sumAreas(const std::vector<Footprint>& polygons) {
@@ -107,26 +134,32 @@ std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const>
 std::vector<Footprint> findOpenGround(const Place& place, const std::vector<Footprint>& built) {
     constexpr LeastPiece any{1e-6, 0};
     if (built.empty()) return place.polygons;
-    auto open = cutPiecesOutside(place.polygons, built, any);
+    const std::vector<Footprint> within = keepMeeting(place.polygons, built);
+    if (within.empty()) return place.polygons;
+    auto open = cutPiecesOutside(place.polygons, within, any);
     // Nothing also where the overlay fails: then cells under buildings are left out by their centres alone.
-    return open.empty() && sumAreas(built) < sumAreas(place.polygons) ? place.polygons : open;
+    return open.empty() && sumAreas(within) < sumAreas(place.polygons) ? place.polygons : open;
 }
 
-std::vector<CellPart> listCellParts(const std::vector<Footprint>& polygons, const Grid& grid,
-                                    const std::stop_token& stop) {
-    constexpr double leastShare = 1e-6;  // what rounding leaves of a cell that an edge only touches
-    const std::vector<std::uint32_t> crossed = collectCrossed(polygons, grid),
-                                     centred = collectCells(polygons, grid);
-    std::vector<std::uint32_t> whole;
-    std::ranges::set_difference(centred, crossed, std::back_inserter(whole));
+std::vector<CellPart> listCellParts(const std::vector<Footprint>& polygons, const Grid& grid) {
+    constexpr double rounding = 1e-6;  // what rounding leaves of a cell that an edge only touches
     std::vector<CellPart> parts;
-    for (const std::uint32_t cell : whole) parts.push_back({cell, 1});
-    for (const std::uint32_t cell : crossed) {
-        if (stop.stop_requested()) return parts;
-        const double share = shareOf(polygons, grid, cell);
-        if (share > leastShare) parts.push_back({cell, share});
+    const auto add = [&](std::uint32_t cell, double share) {
+        if (share > rounding) parts.push_back({cell, share > 1 - rounding ? 1 : share});
+    };
+    const std::vector<CellEdge> edges = collectEdges(polygons, grid);
+    const auto columns = std::uint32_t(grid.columns);
+    double covered = 0;  // of each cell up to the row's next edge
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::uint32_t cell = edges[i].cell, rowEnd = (cell / columns + 1) * columns;
+        add(cell, covered + edges[i].right);
+        covered += edges[i].height;
+        const bool endsRow = i + 1 == edges.size() || edges[i + 1].cell >= rowEnd;
+        const std::uint32_t end = endsRow ? rowEnd : edges[i + 1].cell;
+        for (std::uint32_t between = cell + 1; covered > rounding && between < end; ++between)
+            add(between, covered);
+        if (endsRow) covered = 0;
     }
-    std::ranges::sort(parts, {}, &CellPart::cell);
     return parts;
 }
 

@@ -6,6 +6,9 @@
 #include <limits>
 #include <optional>
 
+#include <tbb/parallel_for.h>
+
+#include "core/base/stop_scope.h"
 #include "core/measures/place_areas.h"
 #include "core/measures/place_cells.h"
 #include "core/receivers/rasterize.h"
@@ -148,6 +151,19 @@ void orBits(std::span<std::uint64_t> words, std::size_t bit, std::uint64_t bits)
     if (shift != 0 && bits >> (64 - shift) != 0) words[word + 1] |= bits >> (64 - shift);
 }
 
+/// The open ground of each place, cell by cell.
+std::vector<std::vector<CellPart>> listOpenParts(std::span<const City* const> cities,
+                                                 std::span<const Place> places, const Grid& grid,
+                                                 const std::stop_token& stop) {
+    const auto built = findBuiltGround(cities, places);
+    std::vector<std::vector<CellPart>> parts(places.size());
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+        const StopScope scope(stop);
+        if (!stop.stop_requested()) parts[i] = listCellParts(findOpenGround(places[i], built[i]), grid);
+    });
+    return parts;
+}
+
 std::size_t countOf(std::span<const CellSpan> spans) {
     std::size_t count = 0;
     for (const CellSpan& span : spans) count += span.count;
@@ -184,22 +200,23 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
     if (places.empty()) return failure("There is no place to measure", "places", "Read or draw places first");
     const auto grid = gridOver(regionOfAll(places), settings);
     if (!grid) return tl::make_unexpected(grid.error());
-    const auto built = findBuiltGround(cities, places);
-    std::vector<std::vector<CellPart>> parts;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        parts.push_back(listCellParts(findOpenGround(places[i], built[i]), *grid, stop));
-        if (stop.stop_requested()) return cancelled();
-    }
+    const auto parts = listOpenParts(cities, places, *grid, stop);
+    if (stop.stop_requested()) return cancelled();
     const Region touched = regionOfCells(parts, *grid);
     auto common = placeCommonReceivers(cities, touched, *grid, stop);
     if (!common) return tl::make_unexpected(common.error());
     PlaceReceivers placed{.receivers = *std::move(common)};
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    placed.cellsOf.resize(places.size());
+    placed.unevenOf.resize(places.size());
+    placed.neighboursOf.resize(places.size());
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+        if (stop.stop_requested()) return;
         const PlaceCells cells(parts[i], placed.receivers, places[i].polygons);
-        placed.cellsOf.push_back(cells.spans());
-        placed.unevenOf.push_back(cells.uneven());
-        placed.neighboursOf.push_back(cells.neighbours());
-    }
+        placed.cellsOf[i] = cells.spans();
+        placed.unevenOf[i] = cells.uneven();
+        placed.neighboursOf[i] = cells.neighbours();
+    });
+    if (stop.stop_requested()) return cancelled();
     return placed;
 }
 

@@ -44,6 +44,19 @@ std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints
     return pieces;
 }
 
+std::vector<Footprint> keepMeeting(const std::vector<Footprint>& footprints, std::vector<Footprint> others) {
+    const Geos geos;
+    const Geometry whole = collection(geos, footprints);
+    const GEOSPreparedGeometry* prepared = whole ? GEOSPrepare_r(geos, whole.get()) : nullptr;
+    if (prepared == nullptr) return others;
+    std::erase_if(others, [&](const Footprint& other) {
+        const Geometry one = collection(geos, std::vector<Footprint>{other});
+        return one && GEOSPreparedIntersects_r(geos, prepared, one.get()) == 0;
+    });
+    GEOSPreparedGeom_destroy_r(geos, prepared);
+    return others;
+}
+
 std::vector<Footprint> cutSharedPieces(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
     const Geos geos;
     return toPolygons(geos, sharedGeometry(geos, a, b));
