@@ -42,11 +42,16 @@ void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
         ->type_name("KIND");
     command.add_flag("--streets", options.settings.streets,
                      "OpenStreetMap: streets too, as wide as tagged or as is usual for their class");
+    options.settings.wholeStreets = false;
+    command.add_flag("--whole-streets", options.settings.wholeStreets,
+                     "OpenStreetMap: each street as one place, not cut at its junctions");
     command
-        .add_option("--sidewalks", options.settings.sidewalkM,
-                    "With --streets: not the carriageways but strips of this width on both sides of them, m")
-        ->check(within(0.5, PlaceSettings::mostSidewalkM))
-        ->needs("--streets")
+        .add_option(
+            "--sidewalks", options.settings.sidewalkM,
+            "OpenStreetMap: of streets also strips of this width on both sides of the carriageway, as "
+            "places of their own, m; 0: none")
+        ->capture_default_str()
+        ->check(within(0, PlaceSettings::mostSidewalkM))
         ->type_name("M");
     command.add_flag_function(
         "--named", [&options](auto) { options.settings.unnamed = false; }, "Only places with a name");

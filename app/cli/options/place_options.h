@@ -18,7 +18,7 @@ struct PlaceOptions {
     [[nodiscard]] bool admits(const Place& place) const;
 };
 
-/// Adds --kind, --streets, --named, --least-area, --name-field, --as, --place-layer and --place-crs.
+/// Adds --kind, --streets, --whole-streets, --sidewalks, --named, --least-area, --name-field, --as, --place-layer and --place-crs.
 /// `options` must outlive the parsing.
 void addPlaceOptions(CLI::App& command, PlaceOptions& options);
 

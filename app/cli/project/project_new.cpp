@@ -74,7 +74,7 @@ Result<PlacesRead> placesOf(const NewOptions& options, const Frame& frame, const
     if (options.noPlaces) return PlacesRead{};
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return loadCityPlaces(options.read.files, {.streets = options.streets}, frame, progress,
+    return loadCityPlaces(options.read.files, {.streets = options.streets, .wholeStreets = false}, frame, progress,
                           interrupt.token());
 }
 

@@ -62,28 +62,8 @@ bool isUsable(const StreetPiece& piece, Warnings& warnings) {
     return false;
 }
 
-/// The lines of one street.
-struct Street {
-    std::string name, id;  ///< the id of the first line
-    std::vector<StreetLine> lines;
-};
-
-std::vector<Street> joinByName(const std::vector<StreetPiece>& pieces, Warnings& warnings) {
-    std::map<std::string, Street> byName;
-    for (const StreetPiece& piece : pieces) {
-        if (!isUsable(piece, warnings)) continue;
-        // A name cannot begin with a line break, so that lines without one stay apart.
-        Street& street = byName[piece.name.empty() ? "\n" + piece.id : piece.name];
-        if (street.lines.empty()) street = {piece.name, piece.id, {}};
-        street.lines.push_back(piece.line);
-    }
-    std::vector<Street> streets;
-    for (auto& [name, street] : byName) streets.push_back(std::move(street));
-    return streets;
-}
-
 // The strips beside `street` that no carriageway covers.
-std::vector<Footprint> cutSidewalks(Street street, double sidewalkM,
+std::vector<Footprint> cutSidewalks(StreetBlock street, double sidewalkM,
                                     const std::vector<Footprint>& carriageways) {
     constexpr LeastPiece least{.areaM2 = 1, .widthM = 0.2};
     for (StreetLine& line : street.lines) line.widthM += 2 * sidewalkM;
@@ -91,8 +71,8 @@ std::vector<Footprint> cutSidewalks(Street street, double sidewalkM,
 }
 
 // `carriageways`: those of `streets`. A street between carriageways has no sidewalk and is left out.
-std::vector<Place> makeSidewalks(const std::vector<Place>& carriageways, const std::vector<Street>& streets,
-                                 double sidewalkM) {
+std::vector<Place> makeSidewalks(const std::vector<Place>& carriageways,
+                                 const std::vector<StreetBlock>& streets, double sidewalkM) {
     std::vector<Box2> boxes, wide;
     const glm::vec2 margin{float(sidewalkM)};
     for (const Place& place : carriageways) {
@@ -109,6 +89,32 @@ std::vector<Place> makeSidewalks(const std::vector<Place>& carriageways, const s
         if (!place.polygons.empty()) places.push_back(std::move(place));
     }
     return places;
+}
+
+std::vector<Place> named(std::vector<Place> places, std::string_view part) {
+    for (Place& place : places)
+        place.name = fmt::format(
+            "{}, {}", place.name.empty() ? fmt::format("street ({})", place.source) : place.name, part);
+    return places;
+}
+
+std::string_view streetOf(const Place& place) {
+    return std::string_view(place.name).substr(0, place.name.rfind(", "));
+}
+
+// The sidewalks of each street behind its carriageway.
+std::vector<Place> alternate(std::vector<Place> carriageways, std::vector<Place> sidewalks) {
+    std::map<std::string, std::vector<Place>, std::less<>> byStreet;
+    for (Place& place : sidewalks) byStreet[std::string(streetOf(place))].push_back(std::move(place));
+    std::vector<Place> all;
+    for (Place& place : carriageways) {
+        all.push_back(std::move(place));
+        const auto beside = byStreet.find(streetOf(all.back()));
+        if (beside == byStreet.end()) continue;
+        std::ranges::move(beside->second, std::back_inserter(all));
+        byStreet.erase(beside);
+    }
+    return all;
 }
 
 }  // namespace
@@ -128,21 +134,26 @@ std::vector<Place> joinAreas(std::vector<Place> areas, double nearM) {
     return places;
 }
 
-std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, double sidewalkM,
+std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, const StreetPlaces& how,
                                const std::string& sourceStart, Warnings& warnings) {
+    std::vector<StreetPiece> usable;
+    for (const StreetPiece& piece : pieces)
+        if (isUsable(piece, warnings)) usable.push_back(piece);
     std::vector<Place> places;
-    std::vector<Street> streets;
-    for (Street& street : joinByName(pieces, warnings)) {
+    std::vector<StreetBlock> streets;
+    for (StreetBlock& street : how.whole ? joinByName(usable) : cutAtJunctions(usable)) {
         auto polygons = widenStreet(street.lines);
         if (polygons.empty()) {
             warnings.push_back({WarningKind::dropped, "the street could not be widened", street.id});
             continue;
         }
         places.push_back({street.name, PlaceKind::street, std::move(polygons),
-                          sourceStart + sourceOf(street.id, street.lines.size())});
+                          sourceStart + sourceOf(street.id, street.lineCount)});
         streets.push_back(std::move(street));
     }
-    return sidewalkM > 0 ? makeSidewalks(places, streets, sidewalkM) : places;
+    if (how.sidewalkM <= 0) return joinAreas(std::move(places));
+    auto sidewalks = joinAreas(named(makeSidewalks(places, streets, how.sidewalkM), "sidewalks"));
+    return alternate(joinAreas(named(std::move(places), "carriageway")), std::move(sidewalks));
 }
 
 }  // namespace noonmark

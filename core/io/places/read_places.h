@@ -22,7 +22,9 @@ struct PlaceSettings {
 
     std::set<PlaceKind> kinds;  ///< only these; empty: all
     bool streets = false;       ///< OpenStreetMap: also streets, as wide as tagged, else as is usual
-    /// Of streets, not the carriageway but strips of this width on both sides of it; 0: the carriageway.
+    bool wholeStreets = true;   ///< of each street name one place; else streets are cut at their junctions
+    /// Beside the carriageways of streets, strips of this width on both sides as places of their own; 0:
+    /// none.
     double sidewalkM = 0;
     static constexpr double mostSidewalkM = 20;
     bool unnamed = true;      ///< also places without a name

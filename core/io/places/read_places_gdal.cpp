@@ -91,8 +91,9 @@ public:
             return failure("It holds no polygons", file_, "Export the places as polygons");
         read.places = joinAreas(std::move(areas));
         if (stop_.stop_requested()) return cancelled();
-        std::ranges::move(makeStreets(streets, settings_.sidewalkM, "OSM ", read.warnings),
-                          std::back_inserter(read.places));
+        std::ranges::move(
+            makeStreets(streets, {settings_.wholeStreets, settings_.sidewalkM}, "OSM ", read.warnings),
+            std::back_inserter(read.places));
         std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.leastAreaM2; });
         nameApart(read.places);
         if (stop_.stop_requested()) return cancelled();

@@ -45,7 +45,8 @@ std::string TimelineRequest::key() const {
     return fmt::format("timelines;{};{};{};{};{};{};{};{};{};{};{};{};{};{}", placesHash, kindsOf(reading),
                        reading.streets, reading.sidewalkM, reading.unnamed, reading.leastAreaM2,
                        reading.farAwayM, reading.nameField, nameOf(reading.kind), reading.layer,
-                       reading.crs.value_or(""), allSteps, labels.from, labels.to);
+                       reading.crs.value_or(""), allSteps, labels.from, labels.to) +
+           (reading.wholeStreets ? "" : ";cut streets");
 }
 
 PlacesOfTiles::PlacesOfTiles(std::vector<Place> places, const TilePlan& plan)

@@ -16,6 +16,7 @@
 namespace noonmark {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 const Frame manhattan({-73.98, 40.75});
@@ -146,10 +147,81 @@ TEST_F(ReadPlaces, SidewalksLieBesideTheCarriagewaysOfAllStreets) {
                                      {{"highway", "tertiary"}, {"name", "Cross Street"}, {"width", "8"}}, 2);
     const auto file = folder_.file("a.osm", osmOf(text));
     const auto read = readFrom(file, {.streets = true, .sidewalkM = 3}).value();
-    ASSERT_EQ(read.places.size(), 2U);
-    EXPECT_NEAR(area(*placeNamed(read, "Main Street")), 2 * 3 * (100 - 8), 1);
-    EXPECT_NEAR(area(*placeNamed(read, "Cross Street")), 2 * 3 * (100 - 12), 1);
-    EXPECT_EQ(placeNamed(read, "Main Street")->polygons.size(), 4U);
+    ASSERT_EQ(read.places.size(), 4U);
+    EXPECT_NEAR(area(*placeNamed(read, "Main Street, carriageway")), 12 * 100, 1);
+    EXPECT_NEAR(area(*placeNamed(read, "Main Street, sidewalks")), 2 * 3 * (100 - 8), 1);
+    EXPECT_NEAR(area(*placeNamed(read, "Cross Street, sidewalks")), 2 * 3 * (100 - 12), 1);
+    EXPECT_EQ(placeNamed(read, "Main Street, sidewalks")->polygons.size(), 4U);
+}
+
+std::vector<std::string> namesOf(const PlacesRead& read) {
+    std::vector<std::string> names;
+    for (const Place& place : read.places) names.push_back(place.name);
+    return names;
+}
+
+std::string street(int node, const std::vector<glm::dvec2>& line, const std::string& name, int way) {
+    return osmLine(node, line, {{"highway", "residential"}, {"name", name}, {"width", "10"}}, way);
+}
+
+std::vector<std::string> blocksOf(tests::TemporaryFolder& folder, const std::string& text) {
+    return namesOf(
+        readFrom(folder.file("blocks.osm", osmOf(text)), {.streets = true, .wholeStreets = false}).value());
+}
+
+// 46th Street is crossed by 5th and 10th Avenue, in one way of four points and beyond both. Numbers count,
+// not letters: 10th comes after 5th.
+TEST_F(ReadPlaces, StreetsAreCutAtTheirCrossStreets) {
+    const std::string text = street(1, {{0, 0}, {100, 0}, {300, 0}, {400, 0}}, "46th Street", 1) +
+                             street(10, {{100, -80}, {100, 0}, {100, 90}}, "10th Avenue", 2) +
+                             street(20, {{300, -80}, {300, 0}, {300, 90}}, "5th Avenue", 3);
+    const auto file = folder_.file("a.osm", osmOf(text));
+    const auto read = readFrom(file, {.streets = true, .wholeStreets = false}).value();
+    EXPECT_THAT(namesOf(read),
+                ElementsAre("5th Avenue, north of 46th Street", "5th Avenue, south of 46th Street",
+                            "10th Avenue, north of 46th Street", "10th Avenue, south of 46th Street",
+                            "46th Street, 5th Avenue to 10th Avenue", "46th Street, east of 5th Avenue",
+                            "46th Street, west of 10th Avenue"));
+    EXPECT_NEAR(area(*placeNamed(read, "46th Street, 5th Avenue to 10th Avenue")), 200 * 10, 1);
+}
+
+// The avenue's carriageways lie 20 m apart; the street between them belongs to one of the blocks beside it.
+TEST_F(ReadPlaces, DualCarriagewaysAreOneStreet) {
+    const std::string text = street(1, {{-100, 0}, {0, 0}, {20, 0}, {120, 0}}, "1st Street", 1) +
+                             street(10, {{-100, 100}, {0, 100}, {20, 100}, {120, 100}}, "2nd Street", 2) +
+                             street(20, {{0, 0}, {0, 100}}, "Park Avenue", 3) +
+                             street(30, {{20, 0}, {20, 100}}, "Park Avenue", 4);
+    const auto file = folder_.file("a.osm", osmOf(text));
+    const auto read = readFrom(file, {.streets = true, .wholeStreets = false}).value();
+    ASSERT_THAT(namesOf(read), testing::Contains("Park Avenue, 1st Street to 2nd Street"));
+    EXPECT_EQ(read.places.size(), 5U) << "no block between the carriageways";
+    const Place& avenue = *placeNamed(read, "Park Avenue, 1st Street to 2nd Street");
+    EXPECT_NEAR(area(avenue), 2 * 100 * 10, 1);
+    EXPECT_EQ(avenue.polygons.size(), 2U);
+    double streets = 0;
+    for (const Place& place : read.places) streets += area(place);
+    EXPECT_NEAR(streets, (220 + 220 + 200) * 10, 1);
+}
+
+// The circle is a street of its own; the lane without a name is listed and cuts nothing; the bridge crosses
+// without a point in common.
+TEST_F(ReadPlaces, CirclesLanesAndBridgesAreListedToo) {
+    const std::string text =
+        street(1, {{0, 0}, {30, 30}, {60, 0}, {30, -30}, {0, 0}}, "The Circle", 1) +
+        street(10, {{60, 0}, {100, 0}, {200, 0}}, "East Road", 2) +
+        street(20, {{0, 0}, {-100, 0}}, "West Road", 3) +
+        osmLine(30, {{100, 0}, {100, 50}}, {{"highway", "residential"}, {"width", "5"}}, 4) +
+        street(40, {{150, -50}, {150, 50}}, "Bridge", 5);
+    EXPECT_THAT(blocksOf(folder_, text),
+                ElementsAre("street (OSM way 4)", "Bridge", "East Road, east of The Circle",
+                            "The Circle, East Road to West Road", "West Road, west of The Circle"));
+}
+
+TEST_F(ReadPlaces, ACrescentEndsTwiceAtTheSameStreet) {
+    const std::string text = street(1, {{0, 0}, {100, 0}}, "Main Street", 1) +
+                             street(10, {{0, 0}, {50, 80}, {100, 0}}, "The Crescent", 2);
+    EXPECT_THAT(blocksOf(folder_, text),
+                ElementsAre("Main Street, at The Crescent", "The Crescent, at Main Street"));
 }
 
 constexpr const char* parksGeoJson = R"({"type":"FeatureCollection","features":[

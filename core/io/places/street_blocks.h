@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/io/places/street_polygons.h"
+
+namespace noonmark {
+
+/// One line of a street as read.
+struct StreetPiece {
+    std::string name;  ///< may be empty
+    std::string id;    ///< "way 123"
+    StreetLine line;
+};
+
+/// A street, or what of it lies between two cross streets.
+struct StreetBlock {
+    std::string name;  ///< "West 46th Street, 5th Avenue to 6th Avenue"; empty: the street has no name
+    std::string id;    ///< of its first line
+    std::size_t lineCount = 0;
+    std::vector<StreetLine> lines;
+};
+
+/// The lines of each name together, and each line without a name for itself.
+std::vector<StreetBlock> joinByName(const std::vector<StreetPiece>& pieces);
+
+/// The same, cut where lines of another name share a point with them, as maps draw junctions; bridges share
+/// none. A block is called after the cross streets at its ends in the order of their numbers; where several
+/// meet, after the first. The halves of a dual carriageway make two blocks of the same name, which
+/// joinAreas() makes one place of. What lies between two carriageways of the same cross street belongs to the
+/// block beside it. Where a street ends without a cross street, at a dead end or at the edge of the data, its
+/// block is called "West 46th Street, west of 12th Avenue". Streets without a name are not cut, and cut none.
+/// O(n log n).
+std::vector<StreetBlock> cutAtJunctions(const std::vector<StreetPiece>& pieces);
+
+}  // namespace noonmark
