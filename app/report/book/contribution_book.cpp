@@ -5,6 +5,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/sheets/period_words.h"
 #include "core/city/footprints/plan_lines.h"
+#include "core/study/contributions/contributions.h"
 #include "core/study/text/breakdown_text.h"
 
 namespace noonmark {
@@ -147,11 +148,11 @@ std::vector<BookPage> makeShareTablePages(const Study& study, const Contribution
                                           const BookSettings& settings) {
     const QString title = QStringLiteral("Contributions"),
                   note = QStringLiteral(
-                             "Attributed: each shaded cell counts for the building that shades it; all "
-                             "rows add up to all shadow. Sole: what would be lit if only this building were "
-                             "gone. Area x hours over the whole period. Engine: %1. Rows below 0.1 % are "
-                             "added up; contributions.csv lists each.")
-                             .arg(describeEngineUsed(study.breakdown->engine));
+                             "Attributed: %1. Sole: %2. Area x hours over the whole period. Engine: %3. "
+                             "Rows below 0.1 % are added up; contributions.csv lists each.")
+                             .arg(plainText(std::string(attributedDefinition())),
+                                  plainText(std::string(soleDefinition())),
+                                  describeEngineUsed(study.breakdown->engine));
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
                           {{QStringLiteral("By building"), note, makeTable(all, settings)}});
 }

@@ -10,6 +10,7 @@
 #include "app/report/sheets/study_report.h"
 #include "core/io/write_city.h"
 #include "core/measures/has_runs.h"
+#include "core/study/contributions/contributions.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/breakdown_text.h"
@@ -36,13 +37,9 @@ Result<void> writeMonths(const Study& study, const std::filesystem::path& file) 
 }
 
 Result<void> writeContributions(const Study& study, const std::filesystem::path& file) {
-    BuildingColumn attributed{"attributed_min_m2", std::vector<double>(study.city.buildings.size())},
-        sole{"sole_min_m2", attributed.values};
-    for (const BuildingShadow& shadow : study.breakdown->buildings) {
-        attributed.values[shadow.building] = sumOf(shadow.attributedMinM2);
-        sole.values[shadow.building] = sumOf(shadow.soleMinM2);
-    }
-    return writeCityGeoPackage(file, study.city, {attributed, sole}).map([](const Warnings&) {});
+    const auto rows = listContributions(study.city, *study.breakdown, study.sun.dayCount());
+    return writeCityGeoPackage(file, study.city, contributionColumns(rows, study.city.buildings.size()))
+        .map([](const Warnings&) {});
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include "core/study/text/breakdown_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -16,17 +13,6 @@
 namespace noonmark {
 
 namespace {
-
-using Caster = std::array<std::string, 3>;  // number, source id and name
-
-void addLine(CsvText& csv, const Caster& caster, const BuildingShadow& shadow, const SourceValues& source) {
-    for (const std::string& text : caster) csv.text(text);
-    csv.number(sumOf(shadow.attributedMinM2), 1).number(sumOf(shadow.soleMinM2), 1);
-    for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
-        csv.number(shadow.attributedMinM2[set], 1).number(shadow.soleMinM2[set], 1);
-    addSource(csv, source);
-    csv.endRow();
-}
 
 constexpr double minutesOfHour = 60;
 
@@ -43,14 +29,6 @@ std::vector<MonthDays> countDays(const SunSteps& sun) {
         ++months.back().days;
     }
     return months;
-}
-
-std::vector<std::string> contributionColumns(const ShadowBreakdown& breakdown) {
-    std::vector<std::string> columns{"building", "source_id", "name", "attributed_min_m2", "sole_min_m2"};
-    for (std::size_t set = 0; breakdown.sets.names.size() > 1 && set < breakdown.sets.names.size(); ++set)
-        columns.insert(columns.end(),
-                       {"attributed " + breakdown.sets.names[set], "sole " + breakdown.sets.names[set]});
-    return withSourceColumns(std::move(columns));
 }
 
 }  // namespace
@@ -155,17 +133,5 @@ std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& 
 }
 
 std::string monthsCsv(const Study& study) { return monthsCsv(monthsOf(*study.breakdown), study.provenance); }
-
-std::string contributionsCsv(const Study& study) {
-    const ShadowBreakdown& breakdown = *study.breakdown;
-    const SourceValues source = sourceValues(study.provenance);
-    CsvText csv(contributionColumns(breakdown));
-    for (const BuildingShadow& shadow : sortContributions(breakdown)) {
-        const Building& building = *study.city.buildings[shadow.building];
-        addLine(csv, {fmt::to_string(shadow.building), building.sourceId, building.name}, shadow, source);
-    }
-    if (breakdown.terrain) addLine(csv, {"", "terrain", "terrain"}, *breakdown.terrain, source);
-    return csv.take();
-}
 
 }  // namespace noonmark

@@ -45,9 +45,4 @@ nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months);
 std::string monthsCsv(const Study& study);
 std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance);
 
-/// Columns: building,source_id,name,attributed_min_m2,sole_min_m2; with several months two more columns for
-/// each of them ("attributed 2026-01", "sole 2026-01"); then the source columns. One row for each building
-/// that shades a receiver, the largest first. The study's breakdown must exist.
-std::string contributionsCsv(const Study& study);
-
 }  // namespace noonmark

@@ -1,0 +1,175 @@
+#include "core/study/contributions/contributions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/csv_text.h"
+#include "core/describe/figure_text.h"
+#include "core/describe/text.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/breakdown_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double minutesOfHour = 60;
+
+std::size_t countCells(const ShadowBreakdown& breakdown) {
+    if (breakdown.minutes.empty()) return 0;
+    return std::size_t(
+        std::ranges::count_if(breakdown.minutes.front(), [](float minutes) { return !std::isnan(minutes); }));
+}
+
+/// What turns sums over cells and days into means.
+struct CellDays {
+    double areaDays = 0;  ///< area of the cells x days, m2
+    double allMinM2 = 0;  ///< of all buildings and the terrain
+};
+
+Contribution makeContribution(const BuildingShadow& shadow, const CellDays& of) {
+    Contribution one{.shadow = shadow};
+    one.attributedMinM2 = sumOf(shadow.attributedMinM2);
+    one.soleMinM2 = sumOf(shadow.soleMinM2);
+    if (of.areaDays > 0) {
+        one.attributedMin = one.attributedMinM2 / of.areaDays;
+        one.soleMin = one.soleMinM2 / of.areaDays;
+    }
+    if (of.allMinM2 > 0) one.share = one.attributedMinM2 / of.allMinM2;
+    return one;
+}
+
+CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
+    CellDays all{double(countCells(breakdown)) * breakdown.grid.cellAreaM2() * double(days)};
+    if (breakdown.terrain) all.allMinM2 = sumOf(breakdown.terrain->attributedMinM2);
+    for (const BuildingShadow& shadow : breakdown.buildings) all.allMinM2 += sumOf(shadow.attributedMinM2);
+    return all;
+}
+
+double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesOfHour; }
+double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesOfHour; }
+
+std::vector<std::string> columnsOf(const StepSets& sets) {
+    std::vector<std::string> columns{"building", "source_id", "name"};
+    for (std::string& key : listColumns(contributionFigures().rows())) columns.push_back(std::move(key));
+    for (std::size_t set = 0; sets.names.size() > 1 && set < sets.names.size(); ++set)
+        columns.insert(columns.end(), {"attributed " + sets.names[set], "sole " + sets.names[set]});
+    return withSourceColumns(std::move(columns));
+}
+
+void addRow(CsvText& csv, const Contribution& row, const SourceValues& source) {
+    csv.text(row.building ? fmt::to_string(*row.building) : std::string()).text(row.id).text(row.name);
+    addFigures(csv, contributionFigures().of(row));
+    const BuildingShadow& shadow = row.shadow;
+    for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
+        csv.number(shadow.attributedMinM2[set], 1).number(shadow.soleMinM2[set], 1);
+    addSource(csv, source);
+    csv.endRow();
+}
+
+}  // namespace
+
+const Figures<Contribution>& contributionFigures() {
+    static const Figures<Contribution> figures{
+        figure(&Contribution::attributedMinM2,
+               {.key = "attributed_min_m2",
+                .label = NM_TEXT("Attributed shadow"),
+                .definition = NM_TEXT("the part of the shadow that one building is charged with; the "
+                                      "attributed shadows of all buildings and of the terrain add up to the "
+                                      "total"),
+                .use = FigureUse::file}),
+        figure(&Contribution::soleMinM2, {.key = "sole_min_m2",
+                                          .label = NM_TEXT("Sole contribution"),
+                                          .definition = NM_TEXT("the shadow that would disappear if only "
+                                                                "this building were gone"),
+                                          .use = FigureUse::file}),
+        figure(&Contribution::share,
+               {.key = "share",
+                .label = NM_TEXT("Share"),
+                .definition = NM_TEXT("attributed shadow, as a share of all shadow on the cells"),
+                .decimals = 6,
+                .unit = FigureUnit::share}),
+        figure(&Contribution::attributedMin,
+               {.key = "attributed_min_day",
+                .label = NM_TEXT("Attributed"),
+                .definition = NM_TEXT("attributed shadow in minutes a day, mean over the cells"),
+                .decimals = 4,
+                .unit = FigureUnit::minutesADay,
+                .shownDecimals = 2}),
+        figure(&Contribution::soleMin,
+               {.key = "sole_min_day",
+                .label = NM_TEXT("Sole"),
+                .definition = NM_TEXT("sole contribution in minutes a day, mean over the cells"),
+                .decimals = 4,
+                .unit = FigureUnit::minutesADay,
+                .shownDecimals = 2}),
+        derivedFigure(&attributedM2h,
+                      {.key = "attributed_m2h",
+                       .label = NM_TEXT("Attributed area x hours"),
+                       .definition = NM_TEXT("attributed shadow as area x hours of the whole period"),
+                       .unit = FigureUnit::squareMetreHours,
+                       .inFiles = false}),
+        derivedFigure(&soleM2h,
+                      {.key = "sole_m2h",
+                       .label = NM_TEXT("Sole area x hours"),
+                       .definition = NM_TEXT("sole contribution as area x hours of the whole period"),
+                       .unit = FigureUnit::squareMetreHours,
+                       .inFiles = false})};
+    return figures;
+}
+
+std::string_view attributedDefinition() {
+    return findFigure(contributionFigures().rows(), "attributed_min_m2").definition;
+}
+
+std::string_view soleDefinition() {
+    return findFigure(contributionFigures().rows(), "sole_min_m2").definition;
+}
+
+std::vector<Contribution> listContributions(const City& city, const ShadowBreakdown& breakdown,
+                                            std::size_t days) {
+    const CellDays all = sumUpBreakdown(breakdown, days);
+    std::vector<Contribution> rows;
+    for (const BuildingShadow& shadow : sortContributions(breakdown)) {
+        const Building& building = *city.buildings[shadow.building];
+        rows.push_back(makeContribution(shadow, all));
+        rows.back().building = shadow.building;
+        rows.back().id = building.sourceId;
+        rows.back().name = building.name;
+    }
+    if (!breakdown.terrain) return rows;
+    rows.push_back(makeContribution(*breakdown.terrain, all));
+    rows.back().id = rows.back().name = "terrain";
+    return rows;
+}
+
+std::string contributionsCsv(const std::vector<Contribution>& rows, const StepSets& sets,
+                             const Provenance& provenance) {
+    const SourceValues source = sourceValues(provenance);
+    CsvText csv(columnsOf(sets));
+    for (const Contribution& row : rows) addRow(csv, row, source);
+    return csv.take();
+}
+
+std::string contributionsCsv(const Study& study) {
+    const ShadowBreakdown& breakdown = *study.breakdown;
+    return contributionsCsv(listContributions(study.city, breakdown, study.sun.dayCount()), breakdown.sets,
+                            study.provenance);
+}
+
+std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows,
+                                                std::size_t buildings) {
+    std::vector<BuildingColumn> columns;
+    for (const Figure& figure : contributionFigures().rows()) {
+        if (!figure.inFiles) continue;
+        BuildingColumn column{std::string(figure.key), std::vector<double>(buildings)};
+        for (const Contribution& row : rows)
+            if (row.building) column.values[*row.building] = figure.get(&row);
+        columns.push_back(std::move(column));
+    }
+    return columns;
+}
+
+}  // namespace noonmark

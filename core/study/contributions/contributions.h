@@ -1,0 +1,48 @@
+#pragma once
+
+// The folder core/study/contributions states what each building takes: contributions.h has the rows of a
+// table with their figures, place_contributions.h finds them for one place of a study.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/describe/figure.h"
+#include "core/io/write_city.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// The shadow of one building, or of the terrain, on the cells of a breakdown.
+struct Contribution {
+    std::optional<std::uint32_t> building;      ///< index in City::buildings; none: the terrain
+    std::string id;                             ///< of the source; "terrain"
+    std::string name;                           ///< may be empty
+    BuildingShadow shadow;                      ///< by set of steps
+    double attributedMinM2 = 0, soleMinM2 = 0;  ///< of the whole period
+    double attributedMin = 0, soleMin = 0;      ///< a day, mean over the cells
+    double share = 0;                           ///< of all shadow on the cells, 0 to 1
+};
+
+/// Glossary: attributed shadow, sole contribution. These rows hold their definitions.
+const Figures<Contribution>& contributionFigures();
+/// Of the table above.
+std::string_view attributedDefinition();
+std::string_view soleDefinition();
+
+/// One row for each building that shades a cell, those with the most attributed shadow first, and at the end
+/// one for the terrain where it shades any. `city` and `days`: those of the breakdown.
+std::vector<Contribution> listContributions(const City& city, const ShadowBreakdown& breakdown,
+                                            std::size_t days);
+
+/// Columns: building,source_id,name and the figures; with several months two more columns for each of them
+/// ("attributed 2026-01", "sole 2026-01"); then the source columns. Rows as of listContributions().
+std::string contributionsCsv(const std::vector<Contribution>& rows, const StepSets& sets,
+                             const Provenance& provenance);
+/// The study's breakdown must exist.
+std::string contributionsCsv(const Study& study);
+
+/// The figures as columns of the layer of buildings; 0 where a building shades nothing.
+std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows, std::size_t buildings);
+
+}  // namespace noonmark

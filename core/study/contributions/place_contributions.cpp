@@ -1,0 +1,92 @@
+#include "core/study/contributions/place_contributions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/memory_guard.h"
+#include "core/receivers/rasterize.h"
+#include "core/study/breakdown_check.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<std::uint32_t> findCellsIn(const Place& place, const Receivers& receivers) {
+    std::vector<std::uint32_t> cells = collectCells(place.polygons, receivers.grid);
+    std::erase_if(cells, [&](std::uint32_t cell) { return !isReceiver(receivers.kind[cell]); });
+    return cells;
+}
+
+/// Columns and rows of a grid, the last ones included.
+struct CellBox {
+    int firstColumn, lastColumn, firstRow, lastRow;
+};
+
+CellBox boxAround(const std::vector<std::uint32_t>& cells, const Grid& grid) {
+    const auto columns = std::uint32_t(grid.columns);
+    CellBox box{grid.columns, 0, int(cells.front() / columns), int(cells.back() / columns)};
+    for (const std::uint32_t cell : cells) {
+        box.firstColumn = std::min(box.firstColumn, int(cell % columns));
+        box.lastColumn = std::max(box.lastColumn, int(cell % columns));
+    }
+    return box;
+}
+
+// The same cells in the smallest grid: sums by month and cell take memory for all of it.
+Receivers cropTo(const std::vector<std::uint32_t>& cells, const Receivers& all) {
+    const CellBox box = boxAround(cells, all.grid);
+    const glm::dvec2 corner{all.grid.westM + box.firstColumn * all.grid.cellM,
+                            all.grid.southM + box.firstRow * all.grid.cellM};
+    Receivers cropped;
+    cropped.grid = {corner.x, corner.y, all.grid.cellM, box.lastColumn - box.firstColumn + 1,
+                    box.lastRow - box.firstRow + 1};
+    cropped.kind.assign(cropped.grid.size(), CellKind::outside);
+    if (!all.flat()) cropped.groundM.assign(cropped.grid.size(), 0);
+    for (const std::uint32_t cell : cells) {
+        const int column = int(cell % std::uint32_t(all.grid.columns)) - box.firstColumn;
+        const int row = int(cell / std::uint32_t(all.grid.columns)) - box.firstRow;
+        const auto own = std::uint32_t(cropped.grid.index(column, row));
+        cropped.kind[own] = all.kind[cell];
+        if (!all.flat()) cropped.groundM[own] = all.groundM[cell];
+        cropped.cells.push_back(own);
+    }
+    return cropped;
+}
+
+double sumOfStudy(const Study& study, const std::vector<std::uint32_t>& cells) {
+    double minutesADay = 0;
+    for (const std::uint32_t cell : cells) minutesADay += double(study.field.grossMin[cell]);
+    return minutesADay * double(study.sun.dayCount()) * study.field.grid.cellAreaM2();
+}
+
+Result<PlaceContributions> attribute(const Study& study, const Place& place, Progress& progress,
+                                     std::stop_token stop, const EngineList& engines) {
+    const auto engine = makeEngine(study.settings.engine, study.settings.engineSettings, engines);
+    if (!engine) return tl::make_unexpected(engine.error());
+    StudySettings wanted = study.settings;
+    wanted.contributions = true;
+    if (auto able = checkBreakdown(wanted, (*engine)->capabilities(), engines); !able)
+        return tl::make_unexpected(able.error());
+    const std::vector<std::uint32_t> cells = findCellsIn(place, study.receivers);
+    if (cells.empty())
+        return failure("No cell of the study lies on open ground of this place", place.name,
+                       "Choose a place in the study's region, or run the study with smaller cells");
+    auto breakdown = (*engine)->breakDown(study.city, cropTo(cells, study.receivers), study.sun,
+                                          monthsOf(study.sun), true, progress, std::move(stop));
+    if (!breakdown) return tl::make_unexpected(breakdown.error());
+    PlaceContributions made{
+        place, *std::move(breakdown), cells.size(), study.sun.dayCount(), sumOfStudy(study, cells), {}};
+    made.rows = listContributions(study.city, made.breakdown, made.days);
+    return made;
+}
+
+}  // namespace
+
+Result<PlaceContributions> computePlaceContributions(const Study& study, const Place& place,
+                                                     Progress& progress, std::stop_token stop,
+                                                     const EngineList& engines) {
+    return guardMemory({.advice = "Choose a smaller place or larger cells"},
+                       [&] { return attribute(study, place, progress, std::move(stop), engines); });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,191 @@
+#include "core/study/contributions/place_contributions.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/samples/sample_city.h"
+#include "tests/core/engines/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using testing::HasSubstr;
+
+/// Two equal towers, one behind the other as seen from the south, and open ground north of both.
+City twoTowers() {
+    City city = cityOf({{{0, 0, 0}, {20, 20, 60}}, {{0, 30, 0}, {20, 50, 60}}});
+    city.frame = Frame({-73.98, 40.75});
+    return city;
+}
+
+/// The same, so wide that the sun passes neither of them on its side.
+City wideTowers() {
+    City city = cityOf({{{-80, 0, 0}, {100, 20, 60}}, {{-80, 30, 0}, {100, 50, 60}}});
+    city.frame = Frame({-73.98, 40.75});
+    return city;
+}
+
+Place square(const std::string& name, float west, float south, float east, float north) {
+    return {name, PlaceKind::park, {{rectangle(west, south, east, north), {}}}, "made up"};
+}
+
+/// A day of February around noon, when shadows fall north.
+StudySettings atNoon(const std::string& engine) {
+    StudySettings settings;
+    settings.region = {"Around", {{rectangle(-100, -100, 120, 200), {}}}};
+    settings.receivers.cellM = 2;
+    settings.engine = engine;
+    settings.period = {.start = std::chrono::year(2026) / 2 / 27,
+                       .days = 4,
+                       .from = std::chrono::hours(11),
+                       .hours = 2,
+                       .stepMinutes = 5,
+                       .zone = "America/New_York"};
+    settings.errorSample.receivers = 0;
+    return settings;
+}
+
+Study studied(const City& city, const StudySettings& settings) {
+    NoProgress quiet;
+    auto study = runStudy(city, settings, quiet, {});
+    EXPECT_TRUE(study) << (study ? "" : study.error().text());
+    return *std::move(study);
+}
+
+PlaceContributions attributed(const Study& study, const Place& place) {
+    NoProgress quiet;
+    auto made = computePlaceContributions(study, place, quiet, {});
+    EXPECT_TRUE(made) << (made ? "" : made.error().text());
+    return *std::move(made);
+}
+
+double sumOfRows(const std::vector<Contribution>& rows, double Contribution::*figure) {
+    double sum = 0;
+    for (const Contribution& row : rows) sum += row.*figure;
+    return sum;
+}
+
+// Between the towers only the southern one shades.
+TEST(PlaceContributions, OneBuildingAloneHasAllOfItAsItsSoleContribution) {
+    const PlaceContributions made =
+        attributed(studied(twoTowers(), atNoon("horizon")), square("Gap", 6, 22, 14, 28));
+    ASSERT_EQ(made.rows.size(), 1U);
+    EXPECT_EQ(made.rows[0].building, 0U);
+    EXPECT_DOUBLE_EQ(made.rows[0].share, 1);
+    EXPECT_GT(made.rows[0].attributedMin, 60);
+    EXPECT_DOUBLE_EQ(made.rows[0].soleMin, made.rows[0].attributedMin);
+}
+
+// Behind both, the horizon is the nearer tower's: it is charged with all. Without it the other would shade
+// the same, so demolition of either gives nothing back.
+TEST(PlaceContributions, WhereBothShadeTheNearerIsChargedAndNeitherIsSole) {
+    const City city = wideTowers();
+    const PlaceContributions made =
+        attributed(studied(city, atNoon("horizon")), square("Behind", 6, 52, 14, 56));
+    ASSERT_EQ(made.rows.size(), 1U);
+    EXPECT_EQ(made.rows[0].building, 1U);
+    EXPECT_DOUBLE_EQ(made.rows[0].share, 1);
+    EXPECT_NEAR(made.rows[0].attributedMin, 120, 0.01) << "two hours a day, all of them in shadow";
+    EXPECT_EQ(made.rows[0].soleMin, 0);
+}
+
+TEST(PlaceContributions, APlaceHasTheMinutesOfTheWholeStudyToTheLastDigit) {
+    const City city = makeGridSample({.buildings = 200}).value();
+    const Box2 box = bounds(city);
+    const glm::vec2 middle = (box.low + box.high) * 0.5F;
+    StudySettings settings = atNoon("horizon");
+    settings.region = {"Middle",
+                       {{rectangle(middle.x - 90, middle.y - 90, middle.x + 90, middle.y + 90), {}}}};
+    settings.period.days = 60;
+    settings.byMonth = settings.contributions = true;
+    const Study study = studied(city, settings);
+    const Place place = square("Square", middle.x - 33, middle.y - 21, middle.x + 47, middle.y + 39);
+    const PlaceContributions made = attributed(study, place);
+    ASSERT_GT(made.cells, 100U);
+    ASSERT_EQ(made.breakdown.sets.names, study.breakdown->sets.names);
+    const Grid &own = made.breakdown.grid, &all = study.field.grid;
+    std::size_t compared = 0;
+    for (int row = 0; row < own.rows; ++row)
+        for (int column = 0; column < own.columns; ++column) {
+            const glm::dvec2 at = own.centre(column, row);
+            const std::size_t cell =
+                all.index(int((at.x - all.westM) / all.cellM), int((at.y - all.southM) / all.cellM));
+            for (std::size_t set = 0; set < made.breakdown.minutes.size(); ++set) {
+                const float minutes = made.breakdown.minutes[set][own.index(column, row)];
+                if (std::isnan(minutes)) continue;
+                ASSERT_EQ(minutes, study.breakdown->minutes[set][cell]) << column << ' ' << row;
+                ++compared;
+            }
+        }
+    EXPECT_EQ(compared, made.cells * made.breakdown.minutes.size());
+    EXPECT_NEAR(sumOfRows(made.rows, &Contribution::attributedMinM2) / made.studyMinM2, 1, 1e-6);
+}
+
+TEST(PlaceContributions, AllCellsOfTheStudyGiveItsOwnContributions) {
+    const City city = makeGridSample({.buildings = 200}).value();
+    const Box2 box = bounds(city);
+    StudySettings settings = atNoon("auto");
+    settings.receivers.cellM = 4;
+    settings.region = {"All", {{rectangle(box.low.x, box.low.y, box.high.x, box.high.y), {}}}};
+    settings.contributions = settings.byMonth = true;
+    const Study study = studied(city, settings);
+    const auto whole = listContributions(study.city, *study.breakdown, study.sun.dayCount());
+    const PlaceContributions made =
+        attributed(study, {"All", PlaceKind::park, settings.region.polygons, "made up"});
+    ASSERT_EQ(made.rows.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(made.rows[i].building, whole[i].building);
+        EXPECT_DOUBLE_EQ(made.rows[i].attributedMinM2, whole[i].attributedMinM2);
+        EXPECT_DOUBLE_EQ(made.rows[i].soleMin, whole[i].soleMin);
+    }
+}
+
+TEST(PlaceContributions, PlacesWithoutCellsAndEnginesWithoutAttributionAreRefused) {
+    NoProgress quiet;
+    const Study study = studied(twoTowers(), atNoon("horizon"));
+    const auto far = computePlaceContributions(study, square("Far", 900, 900, 950, 950), quiet, {});
+    ASSERT_FALSE(far);
+    EXPECT_THAT(far.error().text(), HasSubstr("Far"));
+    const auto exact = computePlaceContributions(studied(twoTowers(), atNoon("projected")),
+                                                 square("Gap", 6, 22, 14, 28), quiet, {});
+    ASSERT_FALSE(exact);
+    EXPECT_THAT(exact.error().text(), HasSubstr("Choose one of: horizon, auto"));
+}
+
+TEST(PlaceContributions, AStopRequestEndsIt) {
+    NoProgress quiet;
+    std::stop_source stop;
+    stop.request_stop();
+    const auto made = computePlaceContributions(studied(twoTowers(), atNoon("horizon")),
+                                                square("Gap", 6, 22, 14, 28), quiet, stop.get_token());
+    ASSERT_FALSE(made);
+    EXPECT_TRUE(isCancelled(made.error()));
+}
+
+TEST(Contributions, TheTableStatesEachFigureAndTheTerrainLast) {
+    ShadowBreakdown breakdown;
+    breakdown.grid = {0, 0, 2, 2, 1};
+    breakdown.sets.names = {"all"};
+    breakdown.minutes = {{90, 30}};
+    breakdown.buildings = {{0, {120}, {0}}, {1, {240}, {60}}};
+    breakdown.terrain = BuildingShadow{0, {120}, {120}};
+    const auto rows = listContributions(twoTowers(), breakdown, 3);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].building, 1U) << "the largest first";
+    EXPECT_DOUBLE_EQ(rows[0].share, 0.5);
+    EXPECT_DOUBLE_EQ(rows[0].attributedMin, 240.0 / (2 * 4 * 3));
+    EXPECT_DOUBLE_EQ(rows[0].soleMin, 60.0 / (2 * 4 * 3));
+    EXPECT_FALSE(rows[2].building);
+    const std::string csv = contributionsCsv(rows, breakdown.sets, {});
+    EXPECT_THAT(csv, HasSubstr("building,source_id,name,attributed_min_m2,sole_min_m2,share,"));
+    EXPECT_THAT(csv, HasSubstr(",terrain,terrain,120.0,120.0,0.25"));
+    const auto columns = contributionColumns(rows, 2);
+    EXPECT_EQ(columns[0].values, (std::vector<double>{120, 240}));
+    EXPECT_EQ(columns.size(), 5U);
+}
+
+}  // namespace
+}  // namespace noonmark
