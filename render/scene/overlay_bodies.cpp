@@ -29,8 +29,11 @@ constexpr QColor handleColour{0xc2, 0x18, 0x8b, 255};
 constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
 constexpr QColor pinColour{0xd5, 0x5e, 0x00, 255};
 constexpr QColor worstColour{0x7b, 0x0d, 0x2c, 255};
+// Towards the eye, as shares of the depth: between the faces of the city and its edges (edge.vert).
+constexpr float colouredLift = 0.00002F, tintLift = 0.00003F;
 constexpr double pinPx = 34, worstPx = 24;
 
+glm::vec4 componentsOf(const QColor& c) { return {c.redF(), c.greenF(), c.blueF(), c.alphaF()}; }
 QVector4D vectorOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
 
 template <class Node>
@@ -55,8 +58,7 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
     for (const auto& [tint, colour] : {std::pair(Tint::hovered, hoveredColour),
                                        {Tint::selected, selectedColour},
                                        {Tint::proposed, proposedColour}}) {
-        of(tint).material = made("overlay");
-        of(tint).material->set(QStringLiteral("tint"), vectorOf(colour));
+        of(tint).material = makeTint(componentsOf(colour), tintLift);
         if (tint != Tint::proposed) of(tint).material->blend();
     }
     edge_ = new ShaderMaterial(QStringLiteral("edge"), root_);
@@ -83,6 +85,13 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
 
 OverlayBodies::~OverlayBodies() { delete root_; }
 
+ShaderMaterial* OverlayBodies::makeTint(glm::vec4 colour, float lift) {
+    auto* material = new ShaderMaterial(QStringLiteral("overlay"), root_);
+    material->set(QStringLiteral("tint"), QVector4D(colour.r, colour.g, colour.b, colour.a));
+    material->set(QStringLiteral("lift"), lift);
+    return material;
+}
+
 void OverlayBodies::show(Tint tint, const City& some) {
     Body& body = of(tint);
     drop(body.faces);
@@ -96,6 +105,25 @@ void OverlayBodies::show(Tint tint, const City& some) {
     body.edges = makeArrayEntity(
         makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), *edge_,
         edited_, blended_);
+}
+
+void OverlayBodies::showColoured(const std::vector<Coloured>& groups) {
+    for (Body& body : coloured_) {
+        drop(body.faces);
+        drop(body.material);
+    }
+    coloured_.clear();
+    colouredCount_ = 0;
+    for (const Coloured& group : groups) {
+        if (group.some.buildings.empty()) continue;
+        const CityArrays arrays = makeBuildingArrays(group.some, 0);
+        Body body{makeTint({group.colour, 1}, colouredLift)};
+        body.faces = makeArrayEntity(
+            makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
+            *body.material, edited_);
+        coloured_.push_back(body);
+        colouredCount_ += group.some.buildings.size();
+    }
 }
 
 void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/city/city.h"
 #include "core/city/meshes/mesh.h"
@@ -38,6 +40,15 @@ public:
 
     /// Shows the buildings of `some`, or none if it is empty. About 0.1 ms per building.
     void show(Tint tint, const City& some);
+    /// Buildings in one colour: red, green and blue, each 0 to 1.
+    struct Coloured {
+        glm::vec3 colour{0};
+        City some;
+    };
+    /// Shows buildings in the colours of a result, behind the tints; replaces those before. About 0.1 ms per
+    /// building.
+    void showColoured(const std::vector<Coloured>& groups);
+    [[nodiscard]] std::size_t colouredCount() const { return colouredCount_; }  ///< buildings
     void showLines(const std::vector<GroundLine>& lines);
     /// Shows closed rings as thin lines, hidden behind nearer faces: the floors of storeys.
     void showFloors(const std::vector<std::vector<glm::vec3>>& rings);
@@ -72,6 +83,7 @@ private:
         Qt3DCore::QEntity* entity = nullptr;
         std::optional<glm::dvec3> at;
     };
+    [[nodiscard]] ShaderMaterial* makeTint(glm::vec4 colour, float lift);
     Body& of(Tint tint) { return bodies_[std::size_t(tint)]; }
     void show(Mark& mark, std::optional<glm::dvec3> at, Qt3DCore::QEntity* parent);
 
@@ -80,6 +92,8 @@ private:
     Qt3DRender::QLayer* layer_;
     Qt3DRender::QLayer* blended_;
     std::array<Body, 3> bodies_;
+    std::vector<Body> coloured_;
+    std::size_t colouredCount_ = 0;
     ShaderMaterial* edge_;
     ShaderMaterial* line_;
     Qt3DCore::QEntity* lines_ = nullptr;

@@ -102,9 +102,10 @@ TEST_F(FieldWindow, F1OpensTheGuideAtTheSectionOfTheFocusedDock) {
 }
 
 TEST(GuidePlaces, AllNameAPageAndAHeadingThatThereAre) {
-    const char* const parts[] = {"studyDock",    "resultsDock",  "scenariosDock", "projectDock",
-                                 "weightsDock",  "warningsDock", "reviewDock",    "pointDock",
-                                 "buildingDock", "towerDock",    "modeBar",       "timeStrip"};
+    const char* const parts[] = {"studyDock",        "resultsDock",  "scenariosDock", "projectDock",
+                                 "weightsDock",      "warningsDock", "reviewDock",    "pointDock",
+                                 "buildingDock",     "towerDock",    "modeBar",       "timeStrip",
+                                 "contributionsDock"};
     QWidget part;
     for (const char* name : parts) {
         part.setObjectName(QString::fromLatin1(name));

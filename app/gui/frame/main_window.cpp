@@ -13,6 +13,7 @@
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/looks/theme_menu.h"
 #include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/point/point_dock.h"
 #include "app/gui/docks/project/project_dock.h"
@@ -68,6 +69,7 @@ MainWindow::MainWindow(QSettings& settings)
              new ReviewDock(review_, windowReview_, workbench_.session()),
              new PointDock(points_),
              new ElementsDock,
+             new ContributionsDock,
              tools_.dock(),
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
@@ -82,6 +84,7 @@ MainWindow::MainWindow(QSettings& settings)
       links_(*docks_.elements, *panel_),
       verdicts_(docks_.review->windowPanel(), windowReview_, review_, workbench_, *panel_),
       picking_(workbench_, *panel_),
+      contributions_(*docks_.contributions, workbench_, tools_, *panel_),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
                 docks_.scenarios->table()}),
@@ -242,6 +245,10 @@ void MainWindow::connectDocks() {
         raiseDock(docks_.weights);
     });
     connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
+    connect(&contributions_, &ContributionLinks::wanted, this, [this] { raiseDock(docks_.contributions); });
+    connect(docks_.project, &ProjectDock::placeSelected, &contributions_, [this](const std::string& place) {
+        if (!place.empty() && docks_.contributions->isVisible()) contributions_.choose(place);
+    });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     docks_.results->setActions(results_.saveResult(), scenarios_.compare(), results_.exportAction());
     connect(docks_.results, &ResultsDock::commandWanted, &workbench_, &Workbench::findCommand);

@@ -8,6 +8,7 @@
 #include <QMainWindow>
 #include <QSettings>
 
+#include "app/gui/docks/contributions/contribution_links.h"
 #include "app/gui/docks/elements/element_links.h"
 #include "app/gui/docks/elements/element_picking.h"
 #include "app/gui/docks/export/movie_actions.h"
@@ -77,6 +78,7 @@ public:
     [[nodiscard]] ReviewSession& review() { return review_; }
     [[nodiscard]] WindowSession& windowReview() { return windowReview_; }
     [[nodiscard]] LatestAnswers& answers() { return answers_; }
+    [[nodiscard]] ContributionLinks& contributions() { return contributions_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] PhotographActions& photograph() { return photograph_; }
     [[nodiscard]] ResultActions& results() { return results_; }
@@ -143,6 +145,7 @@ private:
     ElementLinks links_;
     VerdictLinks verdicts_;
     ElementPicking picking_;
+    ContributionLinks contributions_;
     ResultDisplay display_;
     ResultActions results_;
     CopyActions copying_;

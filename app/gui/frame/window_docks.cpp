@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
+#include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/point/point_dock.h"
 #include "app/gui/docks/project/project_dock.h"
@@ -58,6 +59,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
     QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
     QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
+    QDockWidget* contributions =
+        dockOf(QObject::tr("Contributions"), "contributionsDock", docks.contributions);
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
     for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
     for (QDockWidget* dock : {review, point, elements}) dock->hide();  // they take much of the view's height
@@ -66,15 +69,15 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     study->raise();
     window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
-    for (QDockWidget* beside : {scenarios, weights}) window.tabifyDockWidget(results, beside);
+    for (QDockWidget* beside : {contributions, scenarios, weights}) window.tabifyDockWidget(results, beside);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
     window.resizeDocks({project, results, warnings}, {180, 470, 90}, Qt::Vertical);
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
-    for (QDockWidget* dock :
-         {project, study, results, scenarios, weights, review, point, elements, building, tower, warnings})
+    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, review, point,
+                              elements, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
 }

@@ -8,6 +8,7 @@ class QWidget;
 
 namespace noonmark {
 
+class ContributionsDock;
 class ElementsDock;
 class PointDock;
 class ProjectDock;
@@ -29,6 +30,7 @@ struct WindowDocks {
     ReviewDock* review;
     PointDock* point;
     ElementsDock* elements;
+    ContributionsDock* contributions;
     QWidget* building;  ///< the selected building
     QWidget* tower;     ///< lots, and the tower being designed
 };

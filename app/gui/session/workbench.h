@@ -18,6 +18,8 @@
 
 namespace noonmark {
 
+struct PlaceContributions;
+
 /// The state behind the window: one project, the city of the displayed scenario, the study settings and the
 /// answer that is displayed. Long work runs in jobs on other threads. Knows no widgets.
 ///
@@ -99,6 +101,12 @@ public:
     /// What an export of all scenarios states beside their studies, asked for when it begins.
     using ListAnswers = std::function<std::map<std::string, ScenarioAnswers>()>;
     void setScenarioAnswers(ListAnswers answers) { scenarioAnswers_ = std::move(answers); }
+    /// What an export of a place writes: its contributions in study(); null: there is none.
+    using FindPlace = std::function<std::shared_ptr<const PlaceContributions>()>;
+    void setPlaceShown(FindPlace find) { placeShown_ = std::move(find); }
+    [[nodiscard]] std::shared_ptr<const PlaceContributions> placeShown() const {
+        return placeShown_ ? placeShown_() : nullptr;
+    }
     /// Which files an export may overwrite after the user agreed: never the input files of the open city, nor
     /// its project file.
     [[nodiscard]] OutputRules exportRules() const;
@@ -178,6 +186,7 @@ private:
     using Files = Result<std::vector<std::filesystem::path>>;
     using Write = std::function<Files(const std::filesystem::path& folder)>;
     [[nodiscard]] Write whatToWrite(const ExportChoice& choice) const;
+    [[nodiscard]] Write placeToWrite() const;
     [[nodiscard]] Write scenariosToWrite(const ExportChoice& choice);
     [[nodiscard]] AnswerFiles withProject(AnswerFiles files) const;
     void report(const Error& error);
@@ -194,6 +203,7 @@ private:
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;
     ListAnswers scenarioAnswers_;
+    FindPlace placeShown_;
     Start long_;  ///< the run announced by longRun()
     double answerSeconds_ = 0;
     JobSlot opening_;

@@ -4,6 +4,7 @@
 #include "app/gui/session/workbench.h"
 #include "app/input/output_rules.h"
 #include "app/questions/saved_question.h"
+#include "app/report/files/contribution_files.h"
 #include "app/report/scenarios/scenario_files.h"
 #include "scenarios/project/results/save_result.h"
 #include "scenarios/scenario_list.h"
@@ -59,6 +60,13 @@ Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
     };
 }
 
+Workbench::Write Workbench::placeToWrite() const {
+    return [study = study_, place = placeShown(), origin = AnswerOrigin(session_),
+            scenario = session_.scenario(), rules = exportRules()](const auto& folder) {
+        return writeContributionFiles(*origin.stated(*study, scenario), *place, folder, rules);
+    };
+}
+
 OutputRules Workbench::exportRules() const {
     std::vector<std::string> named;
     if (session_.file()) named.push_back(session_.file()->path().string());
@@ -69,6 +77,8 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
     std::vector<std::string> names;
     if (choice.subject == ExportChoice::Subject::scenarios)
         names = scenarioFileNames();
+    else if (choice.subject == ExportChoice::Subject::place)
+        names = contributionFileNames();
     else if (choice.subject == ExportChoice::Subject::shown && answer())
         names = answer()->fileNames(choice);
     QStringList list;
@@ -85,12 +95,17 @@ QStringList Workbench::filesInTheWay(const std::filesystem::path& folder, const 
 }
 
 void Workbench::exportShown(const std::filesystem::path& folder, const ExportChoice& choice) {
-    const bool scenarios = choice.subject == ExportChoice::Subject::scenarios;
-    if (!scenarios && !answer()) return report({"There is no result to export", {}, "Press Run first"});
+    using Subject = ExportChoice::Subject;
+    const bool scenarios = choice.subject == Subject::scenarios;
+    const bool place = choice.subject == Subject::place && study_ && placeShown();
+    if (!scenarios && !place && !answer())
+        return report({"There is no result to export", {}, "Press Run first"});
     writing_.start<WrittenPaths>(
         tr("Exporting"),
-        [write = scenarios ? scenariosToWrite(choice) : whatToWrite(choice), folder](
-            Progress&, std::stop_token) { return write(folder); },
+        [write = scenarios ? scenariosToWrite(choice)
+                 : place   ? placeToWrite()
+                           : whatToWrite(choice),
+         folder](Progress&, std::stop_token) { return write(folder); },
         [this, folder](Result<WrittenPaths> paths) {
             if (!paths) return report(paths.error());
             QStringList names;

@@ -12,6 +12,7 @@
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
+#include "app/gui/docks/study_form/breakdown_form.h"
 #include "app/gui/docks/study_form/run_forecast.h"
 #include "app/gui/docks/study_form/when_form.h"
 #include "app/gui/docks/study_form/where_form.h"
@@ -43,6 +44,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       what_(new WhatForm),
+      breakdown_(new BreakdownForm),
       when_(new WhenForm),
       where_(new WhereForm),
       accuracy_(new AccuracySection),
@@ -64,6 +66,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
 void StudyDock::placeForms() {
     auto* forms = new QWidget;
     auto* questions = new QVBoxLayout(forms);
+    what_->layout()->addWidget(breakdown_);
     questions->addWidget(groupOf(tr("What"), what_));
     questions->addWidget(groupOf(tr("When"), when_));
     questions->addWidget(groupOf(tr("Where"), where_));
@@ -110,6 +113,9 @@ void StudyDock::connectForms() {
     });
     connect(
         accuracy_, &AccuracySection::edited, this,
+        [this](const StudySettings& settings, const QString& field) { document_.change(settings, field); });
+    connect(
+        breakdown_, &BreakdownForm::edited, this,
         [this](const StudySettings& settings, const QString& field) { document_.change(settings, field); });
     connect(accuracy_, &AccuracySection::paperRequested, this, &StudyDock::paperRequested);
 }
@@ -163,6 +169,7 @@ void StudyDock::showDocument() {
     what_->show(what_->kind(), settings.receivers.places, document_.elements());
     when_->show(settings.period);
     where_->show(settings);
+    breakdown_->show(settings);
     accuracy_->show(settings);
     forecast_->setSettings(settings, measuredElements());
     showRefusal();
@@ -186,6 +193,9 @@ void StudyDock::showRefusal() {
 QString StudyDock::whyNotCells() const {
     const StudySettings& settings = document_.settings();
     const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
+    if (!comparing_ && settings.byMonth && !whyNoMonths(settings).isEmpty()) return whyNoMonths(settings);
+    if (!comparing_ && settings.contributions && !whyNoContributions(settings).isEmpty())
+        return whyNoContributions(settings);
     if (!(roofs || terrain_) || !takesLevelGroundOnly(settings.engine)) return {};
     return tr("This method works on level ground only, but %1. Choose Quick or Reference.")
         .arg(roofs ? tr("roofs are to be measured") : tr("this city has terrain"));
@@ -206,6 +216,7 @@ void StudyDock::showForecast() {
 
 void StudyDock::showKind() {
     const StudyKind kind = what_->kind();
+    breakdown_->setOfCells(kind == StudyKind::shadow && !document_.elements());
     if (kind == StudyKind::score) return run_->setText(tr("Choose weights"));
     if (kind == StudyKind::review) return run_->setText(tr("Choose a rule"));
     if (running_) return run_->setText(tr("Run again"));

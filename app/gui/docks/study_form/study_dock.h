@@ -17,6 +17,7 @@ class QPushButton;
 namespace noonmark {
 
 class AccuracySection;
+class BreakdownForm;
 class ProgressStrip;
 class RunForecast;
 class StudyDocument;
@@ -72,6 +73,7 @@ private:
 
     StudyDocument& document_;
     WhatForm* what_;
+    BreakdownForm* breakdown_;
     WhenForm* when_;
     WhereForm* where_;
     AccuracySection* accuracy_;

@@ -16,6 +16,7 @@
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
 #include "app/report/sheets/period_words.h"
+#include "core/study/contributions/place_contributions.h"
 
 namespace noonmark {
 
@@ -88,6 +89,8 @@ void ResultActions::askForExport() {
     using Subject = ExportChoice::Subject;
     std::vector<ExportDialog::Subject> subjects;
     if (workbench_.answer()) subjects.push_back({Subject::shown, shownText()});
+    if (const auto place = workbench_.placeShown())
+        subjects.push_back({Subject::place, tr("What buildings take from %1").arg(text(place->place.name))});
     if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))

@@ -17,6 +17,7 @@ constexpr PlaceOfPart places[] = {
     {"studyDock", "window", "A study"},
     {"elementsDock", "window", "Facades, windows, planes"},
     {"resultsDock", "results", "Figures"},
+    {"contributionsDock", "window", "Contributions"},
     {"scenariosDock", "window", "Scenarios"},
     {"projectDock", "window", "Scenarios"},
     {"weightsDock", "results", "A score"},

@@ -10,6 +10,7 @@ struct ExportChoice : AnswerFiles {
 
     enum class Subject {
         shown,      ///< the answer displayed
+        place,      ///< what the buildings take from the place of the dock Contributions
         scenarios,  ///< the studies of all scenarios that were measured, side by side
         review,     ///< the sheets of the review, which have their own dialog
     };

@@ -33,6 +33,15 @@ double viaGraph(std::string_view engine, double raySeconds, double hours) {
     return raySeconds * std::min(1.0, graphEdges / std::max(hours, 1.0)) / speedOverRays(engine);
 }
 
+// Months take another pass by the engine of the field where it sums them, else by the sweep; contributions
+// one by the sweep, of twice the time, and of four times with many overhangs (horizon_breakdown.h).
+double breakdownSeconds(const StudySettings& settings, std::string_view engine, const EngineLoad& load,
+                        const EstimatedSeconds& seconds) {
+    if (settings.contributions) return seconds.horizon * (load.overhangTriangles > 0 ? 4 : 2);
+    if (!settings.byMonth) return 0;
+    return engine == "projected" ? seconds.projected : seconds.horizon;
+}
+
 QString nameOfEngine(std::string_view key) {
     const EngineEntry* entry = findEngine(allEngines(), key);
     if (!entry) return {};
@@ -76,6 +85,9 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
     const auto time = known.find(engine);
     estimate.seconds =
         time != known.end() ? time->second : viaGraph(engine, seconds.ray, sun->sunlitMinutes() / 60);
+    const double further = breakdownSeconds(settings, engine, load, seconds);
+    estimate.seconds += further;
+    estimate.quickerSeconds += further;
     estimate.engine = nameOfEngine(engine);
     return estimate;
 }

@@ -7,9 +7,9 @@
 
 namespace noonmark {
 
-/// The expected cost of one field, on two cores, by the model that the automatic engine chooses with
-/// (auto_engine.h). For accrual maps and the direction graph scaled from rays by the ratios of
-/// docs/benchmarks.md, within a factor of about two.
+/// The expected cost of one field, with its months and contributions where these are wanted, on two cores, by
+/// the model that the automatic engine chooses with (auto_engine.h). For accrual maps and the direction graph
+/// scaled from rays by the ratios of docs/benchmarks.md, within a factor of about two.
 struct RunEstimate {
     double receivers = 0;
     bool points = false;        ///< the receivers are points, not cells

@@ -1,0 +1,202 @@
+#include "app/gui/docks/contributions/contribution_links.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/docks/contributions/contribution_model.h"
+#include "app/gui/docks/contributions/contributions_dock.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/tools/editing/edit_tools.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/input/all_engines.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float aroundM = 80;  // of the ground around a building that is shown
+
+}  // namespace
+
+const Place* findPlaceAt(const std::vector<Place>& places, glm::dvec2 point) {
+    const Place* smallest = nullptr;
+    for (const Place& place : places) {
+        const auto holds = [&](const Footprint& polygon) { return contains(polygon, point); };
+        if (std::ranges::none_of(place.polygons, holds)) continue;
+        if (smallest == nullptr || area(place) < area(*smallest)) smallest = &place;
+    }
+    return smallest;
+}
+
+ContributionLinks::ContributionLinks(ContributionsDock& dock, Workbench& workbench, EditTools& tools,
+                                     ViewPanel& panel)
+    : dock_(dock), workbench_(workbench), tools_(tools), panel_(panel) {
+    workbench_.setPlaceShown([this] { return shown(); });
+    connectDock();
+    connectView();
+    connect(&workbench_, &Workbench::answered, this, &ContributionLinks::follow);
+    connect(&workbench_, &Workbench::answerUpdated, this, &ContributionLinks::refresh);
+    connect(&workbench_, &Workbench::cityShown, this, &ContributionLinks::follow);
+    connect(&workbench_.session(), &ProjectSession::changed, this, &ContributionLinks::listPlaces);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &ContributionLinks::follow);
+}
+
+void ContributionLinks::connectDock() {
+    dock_.progress().follow(working_);
+    connect(&dock_, &ContributionsDock::subjectChosen, this, &ContributionLinks::choose);
+    connect(&dock_, &ContributionsDock::attributionWanted, this, &ContributionLinks::attribute);
+    connect(&dock_, &ContributionsDock::coloursChanged, this, &ContributionLinks::colour);
+    connect(&dock_, &ContributionsDock::shownChanged, this, &ContributionLinks::colour);
+    connect(&dock_, &ContributionsDock::pointedAt, this, [this](const std::shared_ptr<const Building>& one) {
+        const auto index = indexOf(*one);
+        if (index && tools_.building().selected() != index) tools_.building().select(index);
+    });
+    connect(&dock_, &ContributionsDock::wanted, this,
+            [this](const std::shared_ptr<const Building>& one) { goTo(*one); });
+}
+
+void ContributionLinks::connectView() {
+    connect(&panel_.navigator(), &ViewNavigator::clicked, this, &ContributionLinks::click);
+    connect(&tools_.building(), &BuildingEditing::selectionChanged, this, &ContributionLinks::markSelected);
+}
+
+void ContributionLinks::listPlaces() {
+    QStringList names;
+    for (const Place& place : workbench_.session().project().places)
+        names << QString::fromStdString(place.name);
+    names.sort(Qt::CaseInsensitive);
+    dock_.setPlaces(names);
+}
+
+// Answers about buildings that have changed since are dropped.
+void ContributionLinks::follow() {
+    const auto study = workbench_.study();
+    if (study != study_) {
+        study_ = study;
+        known_.clear();
+        working_.drop();
+        if (study_ && study_->settings.contributions) Q_EMIT wanted();
+    }
+    if (!dock_.subject().empty() && !subject()) dock_.setSubject({});  // it is gone, or of another project
+    refresh();
+}
+
+std::optional<Place> ContributionLinks::subject() const {
+    if (dock_.subject().empty()) {
+        if (!study_) return std::nullopt;
+        return Place{study_->settings.region.name, PlaceKind::other, study_->settings.region.polygons, {}};
+    }
+    auto place = findPlace(workbench_.session().project(), dock_.subject());
+    return place ? std::optional(*std::move(place)) : std::nullopt;
+}
+
+void ContributionLinks::refresh() {
+    if (const auto comparison = workbench_.answerAs<ImpactAnswer>(); comparison && workbench_.city()) {
+        const auto place = dock_.subject().empty() ? std::nullopt : subject();
+        return dock_.show(
+            makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr));
+    }
+    if (study_) return showStudy(*study_);
+    dock_.explain(
+        tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "
+           "shade it."));
+}
+
+void ContributionLinks::showStudy(const Study& study) {
+    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer));
+    if (!dock_.subject().empty())
+        return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
+    if (!study.breakdown)
+        return dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the "
+                                "shadow of the whole region."),
+                             true);
+    if (study.settings.contributions)
+        return dock_.show(makeContributionSheet(
+            study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount())));
+    dock_.show({.note = tr("Click a place in the view to see which buildings shade it."),
+                .months = monthsOf(*study.breakdown)});
+}
+
+std::shared_ptr<const PlaceContributions> ContributionLinks::shown() const {
+    const auto found = known_.find(dock_.subject());
+    return found == known_.end() ? nullptr : found->second;
+}
+
+// A place is attributed at once; the whole region, which may take long, when its button is pressed.
+void ContributionLinks::choose(const std::string& place) {
+    dock_.setSubject(place);
+    panel_.highlightPlace(place);
+    working_.drop();
+    refresh();
+    if (study_ && !place.empty() && !shown() && !workbench_.answerAs<ImpactAnswer>()) attribute();
+}
+
+void ContributionLinks::attribute() {
+    const auto place = subject();
+    if (!study_ || !place) return;
+    working_.start<PlaceContributions>(
+        tr("Attributing the shadow of %1").arg(QString::fromStdString(place->name)),
+        [study = study_, place = *place](Progress& progress, std::stop_token stop) {
+            return computePlaceContributions(*study, place, progress, std::move(stop),
+                                             enginesWith(study->settings.engine));
+        },
+        [this, study = study_](Result<PlaceContributions> made) { take(study, std::move(made)); });
+}
+
+void ContributionLinks::take(const std::shared_ptr<const Study>& study, Result<PlaceContributions> made) {
+    if (study != study_) return;
+    if (!made) return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
+    known_[dock_.subject()] = std::make_shared<const PlaceContributions>(*std::move(made));
+    refresh();
+}
+
+void ContributionLinks::click(QPointF pixel) {
+    if (!dock_.isVisible() || panel_.drawing() || !workbench_.city()) return;
+    const auto pick = panel_.navigator().pickAt(pixel);
+    if (!pick || pick->building) return;
+    const Place* place = findPlaceAt(workbench_.session().project().places, glm::dvec2(pick->position));
+    if (place != nullptr) choose(place->name);
+}
+
+void ContributionLinks::goTo(const Building& building) {
+    Box2 box = bounds(building);
+    panel_.navigator().showSlanting({box.low - aroundM, box.high + aroundM});
+}
+
+std::optional<std::uint32_t> ContributionLinks::indexOf(const Building& building) const {
+    if (!workbench_.city()) return std::nullopt;
+    const auto& buildings = workbench_.city()->city().buildings;
+    const auto found = std::ranges::find(buildings, &building, [](const auto& one) { return one.get(); });
+    if (found == buildings.end()) return std::nullopt;
+    return std::uint32_t(found - buildings.begin());
+}
+
+void ContributionLinks::markSelected() {
+    const auto selected = tools_.building().selected();
+    const bool known =
+        selected && workbench_.city() && *selected < workbench_.city()->city().buildings.size();
+    dock_.select(known ? workbench_.city()->city().buildings[*selected].get() : nullptr);
+}
+
+// Only buildings that still stand as they did.
+void ContributionLinks::colour() {
+    std::vector<OverlayBodies::Coloured> groups(contributionClasses.size());
+    if (dock_.isVisible() && dock_.colours() && workbench_.city()) {
+        std::vector<const Building*> standing;
+        for (const auto& building : workbench_.city()->city().buildings) standing.push_back(building.get());
+        std::ranges::sort(standing);
+        for (const ContributionRow& row : dock_.model().sheet().rows)
+            if (row.building && std::ranges::binary_search(standing, row.building.get()))
+                groups[classOf(row.share)].some.buildings.push_back(row.building);
+    }
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const QColor& colour = contributionClasses[i].colour;
+        groups[i].colour = {colour.redF(), colour.greenF(), colour.blueF()};
+    }
+    panel_.view().overlay().showColoured(groups);
+}
+
+}  // namespace noonmark

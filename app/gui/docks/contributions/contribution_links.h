@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <map>
+
+#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/docks/contributions/contribution_sheet.h"
+
+namespace noonmark {
+
+class ContributionsDock;
+class EditTools;
+class ViewPanel;
+class Workbench;
+
+/// Asks what each building takes from the displayed study or comparison, in the whole region or in the place
+/// that is clicked, and connects the answer with the view: buildings are coloured by what they take, a row
+/// selects its building and a click on a building its row. Attribution runs in a job that can be stopped;
+/// answers are kept until the study changes.
+class ContributionLinks final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    ContributionLinks(ContributionsDock& dock, Workbench& workbench, EditTools& tools, ViewPanel& panel);
+
+    void choose(const std::string& place);  ///< of the project; empty: the whole region
+    /// The answer shown, of a study; null: none, or it came with the study.
+    [[nodiscard]] std::shared_ptr<const PlaceContributions> shown() const;
+    [[nodiscard]] JobSlot& working() { return working_; }
+
+Q_SIGNALS:
+    void wanted();  ///< a study with contributions has arrived: the dock should be visible
+
+private:
+    void connectDock();
+    void connectView();
+    void listPlaces();
+    void follow();
+    void refresh();
+    void showStudy(const Study& study);
+    void attribute();
+    void take(const std::shared_ptr<const Study>& study, Result<PlaceContributions> made);
+    void click(QPointF pixel);
+    void goTo(const Building& building);
+    void markSelected();
+    void colour();
+    [[nodiscard]] std::optional<Place> subject() const;
+    [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;
+
+    ContributionsDock& dock_;
+    Workbench& workbench_;
+    EditTools& tools_;
+    ViewPanel& panel_;
+    std::shared_ptr<const Study> study_;
+    std::map<std::string, std::shared_ptr<const PlaceContributions>> known_;  ///< of study_, by place
+    JobSlot working_;
+};
+
+/// The smallest place that contains a point; null: none does.
+const Place* findPlaceAt(const std::vector<Place>& places, glm::dvec2 point);
+
+}  // namespace noonmark

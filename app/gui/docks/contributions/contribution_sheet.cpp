@@ -1,0 +1,191 @@
+#include "app/gui/docks/contributions/contribution_sheet.h"
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/translated.h"
+#include "app/gui/session/answers/result_rows.h"
+#include "core/describe/figure_text.h"
+#include "core/receivers/rasterize.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double minutesOfHour = 60;
+
+QString nameOf(const std::string& name, const std::string& id) {
+    return QString::fromStdString(name.empty() ? id : name);
+}
+
+std::vector<const Figure*> shownFigures() {
+    std::vector<const Figure*> shown;
+    for (const Figure& figure : contributionFigures().rows())
+        if (figure.use == FigureUse::result) shown.push_back(&figure);
+    return shown;
+}
+
+// What is attributed and what is sole is defined once, in the rows of the files.
+QString meaningOf(const Figure& figure) {
+    const bool sole = figure.key.starts_with("sole");
+    const bool attributed = figure.key.starts_with("attributed");
+    const QString own = translatedSentence(figure.definition);
+    if (!sole && !attributed) return own;
+    return own + QStringLiteral(".\n") +
+           QObject::tr("%1: %2", "a term and its definition")
+               .arg(translated(sole ? "Sole contribution" : "Attributed shadow"),
+                    translated(sole ? soleDefinition() : attributedDefinition()));
+}
+
+std::vector<ContributionColumn> columnsOfStudy() {
+    std::vector<ContributionColumn> columns;
+    for (const Figure* figure : shownFigures())
+        columns.push_back({headingOf(*figure).replace(QStringLiteral(" x "), QStringLiteral(" × ")),
+                           meaningOf(*figure), figure->unit, figure->shownDecimals});
+    return columns;
+}
+
+ContributionRow makeRow(const Contribution& one, const City& city) {
+    ContributionRow row{.name = one.building ? nameOf(one.name, one.id) : QObject::tr("Terrain"),
+                        .building = one.building ? city.buildings[*one.building] : nullptr,
+                        .share = one.share};
+    if (row.name.isEmpty()) row.name = QObject::tr("Building %1").arg(*one.building);
+    for (const Figure* figure : shownFigures()) row.values.push_back(figure->get(&one));
+    return row;
+}
+
+QString percentOf(double share) { return formatAmount(100 * share); }
+
+QString describeShadow(double minutesADay, double sunlitMin) {
+    if (!(sunlitMin > 0)) return QObject::tr("%1 min a day in shadow").arg(formatAmount(minutesADay));
+    return QObject::tr("%1 min a day in shadow, %2 % of the sunlit time")
+        .arg(formatAmount(minutesADay), percentOf(minutesADay / sunlitMin));
+}
+
+QString describeLargest(const std::vector<ContributionRow>& rows) {
+    const auto buildings =
+        std::ranges::count_if(rows, [](const auto& row) { return row.building != nullptr; });
+    return QObject::tr("%1 building(s) shade it; %2 takes the most, %3 %", "",
+                       pluralNumber(quint64(buildings)))
+        .arg(formatCount(quint64(buildings)), rows.front().name, percentOf(rows.front().share));
+}
+
+QString describeSum(const ContributionSheet& sheet, const std::vector<Contribution>& rows,
+                    const Study& study) {
+    if (rows.empty()) return QObject::tr("No building shades it in the period.");
+    double minutes = 0;
+    for (const Contribution& row : rows) minutes += row.attributedMin;
+    return QStringLiteral("%1. %2.").arg(describeShadow(minutes, study.field.sunlitMinutesPerDay),
+                                         describeLargest(sheet.rows));
+}
+
+/// The change over the cells of a place, or of the whole region.
+struct CellChanges {
+    double sumMin = 0;  ///< a day, over the cells
+    std::size_t cells = 0;
+};
+
+CellChanges sumUpChanges(const Impact& impact, const Place* place) {
+    CellChanges sum;
+    const auto add = [&](std::size_t cell) {
+        const float change = impact.grossMin[cell];
+        if (std::isnan(change)) return;
+        sum.sumMin += double(change);
+        ++sum.cells;
+    };
+    if (place != nullptr)
+        for (const std::uint32_t cell : collectCells(place->polygons, impact.grid)) add(cell);
+    else
+        for (std::size_t cell = 0; cell < impact.grossMin.size(); ++cell) add(cell);
+    return sum;
+}
+
+std::vector<ContributionColumn> columnsOfComparison() {
+    const QString alone = QObject::tr(
+        "The scenario minus the scenario without this building: what it adds alone, on ground that is open "
+        "in "
+        "both scenarios");
+    return {{QObject::tr("Share, %"), QObject::tr("Of what the new buildings add alone, all together"),
+             FigureUnit::share, 1},
+            {QObject::tr("Adds, min a day"), alone + QObject::tr("; mean over the cells"),
+             FigureUnit::minutesADay, 2},
+            {QObject::tr("Adds a day"), alone + QObject::tr("; area × hours a day"),
+             FigureUnit::squareMetreHours, 1}};
+}
+
+std::shared_ptr<const Building> findBuilding(const City& city, const std::string& id) {
+    const auto found = std::ranges::find(city.buildings, id, [](const auto& one) { return one->sourceId; });
+    return found == city.buildings.end() ? nullptr : *found;
+}
+
+// Shares of the sum of what is added; a building that takes shadow away has none.
+void shareOut(ContributionSheet& sheet) {
+    double added = 0;
+    for (const ContributionRow& row : sheet.rows) added += std::max(0.0, row.values.back());
+    for (ContributionRow& row : sheet.rows)
+        row.values.front() = row.share = added > 0 ? std::max(0.0, row.values.back()) / added : 0;
+    std::ranges::stable_sort(sheet.rows, std::ranges::greater{}, &ContributionRow::share);
+}
+
+}  // namespace
+
+ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
+                                        const std::vector<Contribution>& rows) {
+    ContributionSheet sheet{.columns = columnsOfStudy()};
+    for (const Contribution& one : rows) sheet.rows.push_back(makeRow(one, study.city));
+    sheet.headline = describeSum(sheet, rows, study);
+    sheet.note = QString::fromStdString(breakdown.engine);
+    if (breakdown.sets.names.size() > 1 || study.settings.byMonth) sheet.months = monthsOf(breakdown);
+    return sheet;
+}
+
+ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of) {
+    ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows);
+    sheet.months = monthsOf(of.breakdown);
+    const double cellDays = double(of.cells) * of.breakdown.grid.cellAreaM2() * double(of.days);
+    sheet.note = QObject::tr("%1 cell(s). The study's own figure for them: %2 min a day (%3).", "",
+                             pluralNumber(of.cells))
+                     .arg(formatCount(of.cells), formatAmount(of.studyMinM2 / cellDays, 2),
+                          QString::fromStdString(study.field.engine));
+    return sheet;
+}
+
+ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place) {
+    ContributionSheet sheet{.columns = columnsOfComparison()};
+    for (const BuildingImpact& one : answer.study.byBuilding) {
+        const CellChanges sum = sumUpChanges(one.impact, place);
+        const double mean = sum.cells > 0 ? sum.sumMin / double(sum.cells) : 0;
+        sheet.rows.push_back({nameOf(one.name, one.id),
+                              findBuilding(after, one.id),
+                              0,
+                              {0, mean, sum.sumMin * one.impact.grid.cellAreaM2() / minutesOfHour}});
+    }
+    shareOut(sheet);
+    const CellChanges all = sumUpChanges(answer.study.total, place);
+    const double mean = all.cells > 0 ? all.sumMin / double(all.cells) : 0;
+    sheet.headline = QObject::tr("%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).", "",
+                                 pluralNumber(all.cells))
+                         .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+                              (mean > 0 ? QStringLiteral("+") : QString()) + formatAmount(mean, 2),
+                              formatCount(all.cells));
+    sheet.note = QString::fromStdString(answer.study.total.engine);
+    return sheet;
+}
+
+std::size_t classOf(double share) {
+    std::size_t i = 0;
+    while (i + 1 < contributionClasses.size() && share >= contributionClasses[i + 1].from) ++i;
+    return i;
+}
+
+QString describeClass(std::size_t i) {
+    const QString from = formatAmount(100 * contributionClasses[i].from);
+    if (i == 0) return QObject::tr("below %1 %").arg(formatAmount(100 * contributionClasses[1].from));
+    if (i + 1 == contributionClasses.size()) return QObject::tr("%1 % and more").arg(from);
+    return QObject::tr("%1 to %2 %").arg(from, formatAmount(100 * contributionClasses[i + 1].from));
+}
+
+}  // namespace noonmark

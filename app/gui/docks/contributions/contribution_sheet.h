@@ -1,0 +1,65 @@
+#pragma once
+
+// The folder app/gui/docks/contributions shows what each building takes from a region or a place.
+// contribution_sheet.h makes the rows, as plain data; contributions_dock.h shows them with bars by month;
+// contribution_links.h asks for them and connects them with the view.
+
+#include <QColor>
+#include <QString>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/study/contributions/place_contributions.h"
+#include "core/study/text/breakdown_text.h"
+#include "scenarios/impact/impact_text.h"
+
+namespace noonmark {
+
+/// A column of numbers: its heading with the unit, and what it means.
+struct ContributionColumn {
+    QString heading, meaning;
+    FigureUnit unit = FigureUnit::none;
+    int decimals = 1;
+};
+
+/// A building, or the terrain.
+struct ContributionRow {
+    QString name;
+    std::shared_ptr<const Building> building;  ///< null: the terrain
+    double share = 0;                          ///< of all that is listed, 0 to 1: its colour on the map
+    std::vector<double> values;                ///< by column
+};
+
+/// What the dock shows of a region or place.
+struct ContributionSheet {
+    QString headline;  ///< in one sentence, what matters most
+    QString note;      ///< how it was found; may be empty
+    std::vector<ContributionColumn> columns;
+    std::vector<ContributionRow> rows;
+    std::vector<MonthShadow> months;  ///< empty: no bars
+};
+
+/// Of a study: the buildings of `rows`, over the cells of `breakdown`.
+ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
+                                        const std::vector<Contribution>& rows);
+/// With the study's own figure of the same cells beside it.
+ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of);
+/// Of a comparison: the new buildings, by what each of them adds alone. `place`: null is the whole region.
+/// `after`: the city with the new buildings.
+ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place);
+
+/// The classes of the map: a share of at least `from` has this colour. Sequential, told apart by colour-blind
+/// readers and by lightness; none of them is a colour of the maps of shadow.
+struct ContributionClass {
+    double from = 0;
+    QColor colour;
+};
+inline constexpr std::array contributionClasses{
+    ContributionClass{0, QColor(0xfe, 0xeb, 0xe2)}, ContributionClass{0.01, QColor(0xfb, 0xb4, 0xb9)},
+    ContributionClass{0.05, QColor(0xf7, 0x68, 0xa1)}, ContributionClass{0.15, QColor(0xc5, 0x1b, 0x8a)},
+    ContributionClass{0.30, QColor(0x7a, 0x01, 0x77)}};
+std::size_t classOf(double share);     ///< index in contributionClasses
+QString describeClass(std::size_t i);  ///< "1 to 5 %"
+
+}  // namespace noonmark

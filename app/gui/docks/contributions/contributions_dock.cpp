@@ -1,0 +1,279 @@
+#include "app/gui/docks/contributions/contributions_dock.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCompleter>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/docks/contributions/contribution_model.h"
+#include "app/gui/docks/review/chart_widget.h"
+#include "app/gui/session/answers/result_rows.h"
+#include "app/report/maps/palette.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int barsPx = 130;
+constexpr int tablePx = 120;  // at least
+constexpr int namePx = 150;   // of the names of buildings, at most at first
+constexpr int swatchPx = 12;
+constexpr int barAlpha = 60;       // of 255: the number on it stays readable
+constexpr double barsShare = 0.6;  // of the palette of shadow
+
+// "2026-01" as the bars name it: without the year where all months are of one.
+QString describeMonthOf(const std::string& name, bool oneYear) {
+    int year = 0;
+    unsigned month = 0;
+    if (std::sscanf(name.c_str(), "%d-%u", &year, &month) != 2) return QString::fromStdString(name);
+    if (oneYear) return QLocale().standaloneMonthName(int(month), QLocale::ShortFormat);
+    return describeMonth(std::chrono::year{year} / std::chrono::month{month});
+}
+
+bool areOfOneYear(const std::vector<MonthShadow>& months) {
+    return months.front().month.substr(0, 4) == months.back().month.substr(0, 4);
+}
+
+/// Draws a share as a bar behind its number, as long as it is of the largest share.
+class ShareBars final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const double share = index.data(ContributionModel::barRole).toDouble();
+        QRectF bar = QRectF(option.rect).adjusted(1, 2, -1, -2);
+        bar.setWidth(bar.width() * std::clamp(share, 0.0, 1.0));
+        QColor colour = option.palette.color(QPalette::Highlight);
+        colour.setAlpha(barAlpha);
+        painter->fillRect(bar, colour);
+        QStyledItemDelegate::paint(painter, option, index);
+    }
+};
+
+QLabel* makeWrapped(const char* name) {
+    auto* label = new QLabel;
+    label->setObjectName(QString::fromLatin1(name));
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+}  // namespace
+
+ContributionsDock::ContributionsDock(QWidget* parent)
+    : QWidget(parent),
+      model_(new ContributionModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      place_(new QComboBox),
+      headline_(makeWrapped("contributionHeadline")),
+      note_(makeWrapped("contributionNote")),
+      attribute_(pushButton(tr("Attribute the shadow"), "attribute",
+                            tr("Finds what each building takes, by month, with the engine and the steps of "
+                               "the study"))),
+      progress_(new ProgressStrip(QBoxLayout::TopToBottom)),
+      bars_(new ChartWidget),
+      table_(new QTableView),
+      colours_(new QCheckBox(tr("Colour the buildings"))),
+      legend_(makeLegend()) {
+    makeFields();
+    makeTable();
+    placeFields();
+    connectFields();
+    setPlaces({});
+    explain({});
+}
+
+void ContributionsDock::makeFields() {
+    place_->setObjectName(QStringLiteral("contributionPlace"));
+    place_->setToolTip(tr("Whose shadow is attributed to buildings. Or click a place in the view"));
+    place_->setEditable(true);
+    place_->setInsertPolicy(QComboBox::NoInsert);
+    place_->completer()->setFilterMode(Qt::MatchContains);
+    place_->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    place_->lineEdit()->setToolTip(place_->toolTip());
+    place_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    place_->setMinimumContentsLength(14);
+    QFont bold = headline_->font();
+    bold.setBold(true);
+    headline_->setFont(bold);
+    note_->setForegroundRole(QPalette::PlaceholderText);
+    bars_->setObjectName(QStringLiteral("contributionMonths"));
+    bars_->setFixedHeight(barsPx);
+    colours_->setObjectName(QStringLiteral("colourBuildings"));
+    colours_->setChecked(true);
+    colours_->setToolTip(tr("Colours the buildings in the view by their share of the shadow"));
+}
+
+void ContributionsDock::makeTable() {
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(ContributionModel::valueRole);
+    sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
+    table_->setObjectName(QStringLiteral("contributionTable"));
+    table_->setModel(sorted_);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(-1, Qt::DescendingOrder);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setItemDelegateForColumn(1, new ShareBars(table_));
+    table_->setMinimumHeight(tablePx);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    table_->setToolTip(tr("A row selects its building in the view; double-click to go there"));
+}
+
+QWidget* ContributionsDock::makeLegend() {
+    auto* legend = new QWidget;
+    auto* cells = new QGridLayout(legend);
+    cells->setContentsMargins(0, 0, 0, 0);
+    cells->setHorizontalSpacing(4);
+    cells->setVerticalSpacing(1);
+    for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
+        QPixmap swatch(swatchPx, swatchPx);
+        swatch.fill(contributionClasses[i].colour);
+        auto* colour = new QLabel;
+        colour->setPixmap(swatch);
+        const int row = int(i) / 3, column = 2 * (int(i) % 3);
+        cells->addWidget(colour, row, column);
+        cells->addWidget(new QLabel(describeClass(i)), row, column + 1);
+    }
+    cells->setColumnStretch(6, 1);
+    legend->setToolTip(tr("Share of the shadow that a building is charged with"));
+    return legend;
+}
+
+void ContributionsDock::placeFields() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{place_, headline_, note_, attribute_, progress_, bars_})
+        column->addWidget(widget);
+    column->addWidget(table_, 1);
+    column->addWidget(colours_);
+    column->addWidget(legend_);
+}
+
+void ContributionsDock::connectFields() {
+    connect(place_, &QComboBox::activated, this,
+            [this](int index) { chooseSubject(index == 0 ? QString() : place_->itemText(index)); });
+    connect(attribute_, &QPushButton::clicked, this, &ContributionsDock::attributionWanted);
+    connect(colours_, &QCheckBox::toggled, this, [this](bool on) {
+        legend_->setVisible(on);
+        Q_EMIT coloursChanged();
+    });
+    const auto buildingAt = [this](const QModelIndex& index) {
+        return index.isValid() ? model_->buildingOf(sorted_->mapToSource(index).row()) : nullptr;
+    };
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this, buildingAt](const QModelIndex& index) {
+                if (const auto building = buildingAt(index)) Q_EMIT pointedAt(building);
+            });
+    connect(table_, &QTableView::activated, this, [this, buildingAt](const QModelIndex& index) {
+        if (const auto building = buildingAt(index)) Q_EMIT wanted(building);
+    });
+    connect(bars_, &ChartWidget::hovered, this, &ContributionsDock::tellMonth);
+}
+
+void ContributionsDock::chooseSubject(const QString& text) {
+    subject_ = text.toStdString();
+    Q_EMIT subjectChosen(subject_);
+}
+
+void ContributionsDock::setPlaces(const QStringList& names) {
+    const QSignalBlocker quiet(place_);
+    place_->clear();
+    place_->addItem(tr("Whole region"));
+    place_->addItems(names);
+    setSubject(subject_);
+}
+
+void ContributionsDock::setSubject(const std::string& place) {
+    subject_ = place;
+    const QSignalBlocker quiet(place_);
+    const int index = place.empty() ? 0 : place_->findText(QString::fromStdString(place), Qt::MatchExactly);
+    place_->setCurrentIndex(index);
+    if (index < 0) place_->setEditText(QString::fromStdString(place));
+    place_->lineEdit()->setCursorPosition(0);
+}
+
+void ContributionsDock::show(ContributionSheet sheet) {
+    const bool first = model_->columnCount() == 0;
+    headline_->setText(sheet.headline);
+    headline_->setVisible(!sheet.headline.isEmpty());
+    note_->setText(sheet.note);
+    note_->setVisible(!sheet.note.isEmpty());
+    attribute_->hide();
+    showMonths(sheet.months);
+    const bool any = !sheet.rows.empty();
+    model_->show(std::move(sheet));
+    for (QWidget* widget : std::initializer_list<QWidget*>{table_, colours_}) widget->setVisible(any);
+    legend_->setVisible(any && colours());
+    if (first && any) {
+        table_->resizeColumnsToContents();
+        table_->setColumnWidth(0, std::min(namePx, table_->columnWidth(0)));
+    }
+    Q_EMIT coloursChanged();
+}
+
+void ContributionsDock::explain(const QString& why, bool offer) {
+    show({.note = why});
+    attribute_->setVisible(offer);
+}
+
+void ContributionsDock::showMonths(const std::vector<MonthShadow>& months) {
+    chart_ = {{{tr("Shadow area by month"), shadowColour(barsShare)}}, {}, false, unitsInUse()};
+    const bool oneYear = !months.empty() && areOfOneYear(months);
+    for (const MonthShadow& month : months)
+        chart_.groups.push_back({describeMonthOf(month.month, oneYear), {month.shadowAreaM2}});
+    bars_->setVisible(months.size() > 1);
+    bars_->show([this](const Canvas& canvas, const QRectF& area) { paintBars(canvas, area, chart_); });
+}
+
+void ContributionsDock::tellMonth(QPointF at) {
+    const auto month = findGroupAt(bars_->area(), bars_->point(), chart_, at);
+    if (!month) return QToolTip::hideText();
+    const BarChart::Group& group = chart_.groups[*month];
+    QToolTip::showText(bars_->mapToGlobal(at.toPoint()),
+                       tr("%1: on average over the sunlit time %2 in shadow", "a month and an area")
+                           .arg(group.name, describeArea(group.values.front())),
+                       bars_);
+}
+
+void ContributionsDock::select(const Building* building) {
+    const QSignalBlocker quiet(this);
+    const int row = model_->rowOf(building);
+    if (row < 0) return table_->clearSelection();
+    const QModelIndex index = sorted_->mapFromSource(model_->index(row, 0));
+    table_->selectRow(index.row());
+    table_->scrollTo(index);
+}
+
+bool ContributionsDock::colours() const { return colours_->isChecked(); }
+
+void ContributionsDock::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    Q_EMIT shownChanged();
+}
+
+void ContributionsDock::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    Q_EMIT shownChanged();
+}
+
+}  // namespace noonmark

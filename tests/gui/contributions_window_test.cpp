@@ -1,0 +1,264 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <fstream>
+#include <sstream>
+
+#include "app/gui/docks/contributions/contribution_model.h"
+#include "app/gui/docks/contributions/contributions_dock.h"
+#include "app/gui/docks/study_form/breakdown_form.h"
+#include "app/gui/docks/study_form/run_forecast.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/tools/editing/building_editing.h"
+#include "tests/gui/answers_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+using testing::HasSubstr;
+
+/// The window with a place in the yard, and the dock of contributions in front.
+struct ContributionsWindow : test::AnswersWindow {
+    void SetUp() override {
+        AnswersWindow::SetUp();
+        Project next = session().project();
+        next.places.push_back({"Yard", PlaceKind::park, {test::square({-40, 20}, 60)}, "drawn"});
+        next.places.push_back({"Sandpit", PlaceKind::playground, {test::square({-10, 30}, 20)}, "drawn"});
+        ASSERT_TRUE(session().change(std::move(next), QStringLiteral("places")));
+        auto* toggle = window->findChild<QDockWidget*>(QStringLiteral("contributionsDock"));
+        toggle->raise();
+        ASSERT_TRUE(waitFor([&] { return dock().isVisible(); }));
+    }
+    ContributionsDock& dock() { return *window->findChild<ContributionsDock*>(); }
+    ContributionLinks& links() { return window->contributions(); }
+    QTableView& table() { return *dock().findChild<QTableView*>(QStringLiteral("contributionTable")); }
+    QString headline() { return dock().findChild<QLabel*>(QStringLiteral("contributionHeadline"))->text(); }
+    QString why() { return dock().findChild<QLabel*>(QStringLiteral("contributionNote"))->text(); }
+    const ContributionSheet& sheet() { return dock().model().sheet(); }
+    std::size_t coloured() { return window->panel().view().overlay().colouredCount(); }
+    void ask(bool months, bool contributions, const std::string& engine = "horizon") {
+        StudySettings settings = workbench().document().settings();
+        settings.byMonth = months;
+        settings.contributions = contributions;
+        settings.engine = engine;
+        workbench().document().change(settings, QStringLiteral("contributions"));
+    }
+    void choose(const std::string& place) {
+        links().choose(place);
+        ASSERT_TRUE(waitFor([&] { return !links().working().busy(); }));
+    }
+};
+
+TEST_F(ContributionsWindow, TheStudyFormAsksForMonthsAndContributions) {
+    auto* form = window->findChild<StudyDock*>();
+    auto& months = *form->findChild<QCheckBox*>(QStringLiteral("byMonth"));
+    auto& contributions = *form->findChild<QCheckBox*>(QStringLiteral("byBuilding"));
+    EXPECT_FALSE(months.isChecked() || contributions.isChecked()) << "off by default";
+    months.setChecked(true);
+    contributions.setChecked(true);
+    EXPECT_TRUE(workbench().document().settings().byMonth && workbench().document().settings().contributions);
+    workbench().document().undoStack().undo();
+    EXPECT_FALSE(contributions.isChecked());
+    EXPECT_TRUE(months.isChecked());
+}
+
+TEST_F(ContributionsWindow, WhatTheMethodCannotSumIsDisabledAndSaysWhich) {
+    auto* form = window->findChild<StudyDock*>();
+    auto& months = *form->findChild<QCheckBox*>(QStringLiteral("byMonth"));
+    auto& contributions = *form->findChild<QCheckBox*>(QStringLiteral("byBuilding"));
+    const auto& line = *form->findChild<QLabel*>(QStringLiteral("whyNoBreakdown"));
+    ask(false, false, "projected");
+    EXPECT_TRUE(months.isEnabled());
+    EXPECT_FALSE(contributions.isEnabled());
+    EXPECT_THAT(line.text().toStdString(), HasSubstr("Horizon sweep"));
+    ask(true, false, "ray");
+    EXPECT_TRUE(months.isEnabled()) << "what is ticked can be unticked";
+    months.setChecked(false);
+    EXPECT_FALSE(months.isEnabled());
+    EXPECT_THAT(line.text().toStdString(), HasSubstr("Projected shadows"));
+    ask(false, false, "auto");
+    EXPECT_TRUE(months.isEnabled() && contributions.isEnabled());
+    EXPECT_TRUE(line.text().isEmpty());
+}
+
+TEST_F(ContributionsWindow, TheForecastCountsMonthsAndContributions) {
+    const RunForecast& forecast = window->findChild<StudyDock*>()->forecast();
+    const auto secondsOf = [&](bool months, bool contributions) {
+        ask(months, contributions);
+        EXPECT_TRUE(waitFor([&] { return forecast.estimate().has_value(); }));
+        return forecast.estimate()->seconds;
+    };
+    const double alone = secondsOf(false, false), months = secondsOf(true, false),
+                 both = secondsOf(true, true);
+    EXPECT_GT(months, alone);
+    EXPECT_GT(both, months);
+}
+
+TEST_F(ContributionsWindow, AStudyWithContributionsListsTheBuildingsOfTheWholeRegion) {
+    ask(true, true);
+    study();
+    ASSERT_FALSE(sheet().rows.empty()) << why().toStdString();
+    double share = 0;
+    for (const ContributionRow& row : sheet().rows) share += row.share;
+    EXPECT_NEAR(share, 1, 1e-9);
+    EXPECT_EQ(sheet().months.size(), 2U) << "March and April";
+    EXPECT_THAT(headline().toStdString(), HasSubstr(sheet().rows.front().name.toStdString()));
+    EXPECT_EQ(coloured(), sheet().rows.size());
+}
+
+TEST_F(ContributionsWindow, AClickedPlaceIsAttributedAndAddsUpToTheStudysFigure) {
+    ask(false, false);
+    study();
+    EXPECT_TRUE(sheet().rows.empty());
+    EXPECT_TRUE(dock().findChild<QPushButton*>(QStringLiteral("attribute"))->isVisible());
+    choose("Yard");
+    ASSERT_TRUE(links().shown()) << why().toStdString();
+    double attributed = 0;
+    for (const Contribution& row : links().shown()->rows) attributed += row.attributedMinM2;
+    EXPECT_GT(attributed, 0);
+    EXPECT_NEAR(attributed / links().shown()->studyMinM2, 1, 1e-6);
+    EXPECT_EQ(sheet().months.size(), 2U) << "a place has its months without asking";
+    const auto first = links().shown();
+    choose("Sandpit");
+    EXPECT_LT(links().shown()->cells, first->cells);
+    links().choose("Yard");
+    EXPECT_EQ(links().shown(), first) << "kept until the study changes";
+}
+
+TEST_F(ContributionsWindow, TheWholeRegionIsAttributedByTheButton) {
+    study();
+    dock().findChild<QPushButton*>(QStringLiteral("attribute"))->click();
+    ASSERT_TRUE(waitFor([&] { return !sheet().rows.empty(); })) << why().toStdString();
+    EXPECT_EQ(links().shown()->cells, workbench().study()->receivers.cells.size());
+}
+
+TEST_F(ContributionsWindow, RowsAndBuildingsOfTheViewSelectEachOther) {
+    ask(false, true);
+    study();
+    ASSERT_GT(sheet().rows.size(), 1U);
+    const auto& buildings = workbench().city()->city().buildings;
+    table().selectRow(1);
+    ASSERT_TRUE(window->tools().building().selected());
+    EXPECT_EQ(buildings[*window->tools().building().selected()], sheet().rows[1].building);
+    window->tools().building().select(std::nullopt);
+    EXPECT_FALSE(table().selectionModel()->hasSelection());
+    const auto other = std::ranges::find(buildings, sheet().rows[0].building) - buildings.begin();
+    window->tools().building().select(std::uint32_t(other));
+    EXPECT_EQ(table().currentIndex().row(), 0);
+    const CameraPose before = window->panel().view().pose();
+    Q_EMIT table().activated(table().currentIndex());
+    EXPECT_NE(window->panel().view().pose().distanceM, before.distanceM);
+}
+
+TEST_F(ContributionsWindow, ColoursGoWithTheirBoxAndWithTheDock) {
+    ask(false, true);
+    study();
+    ASSERT_GT(coloured(), 0U);
+    auto& box = *dock().findChild<QCheckBox*>(QStringLiteral("colourBuildings"));
+    box.setChecked(false);
+    EXPECT_EQ(coloured(), 0U);
+    box.setChecked(true);
+    EXPECT_GT(coloured(), 0U);
+    window->findChild<QDockWidget*>(QStringLiteral("contributionsDock"))->close();
+    EXPECT_EQ(coloured(), 0U);
+}
+
+TEST_F(ContributionsWindow, TheTableSortsByNumbersNotByTheirTexts) {
+    ask(false, true);
+    study();
+    table().sortByColumn(1, Qt::AscendingOrder);
+    double last = -1;
+    for (int row = 0; row < table().model()->rowCount(); ++row) {
+        const double value = table().model()->index(row, 1).data(ContributionModel::valueRole).toDouble();
+        EXPECT_GE(value, last);
+        last = value;
+    }
+}
+
+TEST_F(ContributionsWindow, AComparisonListsWhatEachNewBuildingAddsAlone) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([&] { return workbench().city()->city().buildings.size() == 4; }));
+    workbench().run();
+    ASSERT_TRUE(waitFor([&] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    ASSERT_EQ(sheet().rows.size(), 1U);
+    EXPECT_EQ(sheet().rows[0].name, QStringLiteral("New"));
+    EXPECT_GT(sheet().rows[0].values[1], 0);
+    EXPECT_DOUBLE_EQ(sheet().rows[0].share, 1);
+    const double region = sheet().rows[0].values[2];
+    links().choose("Yard");
+    EXPECT_LE(sheet().rows[0].values[2], region);
+    EXPECT_FALSE(links().working().busy()) << "it is known already";
+}
+
+TEST_F(ContributionsWindow, AnEngineWithoutAttributionIsNamedWithThoseThatHaveIt) {
+    ask(false, false, "projected");
+    study();
+    choose("Yard");
+    EXPECT_THAT(why().toStdString(), HasSubstr("horizon"));
+    EXPECT_TRUE(sheet().rows.empty());
+}
+
+TEST_F(ContributionsWindow, APlaceOutsideTheStudySaysSo) {
+    study();
+    Project next = session().project();
+    next.places.push_back({"Far", PlaceKind::park, {test::square({2000, 2000}, 50)}, "drawn"});
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("place")));
+    choose("Far");
+    EXPECT_THAT(why().toStdString(), HasSubstr("Far"));
+}
+
+TEST_F(ContributionsWindow, AnotherStudyDropsWhatIsKnown) {
+    study();
+    choose("Yard");
+    ASSERT_TRUE(links().shown());
+    ask(true, false);
+    const auto before = workbench().study();
+    workbench().run();
+    ASSERT_TRUE(waitFor([&] { return workbench().study() != before; }));
+    EXPECT_FALSE(links().shown());
+}
+
+TEST_F(ContributionsWindow, ThePlaceIsExportedAsTablesAndLayer) {
+    study();
+    choose("Yard");
+    ExportChoice choice;
+    choice.subject = ExportChoice::Subject::place;
+    EXPECT_TRUE(workbench().filesOf(choice).contains(QStringLiteral("contributions.gpkg")));
+    const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
+    workbench().exportShown(out, choice);
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }))
+        << window->panel().messages().text().toStdString();
+    std::ostringstream text;
+    text << std::ifstream(out / "contributions.csv").rdbuf();
+    const std::string csv = text.str();
+    EXPECT_EQ(std::size_t(std::ranges::count(csv, '\n')), 1 + links().shown()->rows.size());
+    EXPECT_GT(std::filesystem::file_size(out / "contributions.gpkg"), 1000U);
+    EXPECT_TRUE(std::filesystem::exists(out / "by_month.csv"));
+}
+
+TEST(PlaceAtPoint, TheSmallestPlaceThatContainsThePointIsMeant) {
+    const std::vector<Place> places{{"Park", PlaceKind::park, {test::square({0, 0}, 100)}, "drawn"},
+                                    {"Pit", PlaceKind::playground, {test::square({40, 40}, 10)}, "drawn"}};
+    EXPECT_EQ(findPlaceAt(places, {45, 45})->name, "Pit");
+    EXPECT_EQ(findPlaceAt(places, {10, 10})->name, "Park");
+    EXPECT_EQ(findPlaceAt(places, {-1, 10}), nullptr);
+}
+
+TEST(ContributionClasses, EachShareHasTheColourOfItsClass) {
+    EXPECT_EQ(classOf(0), 0U);
+    EXPECT_EQ(classOf(0.01), 1U);
+    EXPECT_EQ(classOf(0.1499), 2U);
+    EXPECT_EQ(classOf(1), 4U);
+    EXPECT_EQ(describeClass(1).toStdString(), "1 to 5 %");
+}
+
+}  // namespace
+}  // namespace noonmark
