@@ -257,7 +257,7 @@ TEST(ContributionClasses, EachShareHasTheColourOfItsClass) {
     EXPECT_EQ(classOf(0.01), 1U);
     EXPECT_EQ(classOf(0.1499), 2U);
     EXPECT_EQ(classOf(1), 4U);
-    EXPECT_EQ(describeClass(1).toStdString(), "1 to 5 %");
+    EXPECT_EQ(describeClass(1).toStdString(), "1-5 %");
 }
 
 }  // namespace

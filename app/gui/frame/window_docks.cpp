@@ -60,7 +60,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
     QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
     QDockWidget* contributions =
-        dockOf(QObject::tr("Contributions"), "contributionsDock", docks.contributions);
+        dockOf(QObject::tr("Contributions"), "contributionsDock", scrolled(docks.contributions, sideWidth));
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
     for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
     for (QDockWidget* dock : {review, point, elements}) dock->hide();  // they take much of the view's height

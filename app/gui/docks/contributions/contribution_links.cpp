@@ -109,15 +109,12 @@ void ContributionLinks::showStudy(const Study& study) {
     if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer));
     if (!dock_.subject().empty())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
-    if (!study.breakdown)
-        return dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the "
-                                "shadow of the whole region."),
-                             true);
-    if (study.settings.contributions)
+    if (study.settings.contributions && study.breakdown)
         return dock_.show(makeContributionSheet(
             study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount())));
-    dock_.show({.note = tr("Click a place in the view to see which buildings shade it."),
-                .months = monthsOf(*study.breakdown)});
+    dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the shadow of "
+                     "the whole region."),
+                  true, study.breakdown ? monthsOf(*study.breakdown) : std::vector<MonthShadow>());
 }
 
 std::shared_ptr<const PlaceContributions> ContributionLinks::shown() const {

@@ -57,12 +57,17 @@ ContributionRow makeRow(const Contribution& one, const City& city) {
     return row;
 }
 
-QString percentOf(double share) { return formatAmount(100 * share); }
+// Small amounts with two significant digits: much of a park may have hardly any shadow.
+QString describeNumber(double number) {
+    return std::abs(number) < 1 ? formatShort(number, 2) : formatAmount(number);
+}
+
+QString percentOf(double share) { return describeNumber(100 * share); }
 
 QString describeShadow(double minutesADay, double sunlitMin) {
-    if (!(sunlitMin > 0)) return QObject::tr("%1 min a day in shadow").arg(formatAmount(minutesADay));
+    if (!(sunlitMin > 0)) return QObject::tr("%1 min a day in shadow").arg(describeNumber(minutesADay));
     return QObject::tr("%1 min a day in shadow, %2 % of the sunlit time")
-        .arg(formatAmount(minutesADay), percentOf(minutesADay / sunlitMin));
+        .arg(describeNumber(minutesADay), percentOf(minutesADay / sunlitMin));
 }
 
 QString describeLargest(const std::vector<ContributionRow>& rows) {
@@ -137,7 +142,7 @@ ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdow
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : rows) sheet.rows.push_back(makeRow(one, study.city));
     sheet.headline = describeSum(sheet, rows, study);
-    sheet.note = QString::fromStdString(breakdown.engine);
+    sheet.method = QString::fromStdString(breakdown.engine);
     if (breakdown.sets.names.size() > 1 || study.settings.byMonth) sheet.months = monthsOf(breakdown);
     return sheet;
 }
@@ -146,10 +151,11 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
     ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows);
     sheet.months = monthsOf(of.breakdown);
     const double cellDays = double(of.cells) * of.breakdown.grid.cellAreaM2() * double(of.days);
-    sheet.note = QObject::tr("%1 cell(s). The study's own figure for them: %2 min a day (%3).", "",
-                             pluralNumber(of.cells))
-                     .arg(formatCount(of.cells), formatAmount(of.studyMinM2 / cellDays, 2),
-                          QString::fromStdString(study.field.engine));
+    sheet.note = QObject::tr("%1 cell(s); in the study itself %2 min a day.", "", pluralNumber(of.cells))
+                     .arg(formatCount(of.cells), describeNumber(of.studyMinM2 / cellDays));
+    sheet.method =
+        QObject::tr("Attributed by: %1\nThe study: %2")
+            .arg(QString::fromStdString(of.breakdown.engine), QString::fromStdString(study.field.engine));
     return sheet;
 }
 
@@ -171,7 +177,7 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
                          .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
                               (mean > 0 ? QStringLiteral("+") : QString()) + formatAmount(mean, 2),
                               formatCount(all.cells));
-    sheet.note = QString::fromStdString(answer.study.total.engine);
+    sheet.method = QString::fromStdString(answer.study.total.engine);
     return sheet;
 }
 
@@ -182,10 +188,10 @@ std::size_t classOf(double share) {
 }
 
 QString describeClass(std::size_t i) {
-    const QString from = formatAmount(100 * contributionClasses[i].from);
-    if (i == 0) return QObject::tr("below %1 %").arg(formatAmount(100 * contributionClasses[1].from));
-    if (i + 1 == contributionClasses.size()) return QObject::tr("%1 % and more").arg(from);
-    return QObject::tr("%1 to %2 %").arg(from, formatAmount(100 * contributionClasses[i + 1].from));
+    const auto percent = [](std::size_t at) { return formatAmount(100 * contributionClasses[at].from); };
+    if (i == 0) return QObject::tr("< %1 %").arg(percent(1));
+    if (i + 1 == contributionClasses.size()) return QObject::tr("≥ %1 %").arg(percent(i));
+    return QObject::tr("%1-%2 %", "from and to, per cent").arg(percent(i), percent(i + 1));
 }
 
 }  // namespace noonmark

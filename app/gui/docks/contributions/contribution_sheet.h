@@ -34,7 +34,8 @@ struct ContributionRow {
 /// What the dock shows of a region or place.
 struct ContributionSheet {
     QString headline;  ///< in one sentence, what matters most
-    QString note;      ///< how it was found; may be empty
+    QString note;      ///< below the headline; may be empty
+    QString method;    ///< how it was found: the tooltip of both
     std::vector<ContributionColumn> columns;
     std::vector<ContributionRow> rows;
     std::vector<MonthShadow> months;  ///< empty: no bars
@@ -60,6 +61,6 @@ inline constexpr std::array contributionClasses{
     ContributionClass{0.05, QColor(0xf7, 0x68, 0xa1)}, ContributionClass{0.15, QColor(0xc5, 0x1b, 0x8a)},
     ContributionClass{0.30, QColor(0x7a, 0x01, 0x77)}};
 std::size_t classOf(double share);     ///< index in contributionClasses
-QString describeClass(std::size_t i);  ///< "1 to 5 %"
+QString describeClass(std::size_t i);  ///< "< 1 %", "1-5 %", "≥ 30 %"
 
 }  // namespace noonmark

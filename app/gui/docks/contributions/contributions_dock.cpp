@@ -3,7 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,6 +15,7 @@
 #include <QTableView>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <cstdio>
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_words.h"
@@ -29,24 +30,21 @@ namespace noonmark {
 
 namespace {
 
-constexpr int barsPx = 130;
-constexpr int tablePx = 120;  // at least
-constexpr int namePx = 150;   // of the names of buildings, at most at first
+constexpr int barsPx = 125;
+constexpr int tablePx = 160;          // at least
+constexpr int namePx = 150;           // of the names of buildings, at most at first
+constexpr std::size_t fewMonths = 4;  // have room for their names below the bars
 constexpr int swatchPx = 12;
 constexpr int barAlpha = 60;       // of 255: the number on it stays readable
 constexpr double barsShare = 0.6;  // of the palette of shadow
 
-// "2026-01" as the bars name it: without the year where all months are of one.
-QString describeMonthOf(const std::string& name, bool oneYear) {
+// "2026-01" in words: "Jan 2026", or below one of several bars "J".
+QString describeMonthOf(const std::string& name, bool asLetter) {
     int year = 0;
     unsigned month = 0;
     if (std::sscanf(name.c_str(), "%d-%u", &year, &month) != 2) return QString::fromStdString(name);
-    if (oneYear) return QLocale().standaloneMonthName(int(month), QLocale::ShortFormat);
+    if (asLetter) return QLocale().standaloneMonthName(int(month), QLocale::NarrowFormat);
     return describeMonth(std::chrono::year{year} / std::chrono::month{month});
-}
-
-bool areOfOneYear(const std::vector<MonthShadow>& months) {
-    return months.front().month.substr(0, 4) == months.back().month.substr(0, 4);
 }
 
 /// Draws a share as a bar behind its number, as long as it is of the largest share.
@@ -140,20 +138,17 @@ void ContributionsDock::makeTable() {
 
 QWidget* ContributionsDock::makeLegend() {
     auto* legend = new QWidget;
-    auto* cells = new QGridLayout(legend);
+    auto* cells = new QHBoxLayout(legend);
     cells->setContentsMargins(0, 0, 0, 0);
-    cells->setHorizontalSpacing(4);
-    cells->setVerticalSpacing(1);
+    cells->setSpacing(3);
     for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
         QPixmap swatch(swatchPx, swatchPx);
         swatch.fill(contributionClasses[i].colour);
         auto* colour = new QLabel;
         colour->setPixmap(swatch);
-        const int row = int(i) / 3, column = 2 * (int(i) % 3);
-        cells->addWidget(colour, row, column);
-        cells->addWidget(new QLabel(describeClass(i)), row, column + 1);
+        cells->addWidget(colour);
+        cells->addWidget(new QLabel(describeClass(i)), 1);
     }
-    cells->setColumnStretch(6, 1);
     legend->setToolTip(tr("Share of the shadow that a building is charged with"));
     return legend;
 }
@@ -164,9 +159,10 @@ void ContributionsDock::placeFields() {
     for (QWidget* widget :
          std::initializer_list<QWidget*>{place_, headline_, note_, attribute_, progress_, bars_})
         column->addWidget(widget);
-    column->addWidget(table_, 1);
+    column->addWidget(table_, 100);
     column->addWidget(colours_);
     column->addWidget(legend_);
+    column->addStretch();  // below what little there is without a table
 }
 
 void ContributionsDock::connectFields() {
@@ -218,6 +214,7 @@ void ContributionsDock::show(ContributionSheet sheet) {
     headline_->setVisible(!sheet.headline.isEmpty());
     note_->setText(sheet.note);
     note_->setVisible(!sheet.note.isEmpty());
+    for (QLabel* label : {headline_, note_}) label->setToolTip(sheet.method);
     attribute_->hide();
     showMonths(sheet.months);
     const bool any = !sheet.rows.empty();
@@ -231,16 +228,17 @@ void ContributionsDock::show(ContributionSheet sheet) {
     Q_EMIT coloursChanged();
 }
 
-void ContributionsDock::explain(const QString& why, bool offer) {
-    show({.note = why});
+void ContributionsDock::explain(const QString& why, bool offer, const std::vector<MonthShadow>& months) {
+    show({.note = why, .months = months});
     attribute_->setVisible(offer);
 }
 
 void ContributionsDock::showMonths(const std::vector<MonthShadow>& months) {
     chart_ = {{{tr("Shadow area by month"), shadowColour(barsShare)}}, {}, false, unitsInUse()};
-    const bool oneYear = !months.empty() && areOfOneYear(months);
+    months_ = months;
     for (const MonthShadow& month : months)
-        chart_.groups.push_back({describeMonthOf(month.month, oneYear), {month.shadowAreaM2}});
+        chart_.groups.push_back(
+            {describeMonthOf(month.month, months.size() > fewMonths), {month.shadowAreaM2}});
     bars_->setVisible(months.size() > 1);
     bars_->show([this](const Canvas& canvas, const QRectF& area) { paintBars(canvas, area, chart_); });
 }
@@ -248,10 +246,10 @@ void ContributionsDock::showMonths(const std::vector<MonthShadow>& months) {
 void ContributionsDock::tellMonth(QPointF at) {
     const auto month = findGroupAt(bars_->area(), bars_->point(), chart_, at);
     if (!month) return QToolTip::hideText();
-    const BarChart::Group& group = chart_.groups[*month];
+    const MonthShadow& shown = months_[*month];
     QToolTip::showText(bars_->mapToGlobal(at.toPoint()),
                        tr("%1: on average over the sunlit time %2 in shadow", "a month and an area")
-                           .arg(group.name, describeArea(group.values.front())),
+                           .arg(describeMonthOf(shown.month, false), describeArea(shown.shadowAreaM2)),
                        bars_);
 }
 

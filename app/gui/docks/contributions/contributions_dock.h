@@ -30,8 +30,9 @@ public:
     [[nodiscard]] const std::string& subject() const { return subject_; }
 
     void show(ContributionSheet sheet);
-    /// Nothing to show, and why; `offer`: a button that attributes the subject's shadow.
-    void explain(const QString& why, bool offer = false);
+    /// No buildings to show, and why, but months where there are any. `offer`: a button that attributes the
+    /// subject's shadow.
+    void explain(const QString& why, bool offer = false, const std::vector<MonthShadow>& months = {});
     [[nodiscard]] const ContributionModel& model() const { return *model_; }
     /// Selects the row of a building, if it has one; without a signal. Null: none.
     void select(const Building* building);
@@ -70,6 +71,7 @@ private:
     ProgressStrip* progress_;
     ChartWidget* bars_;
     BarChart chart_;
+    std::vector<MonthShadow> months_;  // of the bars
     QTableView* table_;
     QCheckBox* colours_;
     QWidget* legend_;
