@@ -1,11 +1,15 @@
-// Draws the shadow lines of one lane of places a work item. A lane's masks belong to no other lane, so plain reads and
-// writes will do. The same algorithm, to the bit, as core/engines/inverse/shadow_lines.cpp and source_runs.h; the host side
-// and the meaning of every argument: core/engines/inverse/shadow_lines_opencl.cpp, lane_sources.h and lane_masks.h.
+// Draws the shadow lines of one lane of places with ITEMS neighbouring work items: each finds all runs of the lane and draws every
+// ITEMS-th place, so a mask belongs to one work item and plain reads and writes will do. The same algorithm, to the bit, as
+// core/engines/inverse/shadow_lines.cpp and source_runs.h; the host side and the meaning of every argument:
+// core/engines/inverse/shadow_lines_opencl.cpp, lane_sources.h and lane_masks.h.
 #pragma OPENCL FP_CONTRACT OFF
 
 #define TABLE_SIZE 4096
 #define MAX_LEVELS 8
 #define LANES 16  // of a block
+#ifndef ITEMS
+#define ITEMS 1  // that share a lane; a power of two
+#endif
 #define GOES_ON -1
 #define REACH (0.5f - 1.0f / 6)  // of a run's end beyond its cell's centre
 
@@ -25,6 +29,7 @@ typedef struct {
     constant ulong* before;
     int places;
     int reversed;
+    int item;  // of the lane: draws the cells whose number has this remainder by ITEMS
     float cells_per_metre;
     float steepest_m;
 } lane_t;
@@ -65,7 +70,7 @@ void draw_run(const lane_t* lane, const run_t* run) {
     const bool folded = run->first < run->last && folds(lane, run->first_m, run->last_m);
     const float width = (float)(run->last - run->first);
     const int end = max(end_of(run->last, last_length, cells), folded ? end_of(run->first, first_length, cells) : 0);
-    for (int i = 0; i < end - run->first; ++i) {
+    for (int i = (lane->item - run->first) & (ITEMS - 1); i < end - run->first; i += ITEMS) {
         ulong steps = steps_at(lane, per_first, REACH, i) & ~steps_at(lane, per_last, -width - REACH, i);
         if (folded) steps |= steps_at(lane, per_last, REACH - width, i) & ~steps_at(lane, per_first, -REACH, i);
         shade(lane, run->first + i, steps);
@@ -82,8 +87,9 @@ kernel void draw_lanes(global const float* height_m,  // blocks x places x level
                        constant ulong* before,     // TABLE_SIZE + 3: bits of the steps up to a share of the line
                        global ulong* masks)        // lanes x places; ORed into
 {
-    const size_t number = get_global_id(0);
-    const lane_t lane = {masks + number * places, before, places, reversed, cells_per_metre, steepest_m};
+    const size_t number = get_global_id(0) / ITEMS;
+    const int item = (int)(get_global_id(0) % ITEMS);
+    const lane_t lane = {masks + number * places, before, places, reversed, item, cells_per_metre, steepest_m};
     const size_t first_line = number / LANES * places * levels;
     run_t open[2][MAX_LEVELS];
     int count = 0;

@@ -62,6 +62,10 @@ ComputeDevice describeDevice(const cl::Device& device) {
             device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>(), device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()};
 }
 
+// Work items that share a lane. A region has about a thousand lanes, and a graphics card wants many more work
+// items; on a processor each would find the runs again. One warp or wavefront a lane: its items stay together.
+std::size_t itemsALane(const cl::Device& device) { return isGpu(device) ? 32 : 1; }
+
 template <class T>
 std::size_t bytesOf(const std::vector<T>& values) {
     return values.size() * sizeof(T);
@@ -75,9 +79,11 @@ cl::Buffer readOnly(const cl::Context& context, const std::vector<T>& values) {
 class OpenClDrawer final : public ShadowLineDrawer {
 public:
     explicit OpenClDrawer(const cl::Device& device)
-        : device_(device), context_(device), queue_(context_, device) {
+        : device_(device), items_(itemsALane(device)), context_(device), queue_(context_, device) {
         cl::Program program(context_, std::string(shadowLinesKernel));
-        program.build(std::vector<cl::Device>{device}, "-cl-fp32-correctly-rounded-divide-sqrt");
+        const std::string options =
+            fmt::format("-cl-fp32-correctly-rounded-divide-sqrt -D ITEMS={}", items_);
+        program.build(std::vector<cl::Device>{device}, options.c_str());
         kernel_ = cl::Kernel(program, "draw_lanes");
     }
 
@@ -117,7 +123,8 @@ private:
         set(pass.rule.cellsPerMetre), set(pass.rule.steepestM), set(int(pass.reversed)), set(before),
             set(out);
         const std::size_t lanes = masks.masks.size() / std::size_t(masks.majors);
-        queue_.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(lanes));
+        queue_.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(lanes * items_),
+                                    items_ == 1 ? cl::NullRange : cl::NDRange(items_));
         // Mapping copies the masks back if the device has its own copy, and costs nothing otherwise.
         void* mapped = queue_.enqueueMapBuffer(out, CL_TRUE, CL_MAP_READ, 0, bytes);
         queue_.enqueueUnmapMemObject(out, mapped);
@@ -125,6 +132,7 @@ private:
     }
 
     cl::Device device_;
+    std::size_t items_;
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Kernel kernel_;
