@@ -118,6 +118,35 @@ TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
     EXPECT_FALSE(dock->faded());
 }
 
+TEST_F(AnswersWindow, TheListOfAnswersLeadsBackToEachAndMarksThePast) {
+    auto* dock = window->findChild<ResultsDock*>();
+    auto* list = dock->findChild<QComboBox*>(QStringLiteral("answers"));
+    study();
+    EXPECT_TRUE(list->isHidden()) << "one answer needs no list";
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    keep("Impact");
+    ASSERT_EQ(list->count(), 3);
+    EXPECT_TRUE(list->itemText(0).startsWith(QStringLiteral("Tower compared with")));
+    EXPECT_EQ(list->currentIndex(), 0);
+    Q_EMIT list->activated(1);
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<Study>() && !workbench().following().busy(); }));
+    EXPECT_EQ(session().scenario(), existingCity);
+    EXPECT_EQ(list->currentIndex(), 1);
+    Q_EMIT list->activated(0);
+    ASSERT_TRUE(
+        waitFor([this] { return workbench().answerAs<ImpactAnswer>() && !workbench().following().busy(); }));
+    EXPECT_EQ(session().scenario(), "Tower");
+    EXPECT_EQ(workbench().measured().size(), 2) << "shown again, not computed again";
+    window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy(); }));
+    Q_EMIT list->activated(0);
+    EXPECT_TRUE(dock->faded()) << "its buildings have changed";
+    EXPECT_EQ(workbench().answer(), nullptr);
+}
+
 TEST_F(AnswersWindow, AScoreDoesNotDependOnTheBaseline) {
     session().goTo("Tower");
     session().compareWith(existingCity);

@@ -58,6 +58,7 @@ void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     past_.reset();
     studies_.clear();
     comparison_ = {};
+    measured_.clear();
     saving_.drop();
     answerSeconds_ = std::numeric_limits<double>::infinity();  // not known for this city yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,

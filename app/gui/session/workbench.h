@@ -63,6 +63,10 @@ public:
     [[nodiscard]] bool canShowStudyAgain() const;
     /// Ends the display of the answer in front.
     void showStudyAgain();
+    /// The latest answers since the project was opened, newest first, at most 20.
+    [[nodiscard]] std::vector<std::shared_ptr<const Answer>> measured() const;
+    /// Shows one of them, in its scenario; where its buildings have changed since, as past().
+    void showMeasured(std::size_t index);
     /// The answer that was displayed before the buildings changed, until a new one is computed. Its figures
     /// belong to the previous buildings. Null: none.
     [[nodiscard]] std::shared_ptr<const Answer> past() const { return past_; }
@@ -168,6 +172,9 @@ private:
     void forgetAnswers();
     void updateAnswers();
     void putInFront(SharedAnswer answer);
+    void remember(const KnownAnswer& known);
+    [[nodiscard]] std::string scenarioOf(const std::shared_ptr<const City>& city);
+    void showPast(SharedAnswer answer);
     void findBase();
     [[nodiscard]] bool isCompared();
     bool rename(SharedAnswer& answer);
@@ -182,6 +189,7 @@ private:
     /// `toSave`: the figures are work of the user's that is saved with the project.
     void measure(const QString& what, std::vector<KnownAnswer> wanted, bool toSave = false);
     void adoptStudies(Result<std::vector<KnownAnswer>> made);
+    void adoptStudy(const KnownAnswer& study);
     std::vector<KnownAnswer> listUnmeasured();
     using Files = Result<std::vector<std::filesystem::path>>;
     using Write = std::function<Files(const std::filesystem::path& folder)>;
@@ -199,7 +207,8 @@ private:
     Warnings placeWarnings_;
     std::shared_ptr<const OpenCity> city_;
     std::vector<KnownAnswer> studies_;
-    KnownAnswer comparison_;  ///< the latest
+    KnownAnswer comparison_;             ///< the latest
+    std::vector<KnownAnswer> measured_;  ///< oldest first
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;
     ListAnswers scenarioAnswers_;

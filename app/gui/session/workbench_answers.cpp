@@ -13,6 +13,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr std::size_t maxMeasured = 20;    // their maps stay in memory
 constexpr std::ptrdiff_t maxStudies = 64;  // cached; ScenarioCities caches as many cities
 
 }  // namespace
@@ -153,8 +154,9 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
     }
     const Question& question = (*answer)->question();
     if (question.ofRun) answerSeconds_ = (*answer)->seconds();
-    if (&question != &comparisonQuestion()) return putInFront(*std::move(answer));
     known.answer = *std::move(answer);
+    remember(known);
+    if (&question != &comparisonQuestion()) return putInFront(std::move(known.answer));
     comparison_ = std::move(known);
     putInFront(nullptr);
 }
@@ -188,12 +190,18 @@ void Workbench::adoptStudies(Result<std::vector<KnownAnswer>> made) {
         return report(made.error());
     }
     for (const KnownAnswer& one : *made) {
-        std::erase_if(studies_, [&](const KnownAnswer& old) { return old.city == one.city; });
-        studies_.push_back(one);
+        adoptStudy(one);
+        remember(one);
     }
-    if (std::ssize(studies_) > maxStudies) studies_.erase(studies_.begin(), studies_.end() - maxStudies);
     if (!made->empty()) answerSeconds_ = made->back().answer->seconds();
     putInFront(nullptr);
+}
+
+// In place of an earlier one of the same buildings.
+void Workbench::adoptStudy(const KnownAnswer& study) {
+    std::erase_if(studies_, [&](const KnownAnswer& old) { return old.city == study.city; });
+    studies_.push_back(study);
+    if (std::ssize(studies_) > maxStudies) studies_.erase(studies_.begin());
 }
 
 std::vector<Workbench::KnownAnswer> Workbench::listUnmeasured() {
@@ -269,6 +277,46 @@ void Workbench::showSaved(const std::string& name) {
             front_ = *std::move(saved);
             Q_EMIT answered();
         });
+}
+
+void Workbench::remember(const KnownAnswer& known) {
+    if (measured_.size() == maxMeasured) measured_.erase(measured_.begin());
+    measured_.push_back(known);
+}
+
+std::vector<std::shared_ptr<const Answer>> Workbench::measured() const {
+    std::vector<SharedAnswer> answers;
+    for (const KnownAnswer& known : measured_) answers.insert(answers.begin(), known.answer);
+    return answers;
+}
+
+// Empty: no scenario has these buildings.
+std::string Workbench::scenarioOf(const std::shared_ptr<const City>& city) {
+    if (session_.city() == city) return session_.scenario();
+    for (const std::string& name : listNames(session_.project().scenarios))
+        if (session_.cityOf(name).value_or(nullptr) == city) return name;
+    return {};
+}
+
+void Workbench::showMeasured(std::size_t index) {
+    if (index >= measured_.size()) return;
+    const KnownAnswer known = measured_[measured_.size() - 1 - index];
+    const std::string scenario = scenarioOf(known.city);
+    const std::string baseline = known.before ? scenarioOf(known.before) : session_.baseline();
+    if (scenario.empty() || (known.before && baseline.empty())) return showPast(known.answer);
+    if (known.before) comparison_ = known;
+    session_.goTo(scenario);
+    if (known.before) session_.compareWith(baseline);
+    if (!contentOf<Study>(known.answer)) return putInFront(known.before ? nullptr : known.answer);
+    session_.compareWith({});
+    adoptStudy(known);
+    putInFront(nullptr);
+}
+
+void Workbench::showPast(SharedAnswer answer) {
+    forgetAnswers();
+    past_ = std::move(answer);
+    Q_EMIT answered();
 }
 
 void Workbench::showStudyAgain() { putInFront(nullptr); }

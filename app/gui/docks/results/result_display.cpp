@@ -44,6 +44,7 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
             [this](const auto& partial) { places_.layer.setPartial(partial); });
     connect(&workbench_, &Workbench::studyStopped, this, [this] { places_.layer.setPartial(nullptr); });
     connect(&places_.figures, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
+    connect(&places_.figures, &ResultsDock::answerChosen, this, &ResultDisplay::showListed);
     connect(&workbench_.document(), &StudyDocument::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &ResultDisplay::show);
@@ -105,7 +106,32 @@ void ResultDisplay::showFigures(const Answer& answer) {
     places_.figures.setWarningCount(answer.warnings().size());
 }
 
+// The measured ones, then those saved in the project.
+void ResultDisplay::listAnswers() {
+    const auto shown = workbench_.answer() ? workbench_.answer() : workbench_.past();
+    QStringList names;
+    int at = -1;
+    for (const auto& answer : workbench_.measured()) {
+        if (answer == shown) at = int(names.size());
+        const QString day = QString::fromStdString(formatText(answer->settings()->period.start));
+        names << tr("%1, %2").arg(viewerOf(*answer).title(*answer), day);
+    }
+    const auto saved = contentOf<SavedContent>(shown);
+    for (const auto& result : workbench_.session().project().results) {
+        if (saved && saved->result->name == result->name) at = int(names.size());
+        names << tr("Saved: %1").arg(QString::fromStdString(result->name));
+    }
+    places_.figures.setAnswers(names, at);
+}
+
+void ResultDisplay::showListed(int answer) {
+    const auto measured = std::ptrdiff_t(workbench_.measured().size());
+    if (answer < measured) return workbench_.showMeasured(std::size_t(answer));
+    workbench_.showSaved(workbench_.session().project().results[std::size_t(answer - measured)]->name);
+}
+
 void ResultDisplay::update() {
+    listAnswers();
     places_.scenarios.setStudies(workbench_.studies(), workbench_.document().settings());
     showOutdated();
     Q_EMIT updated();

@@ -53,6 +53,8 @@ private:
     void showPast();
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const Answer& answer);
+    void listAnswers();
+    void showListed(int answer);
     void update();
     void showOutdated();
     [[nodiscard]] QString whyOutdated() const;

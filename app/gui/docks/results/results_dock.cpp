@@ -1,10 +1,12 @@
 #include "app/gui/docks/results/results_dock.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -96,6 +98,7 @@ void follow(QPushButton& button, QAction* action) {
 ResultsDock::ResultsDock(QWidget* parent)
     : QWidget(parent),
       scroll_(new QScrollArea),
+      answers_(new QComboBox),
       headline_(headlineLabel()),
       findings_(textLabel("answerFindings")),
       note_(textLabel("resultNote")),
@@ -114,6 +117,11 @@ ResultsDock::ResultsDock(QWidget* parent)
       hint_(defaultHint()) {
     placeContent();
     placeFoot();
+    answers_->setObjectName(QStringLiteral("answers"));
+    answers_->setToolTip(tr("The answers of this session and those saved in the project, newest first"));
+    answers_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setAnswers({}, -1);
+    connect(answers_, &QComboBox::activated, this, &ResultsDock::answerChosen);
     connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
     connect(command_, &QPushButton::clicked, this, &ResultsDock::commandWanted);
     connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsWanted);
@@ -138,6 +146,7 @@ void ResultsDock::placeContent() {
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);
+    whole->addWidget(answers_);
     whole->addWidget(scroll_, 1);
     whole->addWidget(foot_);
 }
@@ -154,6 +163,14 @@ void ResultsDock::setActions(QAction* save, QAction* compare, QAction* exporting
     int at = 0;
     for (QAction* action : {save, compare, exporting})
         follow(*qobject_cast<QPushButton*>(foot_->layout()->itemAt(at++)->widget()), action);
+}
+
+void ResultsDock::setAnswers(const QStringList& names, int shown) {
+    const QSignalBlocker quiet(answers_);
+    answers_->clear();
+    answers_->addItems(names);
+    answers_->setCurrentIndex(shown);
+    answers_->setVisible(names.size() > 1);
 }
 
 void ResultsDock::addSection(QWidget* section) {

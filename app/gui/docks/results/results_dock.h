@@ -6,6 +6,7 @@
 #include "core/describe/answer_page.h"
 
 class QAction;
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -27,6 +28,8 @@ public:
     /// Text above the figures; empty: none. `warns`: in amber, and the figures are greyed out, since they do
     /// not belong to what is displayed.
     void setNote(const QString& note, bool warns = true);
+    /// The answers that can be shown, of which `shown` is; -1: none. A single one needs no list.
+    void setAnswers(const QStringList& names, int shown);
     void setHint(const QString& hint);           ///< shown while there are no figures; empty: the default one
     void setWarningCount(std::size_t warnings);  ///< of the data; shown as a button
     /// The buttons at the foot trigger these.
@@ -40,8 +43,9 @@ public:
 
 Q_SIGNALS:
     void studyWanted();
-    void commandWanted();   ///< on the clipboard
-    void warningsWanted();  ///< their list
+    void answerChosen(int answer);  ///< of setAnswers()
+    void commandWanted();           ///< on the clipboard
+    void warningsWanted();          ///< their list
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -54,6 +58,7 @@ private:
     void setFaded(bool faded);
 
     QScrollArea* scroll_;
+    QComboBox* answers_;
     QLabel* headline_;
     QLabel* findings_;
     QLabel* note_;
