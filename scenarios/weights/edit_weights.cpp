@@ -42,7 +42,12 @@ std::string nameOf(const WeightedInterval& interval) {
     const auto text = [](month_day date) {
         return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
     };
-    return text(interval.first) + " to " + text(interval.last);
+    const std::string days = text(interval.first) + " to " + text(interval.last);
+    if (interval.to - interval.from == hours(24)) return days;
+    const auto clock = [](minutes time) {
+        return fmt::format("{:02}:{:02}", time.count() / 60, time.count() % 60);
+    };
+    return days + ", " + clock(interval.from) + " to " + clock(interval.to);
 }
 
 // The first run of free days at or after `from`, around the year.
@@ -69,6 +74,114 @@ Result<WeightedInterval> laterHalf(WeightedInterval& interval) {
     return half;
 }
 
+// Ends are excluded.
+struct Range {
+    int first = 0, end = 0;
+    [[nodiscard]] int size() const { return end - first; }
+    bool operator==(const Range&) const = default;
+};
+
+Range meet(Range a, Range b) { return {std::max(a.first, b.first), std::min(a.end, b.end)}; }
+
+// Days of a leap year, and minutes of each of them.
+struct Box {
+    Range days, minutes;
+};
+
+int minutesOf(const Box& box) { return std::max(0, box.days.size()) * std::max(0, box.minutes.size()); }
+
+Box meet(const Box& a, const Box& b) { return {meet(a.days, b.days), meet(a.minutes, b.minutes)}; }
+
+// The range, or its two parts where it spans the end.
+std::vector<Range> unwrap(int first, int end, int whole) {
+    if (first < end) return {{first, end}};
+    return {{first, whole}, {0, end}};
+}
+
+std::vector<Box> boxesOf(const WeightedInterval& interval) {
+    constexpr int dayMinutes = 24 * 60;
+    std::vector<Box> boxes;
+    for (const Range dates : unwrap(dayOf(interval.first), dayOf(interval.last) + 1, yearDays))
+        for (const Range times : unwrap(int(interval.from.count()), int(interval.to.count()), dayMinutes))
+            if (const Box box{dates, times}; minutesOf(box) > 0) boxes.push_back(box);
+    return boxes;
+}
+
+Box boxOf(const MonthsAndHours& time) {
+    const month_day last(time.lastMonth, (leapYear / time.lastMonth / std::chrono::last).day());
+    return {{dayOf(time.firstMonth / 1), dayOf(last) + 1}, {time.fromHour * 60, time.toHour * 60}};
+}
+
+// The whole days before and after the hole, and the hours before and after it on its own days.
+std::vector<Box> cutOut(const Box& box, const Box& hole) {
+    const Box gap = meet(box, hole);
+    if (minutesOf(gap) == 0) return {box};
+    std::vector<Box> pieces{{{box.days.first, gap.days.first}, box.minutes},
+                            {gap.days, {box.minutes.first, gap.minutes.first}},
+                            {gap.days, {gap.minutes.end, box.minutes.end}},
+                            {{gap.days.end, box.days.end}, box.minutes}};
+    std::erase_if(pieces, [](const Box& piece) { return minutesOf(piece) == 0; });
+    return pieces;
+}
+
+std::optional<Range> join(Range a, Range b) {
+    if (a.end == b.first) return Range{a.first, b.end};
+    return b.end == a.first ? std::optional(Range{b.first, a.end}) : std::nullopt;
+}
+
+// Two boxes that make one.
+std::optional<Box> join(const Box& a, const Box& b) {
+    if (a.minutes == b.minutes)
+        if (const auto dates = join(a.days, b.days)) return Box{*dates, a.minutes};
+    if (a.days == b.days)
+        if (const auto times = join(a.minutes, b.minutes)) return Box{a.days, *times};
+    return std::nullopt;
+}
+
+WeightedInterval intervalOf(const Box& box, double weight, std::string name = {}) {
+    WeightedInterval interval{std::move(name),          dateOf(box.days.first),
+                              dateOf(box.days.end - 1), minutes(box.minutes.first),
+                              minutes(box.minutes.end), weight};
+    if (interval.name.empty()) interval.name = nameOf(interval);
+    return interval;
+}
+
+// A piece of a painted interval is one, too, and gets the name of its own time.
+std::string pieceName(const WeightedInterval& interval) {
+    return interval.name == nameOf(interval) ? std::string() : interval.name;
+}
+
+// Painted neighbours, which have no name of their own, become part of it.
+Box takeNeighbours(TimeWeights& table, Box box, double weight) {
+    const auto extends = [&](const WeightedInterval& one) {
+        const auto boxes = boxesOf(one);
+        return one.weight == weight && one.name == nameOf(one) && boxes.size() == 1 && join(box, boxes[0]);
+    };
+    auto& all = table.intervals;
+    for (auto found = std::ranges::find_if(all, extends); found != all.end();
+         found = std::ranges::find_if(all, extends)) {
+        box = *join(box, boxesOf(*found)[0]);
+        all.erase(found);
+    }
+    return box;
+}
+
+WeightCell cellOf(const TimeWeights& table, const Box& cell) {
+    int held = 0;
+    double sum = 0, least = 1, most = -1;
+    for (const WeightedInterval& interval : table.intervals)
+        for (const Box& box : boxesOf(interval)) {
+            const int shared = minutesOf(meet(box, cell));
+            if (shared == 0) continue;
+            held += shared;
+            sum += shared * interval.weight;
+            least = std::min(least, interval.weight);
+            most = std::max(most, interval.weight);
+        }
+    if (held == 0) return {};
+    return {true, held < minutesOf(cell) || least < most, sum / held};
+}
+
 }  // namespace
 
 Result<AddedInterval> addInterval(TimeWeights table, std::size_t after) {
@@ -86,6 +199,35 @@ Result<TimeWeights> removeInterval(TimeWeights table, std::size_t position) {
     if (position < table.intervals.size())
         table.intervals.erase(table.intervals.begin() + std::ptrdiff_t(position));
     return validate(table).map([&] { return std::move(table); });
+}
+
+Result<TimeWeights> paintWeights(const TimeWeights& table, const MonthsAndHours& time,
+                                 std::optional<double> weight) {
+    const Box hole = boxOf(time);
+    if (minutesOf(hole) == 0) return failure("No hour is chosen", table.name, "Choose at least one hour");
+    TimeWeights next{table.name, {}};
+    for (const WeightedInterval& interval : table.intervals) {
+        const auto boxes = boxesOf(interval);
+        const auto overlaps = [&](const Box& box) { return minutesOf(meet(box, hole)) > 0; };
+        if (std::ranges::none_of(boxes, overlaps)) {
+            next.intervals.push_back(interval);
+            continue;
+        }
+        for (const Box& box : boxes)
+            for (const Box& piece : cutOut(box, hole))
+                next.intervals.push_back(intervalOf(piece, interval.weight, pieceName(interval)));
+    }
+    if (weight) next.intervals.push_back(intervalOf(takeNeighbours(next, hole, *weight), *weight));
+    return validate(next).map([&] { return std::move(next); });
+}
+
+std::array<std::array<WeightCell, 24>, 12> weightGrid(const TimeWeights& table) {
+    std::array<std::array<WeightCell, 24>, 12> grid;
+    for (unsigned at = 0; at < 12; ++at)
+        for (int hour = 0; hour < 24; ++hour)
+            grid[at][std::size_t(hour)] =
+                cellOf(table, boxOf({month(at + 1), month(at + 1), hour, hour + 1}));
+    return grid;
 }
 
 }  // namespace noonmark

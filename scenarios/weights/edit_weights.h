@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 
 #include "scenarios/weights/time_weights.h"
 
@@ -19,5 +21,27 @@ Result<AddedInterval> addInterval(TimeWeights table, std::size_t after);
 
 /// Removes the interval at `position`. Error: it is the only one.
 Result<TimeWeights> removeInterval(TimeWeights table, std::size_t position);
+
+/// Hours of the day in whole months of every year.
+struct MonthsAndHours {
+    std::chrono::month firstMonth{1}, lastMonth{1};  ///< inclusive, the first not after the last
+    int fromHour = 0, toHour = 24;                   ///< wall clock; the end is excluded
+};
+
+/// Gives this time one weight, or none. What an interval holds outside of it keeps its exact dates and hours,
+/// its name and weight, in up to four pieces for each range of dates and hours. The painted interval joins
+/// painted neighbours of the same weight. Error: a time without an hour; a weight out of range; or no
+/// interval would be left.
+Result<TimeWeights> paintWeights(const TimeWeights& table, const MonthsAndHours& time,
+                                 std::optional<double> weight);
+
+/// What a table says of one hour of the day in one month.
+struct WeightCell {
+    bool isHeld = false;   ///< some of its time has a weight
+    bool isMixed = false;  ///< some has another weight, or none
+    double weight = 0;     ///< mean of the time that has one
+};
+/// By month and hour.
+std::array<std::array<WeightCell, 24>, 12> weightGrid(const TimeWeights& table);
 
 }  // namespace noonmark

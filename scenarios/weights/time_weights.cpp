@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -64,7 +65,9 @@ bool WeightedInterval::holds(CivilDate date, std::chrono::minutes timeOfDay) con
 
 std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double latitudeDeg) {
     constexpr double tropicDeg = 23.44, least = 0.05;
-    if (std::abs(latitudeDeg) <= tropicDeg) return std::nullopt;
+    const auto wantsShade = [](const WeightedInterval& one) { return one.weight > 0; };
+    if (std::abs(latitudeDeg) <= tropicDeg || std::ranges::none_of(weights.intervals, wantsShade))
+        return std::nullopt;
     const double juneToAugust =
         meanWeight(weights, sys_days(2001y / June / 1), sys_days(2001y / September / 1));
     const double decemberToFebruary =

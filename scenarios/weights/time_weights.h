@@ -1,9 +1,9 @@
 #pragma once
 
 // The folder scenarios/weights/ weighs wanted shade against unwanted shadow. time_weights.h defines tables of
-// weights by date and hour, weights_text.h reads and writes them, and edit_weights.h edits
-// their intervals. score.h computes a shadow score: time_pieces.h splits the steps by month and interval,
-// score_sum.h adds the pieces up, score_text.h writes JSON and CSV.
+// weights by date and hour, weights_text.h reads and writes them, edit_weights.h edits their
+// intervals, and weight_templates.h has tables to begin with. score.h computes a shadow score: time_pieces.h
+// splits the steps by month and interval, score_sum.h adds the pieces up, score_text.h writes JSON and CSV.
 
 #include <chrono>
 #include <optional>
@@ -45,7 +45,8 @@ TimeWeights makeMonthlyWeights();
 Result<void> validate(const TimeWeights& weights);
 
 /// Shade is wanted in the hot season. A warning where the table wants more of it in the winter of a place
-/// outside the tropics than in its summer: the table was made for the other half of the earth.
+/// outside the tropics than in its summer: the table was made for the other half of the earth. None for a
+/// table that wants no shade at all, such as that of plants.
 std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double latitudeDeg);
 
 }  // namespace noonmark

@@ -6,14 +6,19 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTest>
 #include <QUndoStack>
 #include <random>
 
+#include "app/gui/docks/weights/weight_calendar.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/session/project/project_session.h"
+#include "core/city/city.h"
+#include "scenarios/weights/weight_templates.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {
@@ -192,6 +197,86 @@ TEST_F(Weights, AllColumnsAreInSightInTheNarrowestDock) {
     EXPECT_LE(view->horizontalHeader()->length(), view->viewport()->width());
     for (int column = 0; column < dock.model().columnCount(); ++column)
         EXPECT_GE(view->columnWidth(column), 30) << column;
+}
+
+/// The calendar of a dock that is shown, by mouse and keys.
+struct WeightCalendarOf {
+    explicit WeightCalendarOf(ProjectSession& session) : dock(std::make_unique<WeightsDock>(session)) {
+        dock->choose("default");
+        dock->resize(340, 700);
+        dock->show();
+        calendar = dock->findChild<WeightCalendar*>();
+    }
+    void drag(Qt::MouseButton button, std::pair<int, int> from, std::pair<int, int> to) const {
+        const auto at = [&](std::pair<int, int> cell) {
+            return calendar->cellAt(cell.first, cell.second).center().toPoint();
+        };
+        QTest::mousePress(calendar, button, {}, at(from));
+        QTest::mouseMove(calendar, at(to));
+        QTest::mouseRelease(calendar, button, {}, at(to));
+    }
+    [[nodiscard]] WeightCell cell(int month, int hour) const {
+        return weightGrid(dock->model().table())[std::size_t(month)][std::size_t(hour)];
+    }
+    std::unique_ptr<WeightsDock> dock;
+    WeightCalendar* calendar;
+};
+
+TEST_F(Weights, TheCalendarIsPaintedErasedAndUndone) {
+    const WeightCalendarOf shown(session);
+    const TimeWeights before = session.project().weights[0];
+    QTest::mouseClick(shown.calendar, Qt::LeftButton, {}, shown.calendar->swatchOf(0.25).center().toPoint());
+    EXPECT_EQ(shown.calendar->brush(), 0.25);
+    shown.drag(Qt::LeftButton, {7, 16}, {5, 12});
+    EXPECT_EQ(shown.cell(5, 12).weight, 0.25) << "the drag goes in any direction";
+    EXPECT_EQ(shown.cell(7, 16).weight, 0.25);
+    EXPECT_EQ(shown.cell(7, 17).weight, 1) << "as it was";
+    EXPECT_EQ(shown.cell(4, 12).weight, 0.5);
+    EXPECT_EQ(undo.count(), 1) << "one step for a drag";
+    shown.drag(Qt::RightButton, {6, 14}, {6, 14});
+    EXPECT_FALSE(shown.cell(6, 14).isHeld);
+    EXPECT_TRUE(shown.cell(6, 13).isHeld);
+    undo.undo();
+    undo.undo();
+    EXPECT_EQ(session.project().weights[0], before);
+    shown.drag(Qt::RightButton, {0, 0}, {11, 23});
+    EXPECT_EQ(session.project().weights[0], before) << "a table cannot be empty";
+    EXPECT_FALSE(shown.dock->findChild<QLabel*>(QStringLiteral("refusal"))->isHidden());
+}
+
+TEST_F(Weights, TheCalendarIsPaintedByKeys) {
+    const WeightCalendarOf shown(session);
+    QTest::keyClick(shown.calendar, Qt::Key_Minus);
+    EXPECT_EQ(shown.calendar->brush(), 0.75);
+    QTest::keyClick(shown.calendar, Qt::Key_Right);
+    QTest::keyClick(shown.calendar, Qt::Key_Down, Qt::ShiftModifier);
+    QTest::keyClick(shown.calendar, Qt::Key_Return);
+    EXPECT_EQ(shown.cell(5, 13).weight, 0.75) << "June, one hour after the first cell";
+    EXPECT_EQ(shown.cell(6, 13).weight, 0.75);
+    EXPECT_EQ(shown.cell(5, 12).weight, 1);
+    QTest::keyClick(shown.calendar, Qt::Key_Delete);
+    EXPECT_FALSE(shown.cell(6, 13).isHeld);
+}
+
+TEST_F(Weights, TemplatesBecomeTablesOfTheProject) {
+    WeightsDock dock(session);
+    QMenu* menu = dock.findChild<QPushButton*>(QStringLiteral("weightTemplates"))->menu();
+    ASSERT_NE(menu, nullptr);
+    const auto take = [&](int entry) {
+        Q_EMIT menu->aboutToShow();
+        menu->actions()[entry]->trigger();
+    };
+    const double latitude = session.city()->frame.origin().latDeg;
+    take(0);
+    EXPECT_EQ(session.project().weights.back(), makeComfortWeights(latitude));
+    EXPECT_EQ(dock.findChild<QComboBox*>()->currentText(), QStringLiteral("pedestrian comfort"));
+    take(1);
+    EXPECT_EQ(session.project().weights.back(), makePlantWeights(latitude));
+    take(3);  // after the separator: as the first table of the project
+    EXPECT_EQ(session.project().weights.back().intervals, session.project().weights[0].intervals);
+    EXPECT_NE(session.project().weights.back().name, session.project().weights[0].name);
+    for (int i = 0; i < 3; ++i) undo.undo();
+    EXPECT_EQ(session.project().weights.size(), 1U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scenarios/weights/weight_templates.h"
 #include "scenarios/weights/weights_text.h"
 
 namespace noonmark::tests {
@@ -80,6 +81,99 @@ TEST(EditedWeights, AnIntervalIsReadFromItsTexts) {
     texts["weight"] = "1";
     texts["last"] = "Fe";
     EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6, last: 'Fe' is not a day"));
+}
+
+std::vector<std::string> linesOf(const TimeWeights& table) {
+    std::vector<std::string> lines;
+    for (const WeightedInterval& one : table.intervals) {
+        const auto texts = textsOf(one);
+        lines.push_back(texts.at("name") + "|" + texts.at("first") + " " + texts.at("last") + "|" +
+                        texts.at("from") + " " + texts.at("to") + "|" + texts.at("weight"));
+    }
+    return lines;
+}
+
+TEST(PaintedWeights, KeepTheExactDatesAndHoursOfWhatIsNotPainted) {
+    const TimeWeights table{
+        "mine",
+        {{.name = "term", .first = May / 10, .last = June / 20, .from = 7h + 30min, .to = 18h, .weight = 0.5},
+         {.name = "night", .from = 22h, .to = 5h, .weight = -1}}};
+    const auto painted = paintWeights(table, {June, July, 12, 16}, 1).value();
+    EXPECT_THAT(linesOf(painted),
+                testing::ElementsAre("term|05-10 05-31|07:30 18:00|0.5", "term|06-01 06-20|07:30 12:00|0.5",
+                                     "term|06-01 06-20|16:00 18:00|0.5", "night|01-01 12-31|22:00 05:00|-1",
+                                     "06-01 to 07-31, 12:00 to 16:00|06-01 07-31|12:00 16:00|1"));
+}
+
+TEST(PaintedWeights, JoinPaintedNeighboursOfTheSameWeight) {
+    TimeWeights table{"mine", {{.name = "new year", .first = December / 31, .last = January / 1}}};
+    table = paintWeights(table, {June, June, 12, 16}, 1).value();
+    table = paintWeights(table, {August, August, 12, 16}, 1).value();
+    EXPECT_EQ(table.intervals.size(), 3U);
+    table = paintWeights(table, {July, July, 12, 16}, 1).value();
+    EXPECT_THAT(linesOf(table),
+                testing::ElementsAre("new year|12-31 01-01|00:00 24:00|0",
+                                     "06-01 to 08-31, 12:00 to 16:00|06-01 08-31|12:00 16:00|1"));
+    table = paintWeights(table, {June, August, 16, 18}, 0.5).value();
+    EXPECT_EQ(table.intervals.size(), 3U) << "another weight";
+    EXPECT_EQ(paintWeights(makeMonthlyWeights(), {July, July, 0, 24}, 1).value().intervals.size(), 12U)
+        << "intervals with a name of their own stay apart";
+}
+
+TEST(PaintedWeights, AreErasedAndRefused) {
+    const auto without = paintWeights(makeMonthlyWeights(), {January, November, 0, 24}, {}).value();
+    EXPECT_THAT(linesOf(without), testing::ElementsAre("December|12-01 12-31|00:00 24:00|-1"));
+    EXPECT_FALSE(paintWeights(without, {December, December, 0, 24}, {})) << "the table would be empty";
+    EXPECT_FALSE(paintWeights(without, {June, June, 5, 5}, 1)) << "no hour";
+    EXPECT_FALSE(paintWeights(without, {June, June, 5, 6}, 1.5)) << "no such weight";
+}
+
+TEST(PaintedWeights, TheGridStatesWhatEachHourOfAMonthHolds) {
+    const auto grid = weightGrid(
+        {"mine",
+         {{.name = "half June", .first = June / 1, .last = June / 15, .weight = 1},
+          {.name = "July", .first = July / 1, .last = July / 31, .from = 22h, .to = 5h, .weight = -0.5}}});
+    EXPECT_TRUE(grid[5][0].isHeld);
+    EXPECT_TRUE(grid[5][0].isMixed) << "the second half of June has no weight";
+    EXPECT_EQ(grid[5][0].weight, 1);
+    EXPECT_TRUE(grid[6][4].isHeld);
+    EXPECT_FALSE(grid[6][4].isMixed);
+    EXPECT_EQ(grid[6][23].weight, -0.5);
+    EXPECT_FALSE(grid[6][5].isHeld);
+}
+
+TEST(WeightTemplates, WantShadeInSummerAfternoonsAndSunInWinter) {
+    const TimeWeights chicago = makeComfortWeights(41.9);
+    const auto grid = weightGrid(chicago);
+    EXPECT_EQ(grid[6][14].weight, 1) << "a July afternoon";
+    EXPECT_FALSE(grid[6][8].isHeld) << "a July morning";
+    EXPECT_EQ(grid[0][12].weight, -1) << "noon in January";
+    EXPECT_FALSE(findSeasonMismatch(chicago, 41.9));
+    EXPECT_TRUE(findSeasonMismatch(chicago, -37.8));
+}
+
+TEST(WeightTemplates, AreHalfAYearLaterInTheSouth) {
+    for (const double latitude : {10.0, 30.0, 45.0, 65.0})
+        for (const auto& make : {makeComfortWeights, makePlantWeights}) {
+            const auto north = weightGrid(make(latitude)), south = weightGrid(make(-latitude));
+            for (std::size_t at = 0; at < 12; ++at)
+                for (std::size_t hour = 0; hour < 24; ++hour) {
+                    const WeightCell &here = north[at][hour], &there = south[(at + 6) % 12][hour];
+                    EXPECT_EQ(here.isHeld, there.isHeld) << latitude << " " << at << " " << hour;
+                    EXPECT_EQ(here.weight, there.weight);
+                    EXPECT_FALSE(here.isMixed);
+                }
+        }
+    EXPECT_FALSE(findSeasonMismatch(makeComfortWeights(-37.8), -37.8));
+}
+
+TEST(WeightTemplates, GivePlantsSunInTheirGrowingSeason) {
+    const TimeWeights monaco = makePlantWeights(43.7);
+    EXPECT_THAT(linesOf(monaco), testing::ElementsAre("growing season|04-01 09-30|06:00 20:00|-1"));
+    EXPECT_THAT(linesOf(makePlantWeights(-60)),
+                testing::ElementsAre("growing season|11-01 02-29|06:00 20:00|-1"));
+    EXPECT_FALSE(findSeasonMismatch(monaco, 43.7)) << "it wants no shade, so it cannot want it in winter";
+    EXPECT_TRUE(validate(makePlantWeights(-5))) << "all year";
 }
 
 }  // namespace

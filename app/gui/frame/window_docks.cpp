@@ -52,7 +52,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
     QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
-    QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", docks.weights);
+    QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", scrolled(docks.weights, sideWidth));
     QDockWidget* building =
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));

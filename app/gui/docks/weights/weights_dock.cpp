@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -14,8 +15,11 @@
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/weights/weight_bar.h"
+#include "app/gui/docks/weights/weight_calendar.h"
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/project/project_session.h"
+#include "core/city/city.h"
+#include "scenarios/weights/weight_templates.h"
 
 namespace noonmark {
 
@@ -42,10 +46,12 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(tables_);
+    column->addWidget(new WeightCalendar(*model_));
     column->addWidget(view_, 1);
     column->addWidget(refusal_);
     column->addWidget(note_);
     column->addWidget(makeButtons());
+    column->addWidget(makeTemplates());
     column->addWidget(score_);
     connect(tables_, &QComboBox::currentTextChanged, this,
             [this](const QString& name) { choose(name.toStdString()); });
@@ -108,7 +114,11 @@ QWidget* WeightsDock::makeButtons() {
                              tr("Adds a table that starts with the twelve months of the paper"));
     connect(add, &QPushButton::clicked, this, &WeightsDock::addInterval);
     connect(remove, &QPushButton::clicked, this, &WeightsDock::removeInterval);
-    connect(table, &QPushButton::clicked, this, &WeightsDock::addTable);
+    connect(table, &QPushButton::clicked, this, [this] {
+        TimeWeights months = makeMonthlyWeights();
+        months.name = "my weights";
+        addTable(std::move(months));
+    });
     auto* buttons = new QWidget;
     auto* row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
@@ -134,14 +144,42 @@ void WeightsDock::follow() {
     score_->setEnabled(tables_->count() > 0);
 }
 
-void WeightsDock::addTable() {
+// Under a name that is free.
+void WeightsDock::addTable(TimeWeights table) {
     Project next = session_.project();
-    TimeWeights table = makeMonthlyWeights();
-    table.name = freeName(next, ProjectPart::weights, "my weights");
+    table.name = freeName(next, ProjectPart::weights, table.name);
     const std::string name = table.name;
     next.weights.push_back(std::move(table));
     if (session_.change(std::move(next), tr("new weight table %1").arg(QString::fromStdString(name))))
         choose(name);
+}
+
+QWidget* WeightsDock::makeTemplates() {
+    auto* button = pushButton(tr("New from template"), "weightTemplates",
+                              tr("Adds a table made for the latitude of this city, or a copy of a table of "
+                                 "this project"));
+    auto* menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillTemplates(*menu); });
+    button->setMenu(menu);
+    return button;
+}
+
+void WeightsDock::fillTemplates(QMenu& menu) {
+    menu.clear();
+    const double latitude = session_.city()->frame.origin().latDeg;
+    const auto offer = [&](const QString& text, const QString& tip, const TimeWeights& table) {
+        QAction* action = menu.addAction(text, this, [this, table] { addTable(table); });
+        action->setToolTip(tip);
+    };
+    offer(tr("Pedestrian comfort"),
+          tr("Shade wanted in summer afternoons, sun in winter: a rule of thumb by latitude"),
+          makeComfortWeights(latitude));
+    offer(tr("Plants"), tr("Sun wanted in the growing season: a rule of thumb by latitude"),
+          makePlantWeights(latitude));
+    menu.addSeparator();
+    for (const TimeWeights& table : session_.project().weights)
+        offer(tr("As %1").arg(QString::fromStdString(table.name)), tr("A copy, to be changed"), table);
 }
 
 void WeightsDock::addInterval() {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The project's weight tables: WeightsDock edits one through WeightsModel, drawn by WeightBar, and asks for a
-// score.
+// The project's weight tables: WeightsDock edits one through WeightsModel, as a list drawn by WeightBar and
+// as a WeightCalendar, and asks for a score.
 
 #include <QWidget>
 
@@ -9,6 +9,7 @@
 
 class QComboBox;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QTableView;
 
@@ -34,7 +35,9 @@ private:
     void fitColumns();
     QWidget* makeButtons();
     void follow();
-    void addTable();
+    void addTable(TimeWeights table);
+    QWidget* makeTemplates();
+    void fillTemplates(QMenu& menu);
     void addInterval();
     void removeInterval();
     void tell(const QString& text);

@@ -109,6 +109,12 @@ int WeightsModel::add(int afterRow) {
     return change(added.map([](const AddedInterval& one) { return one.table; })) ? int(added->position) : -1;
 }
 
+bool WeightsModel::paint(const MonthsAndHours& time, std::optional<double> weight) {
+    if (table_.intervals.empty()) return false;
+    const auto painted = paintWeights(table_, time, weight);
+    return painted == table_ || change(painted);
+}
+
 bool WeightsModel::removeRows(int row, int count, const QModelIndex& parent) {
     if (parent.isValid() || count != 1 || row < 0 || row >= rowCount()) return false;
     return change(removeInterval(table_, std::size_t(row)));

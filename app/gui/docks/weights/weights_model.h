@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <optional>
 #include <string>
 
 #include "app/gui/session/project/project_changes.h"
@@ -8,6 +9,7 @@
 namespace noonmark {
 
 class ProjectSession;
+struct MonthsAndHours;
 
 /// One weight table of the project: one row per interval, with columns for name, days, hours and weight, all
 /// edited in place as text ("06-01" or "June", "15:00", "-0.5"). Each edit is one undo step. An invalid date,
@@ -26,6 +28,8 @@ public:
 
     /// Adds an interval, as addInterval() places it. Returns its row, or -1 if refused.
     int add(int afterRow);
+    /// Gives this time a weight, or none, as paintWeights() does. False if refused.
+    bool paint(const MonthsAndHours& time, std::optional<double> weight);
     bool removeRows(int row, int count, const QModelIndex& parent = {}) override;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
