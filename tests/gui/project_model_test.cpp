@@ -140,15 +140,18 @@ TEST_F(ProjectTree, ScenarioTableFollows) {
     EXPECT_EQ(table.rowCount(), 2);
     EXPECT_EQ(table.index(1, 0).data().toString(), QStringLiteral("Proposal A"));
     EXPECT_EQ(table.index(1, 1).data().toString(), QStringLiteral("1"));
-    EXPECT_EQ(table.index(1, ScenarioTable::shadowArea).data().toString(), QString());
+    EXPECT_EQ(table.index(1, scenarioColumn("shadow_area_m2")).data().toString(),
+              QStringLiteral("not measured"));
     auto study = std::make_shared<Study>();
     study->statistics.shadowAreaM2 = 1234;
     table.setStudies({{"Proposal A", study}}, study->settings);
-    EXPECT_EQ(table.index(1, ScenarioTable::shadowArea).data().toString(), QStringLiteral("1,234"));
+    EXPECT_EQ(table.index(1, scenarioColumn("shadow_area_m2")).data().toString(), QStringLiteral("1,234"));
     StudySettings other;
     other.receivers.cellM = 9;
     table.setStudies({{"Proposal A", study}}, other);
-    EXPECT_EQ(table.index(1, ScenarioTable::shadowArea).data().toString(), QString()) << "other settings";
+    EXPECT_EQ(table.index(1, scenarioColumn("shadow_area_m2")).data().toString(),
+              QStringLiteral("out of date"))
+        << "other settings";
 }
 
 TEST_F(ProjectTree, KeysInTheTreeGoBeforeTheWindowsShortcuts) {

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
 #include <QFile>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QMenu>
 #include <QPushButton>
@@ -16,6 +19,7 @@
 #include "app/gui/base/widgets/column_menu.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
+#include "app/gui/frame/actions/scenario_actions.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {
@@ -27,7 +31,7 @@ using test::square;
 using test::waitFor;
 using testing::HasSubstr;
 
-using TableColumn = ScenarioTable::Column;
+using TableColumn = std::string_view;
 
 /// A tower on 20 x 20 m with storeys of 3.5 m.
 Edit towerOfStoreys(const std::string& id, int storeys) {
@@ -66,7 +70,7 @@ struct ScenarioTableWindow : ProjectWindow {
 
     // The row of a scenario in the project's order: 0 Existing, 1 Low, 2 Tall.
     [[nodiscard]] QModelIndex at(int row, TableColumn column) const {
-        return window->findChild<ScenariosDock*>()->table().index(row, column);
+        return window->findChild<ScenariosDock*>()->table().index(row, scenarioColumn(column));
     }
     [[nodiscard]] QString text(int row, TableColumn column) const {
         return at(row, column).data().toString();
@@ -76,6 +80,15 @@ struct ScenarioTableWindow : ProjectWindow {
     }
     [[nodiscard]] double value(int row, TableColumn column) const {
         return at(row, column).data(ScenarioTable::sortRole).toDouble();
+    }
+    [[nodiscard]] bool hasValue(int row, TableColumn column) const {
+        return std::isfinite(value(row, column));
+    }
+    [[nodiscard]] bool isBest(int row, TableColumn column) const {
+        return at(row, column).data(ScenarioTable::bestRole).toBool();
+    }
+    void tick(const char* box, bool on) {
+        window->findChild<QCheckBox*>(QString::fromLatin1(box))->setChecked(on);
     }
     void settle() {
         ASSERT_TRUE(waitFor([this] {
@@ -103,30 +116,30 @@ struct ScenarioTableWindow : ProjectWindow {
 };
 
 TEST_F(ScenarioTableWindow, StatesHeightAndFloorAreaOfWhatAScenarioAdds) {
-    EXPECT_EQ(text(0, TableColumn::height), QString()) << "the existing city adds nothing";
-    EXPECT_EQ(text(0, TableColumn::floorArea), QString());
-    EXPECT_EQ(tip(0, TableColumn::height), QStringLiteral("The scenario adds no building"));
-    EXPECT_EQ(text(2, TableColumn::height), QStringLiteral("42.0")) << "12 storeys of 3.5 m";
-    EXPECT_EQ(text(2, TableColumn::floorArea), QStringLiteral("4,800")) << "12 storeys of 400 m2";
-    EXPECT_EQ(text(1, TableColumn::floorArea), QStringLiteral("2,000"));
+    EXPECT_EQ(text(0, "height"), QString()) << "the existing city adds nothing";
+    EXPECT_EQ(text(0, "floor_area"), QString());
+    EXPECT_EQ(tip(0, "height"), QStringLiteral("The scenario adds no building"));
+    EXPECT_EQ(text(2, "height"), QStringLiteral("42.0")) << "12 storeys of 3.5 m";
+    EXPECT_EQ(text(2, "floor_area"), QStringLiteral("4,800")) << "12 storeys of 400 m2";
+    EXPECT_EQ(text(1, "floor_area"), QStringLiteral("2,000"));
     editTall(ChangeHeight{"New", 30});
-    EXPECT_EQ(text(2, TableColumn::height), QStringLiteral("30.0"));
-    EXPECT_EQ(text(2, TableColumn::floorArea), QString()) << "its floors are no longer known";
+    EXPECT_EQ(text(2, "height"), QStringLiteral("30.0"));
+    EXPECT_EQ(text(2, "floor_area"), QString()) << "its floors are no longer known";
 }
 
 TEST_F(ScenarioTableWindow, FollowsTheUnitsInUse) {
     const auto heading = [this](TableColumn column) {
-        return view->model()->headerData(column, Qt::Horizontal).toString();
+        return view->model()->headerData(scenarioColumn(column), Qt::Horizontal).toString();
     };
-    EXPECT_EQ(heading(TableColumn::height), QStringLiteral("Height, m"));
-    EXPECT_EQ(heading(TableColumn::floorArea), QStringLiteral("Floor area, m²"));
+    EXPECT_EQ(heading("height"), QStringLiteral("Height, m"));
+    EXPECT_EQ(heading("floor_area"), QStringLiteral("Floor area, m²"));
     applyUnits(UnitSystem::imperial);
-    EXPECT_EQ(heading(TableColumn::floorArea), QStringLiteral("Floor area, sq ft"));
-    EXPECT_EQ(text(2, TableColumn::height), QStringLiteral("137.8")) << "42 / 0.3048";
-    EXPECT_EQ(text(2, TableColumn::floorArea), QStringLiteral("51,667")) << "4,800 / 0.3048^2";
+    EXPECT_EQ(heading("floor_area"), QStringLiteral("Floor area, sq ft"));
+    EXPECT_EQ(text(2, "height"), QStringLiteral("137.8")) << "42 / 0.3048";
+    EXPECT_EQ(text(2, "floor_area"), QStringLiteral("51,667")) << "4,800 / 0.3048^2";
     applyUnits(UnitSystem::both);
-    EXPECT_EQ(heading(TableColumn::height), QStringLiteral("Height, m (ft)"));
-    EXPECT_EQ(text(2, TableColumn::floorArea), QStringLiteral("4,800 (51,667)"));
+    EXPECT_EQ(heading("height"), QStringLiteral("Height, m (ft)"));
+    EXPECT_EQ(text(2, "floor_area"), QStringLiteral("4,800 (51,667)"));
 }
 
 // By hand: the sum over the cells of both studies of the difference in minutes.
@@ -141,40 +154,42 @@ double sumOfChange(const Study& before, const Study& after) {
 }
 
 TEST_F(ScenarioTableWindow, TheImpactComesFromTheStudiesAtHand) {
-    EXPECT_EQ(text(2, TableColumn::impact), QString());
-    EXPECT_THAT(tip(2, TableColumn::impact).toStdString(), HasSubstr("press Measure all"));
+    EXPECT_EQ(text(2, "shadow_area_change_m2"), QStringLiteral("not compared"));
+    EXPECT_THAT(tip(2, "shadow_area_change_m2").toStdString(), HasSubstr("press Measure all"));
     press("measureAll");
     const auto studies = workbench().studies();
     ASSERT_EQ(studies.size(), 3U);
     const double expected = sumOfChange(*studies.at(existingCity), *studies.at("Tall"));
     EXPECT_GT(expected, 1);
-    EXPECT_NEAR(value(2, TableColumn::impact), expected, 1e-3 * expected);
-    EXPECT_TRUE(text(2, TableColumn::impact).startsWith(QLatin1Char('+')));
-    EXPECT_GT(value(2, TableColumn::impact), value(1, TableColumn::impact)) << "the taller one shades more";
-    EXPECT_EQ(text(0, TableColumn::impact), QString()) << "the baseline itself";
-    EXPECT_THAT(tip(2, TableColumn::impact).toStdString(), HasSubstr("more than 30 min a day:\n"));
+    EXPECT_NEAR(value(2, "shadow_area_change_m2"), expected, 1e-3 * expected);
+    EXPECT_TRUE(text(2, "shadow_area_change_m2").startsWith(QLatin1Char('+')));
+    EXPECT_GT(value(2, "shadow_area_change_m2"), value(1, "shadow_area_change_m2"))
+        << "the taller one shades more";
+    EXPECT_EQ(text(0, "shadow_area_change_m2"), QString()) << "the baseline itself";
+    EXPECT_THAT(tip(2, "shadow_area_change_m2").toStdString(), HasSubstr("more than 30 min a day:\n"));
     session().compareWith("Low");
     settle();
-    EXPECT_NEAR(value(2, TableColumn::impact), sumOfChange(*studies.at("Low"), *studies.at("Tall")), 0.5);
-    EXPECT_EQ(text(1, TableColumn::impact), QString());
-    EXPECT_LT(value(0, TableColumn::impact), 0) << "without the tower there is less shadow";
+    EXPECT_NEAR(value(2, "shadow_area_change_m2"), sumOfChange(*studies.at("Low"), *studies.at("Tall")), 0.5);
+    EXPECT_EQ(text(1, "shadow_area_change_m2"), QString());
+    EXPECT_LT(value(0, "shadow_area_change_m2"), 0) << "without the tower there is less shadow";
 }
 
 TEST_F(ScenarioTableWindow, FiguresOfBuildingsThatHaveChangedAreDropped) {
     press("measureAll");
     press("scoreAll");
-    const QString impact = text(2, TableColumn::impact), score = text(2, TableColumn::score);
+    const QString impact = text(2, "shadow_area_change_m2"), score = text(2, "score_m2");
     ASSERT_FALSE(impact.isEmpty());
     ASSERT_FALSE(score.isEmpty());
     editTall(ChangeHeight{"New", 30});
-    for (const TableColumn column : {TableColumn::shadowArea, TableColumn::impact, TableColumn::score}) {
-        EXPECT_EQ(text(2, column), QString()) << column;
+    for (const TableColumn column :
+         std::vector<TableColumn>{"shadow_area_m2", "shadow_area_change_m2", "score_m2"}) {
+        EXPECT_EQ(text(2, column), QStringLiteral("out of date")) << column;
         EXPECT_THAT(tip(2, column).toStdString(), HasSubstr("ress ")) << "how to get it";
-        EXPECT_FALSE(text(1, column).isEmpty()) << "the other scenario is as it was";
+        EXPECT_TRUE(hasValue(1, column)) << "the other scenario is as it was";
     }
     undo();
-    EXPECT_EQ(text(2, TableColumn::impact), impact);
-    EXPECT_EQ(text(2, TableColumn::score), score);
+    EXPECT_EQ(text(2, "shadow_area_change_m2"), impact);
+    EXPECT_EQ(text(2, "score_m2"), score);
 }
 
 TEST_F(ScenarioTableWindow, TheScoreIsThatOfTheChosenWeights) {
@@ -183,15 +198,15 @@ TEST_F(ScenarioTableWindow, TheScoreIsThatOfTheChosenWeights) {
     const auto expected = runScore(*session().cityOf("Tall").value(), workbench().document().settings(),
                                    session().project().weights[0], progress, {});
     ASSERT_TRUE(expected);
-    EXPECT_DOUBLE_EQ(value(2, TableColumn::score), expected->scoreM2);
-    EXPECT_FALSE(text(0, TableColumn::score).isEmpty());
-    EXPECT_EQ(tip(2, TableColumn::score), QStringLiteral("With the weights default"));
+    EXPECT_DOUBLE_EQ(value(2, "score_m2"), expected->scoreM2);
+    EXPECT_TRUE(hasValue(0, "score_m2"));
+    EXPECT_EQ(tip(2, "score_m2"), QStringLiteral("With the weights default"));
     Project next = session().project();
     next.weights[0].intervals[0].weight = 0.25;
     ASSERT_TRUE(session().change(std::move(next), QStringLiteral("weights")));
-    EXPECT_EQ(text(2, TableColumn::score), QString()) << "other weights";
+    EXPECT_EQ(text(2, "score_m2"), QStringLiteral("out of date")) << "other weights";
     undo();
-    EXPECT_FALSE(text(2, TableColumn::score).isEmpty());
+    EXPECT_TRUE(hasValue(2, "score_m2"));
 }
 
 TEST_F(ScenarioTableWindow, ASavedScoreCountsUntilItsScenarioChanges) {
@@ -199,7 +214,7 @@ TEST_F(ScenarioTableWindow, ASavedScoreCountsUntilItsScenarioChanges) {
     settle();
     workbench().runScore("default");
     settle();
-    const QString score = text(2, TableColumn::score);
+    const QString score = text(2, "score_m2");
     ASSERT_FALSE(score.isEmpty());
     workbench().saveAnswer(QStringLiteral("Score"));
     ASSERT_TRUE(waitFor([this] { return session().project().results.size() == 1; }));
@@ -207,9 +222,9 @@ TEST_F(ScenarioTableWindow, ASavedScoreCountsUntilItsScenarioChanges) {
     makeWindow();
     open(file);
     settle();
-    EXPECT_EQ(text(2, TableColumn::score), score) << "read from the project";
+    EXPECT_EQ(text(2, "score_m2"), score) << "read from the project";
     editTall(ChangeHeight{"New", 30});
-    EXPECT_EQ(text(2, TableColumn::score), QString());
+    EXPECT_EQ(text(2, "score_m2"), QStringLiteral("out of date"));
 }
 
 TEST_F(ScenarioTableWindow, FiguresAreThereAgainWhenTheProjectIsOpenedAnotherDay) {
@@ -221,8 +236,8 @@ TEST_F(ScenarioTableWindow, FiguresAreThereAgainWhenTheProjectIsOpenedAnotherDay
     window->findChild<WeightsDock*>()->choose("halves");
     press("measureAll");
     press("scoreAll");
-    const std::vector columns{TableColumn::shadowArea, TableColumn::gross, TableColumn::continuous,
-                              TableColumn::impact, TableColumn::score};
+    const std::vector<TableColumn> columns{"shadow_area_m2", "mean_gross_min", "mean_continuous_min",
+                                           "shadow_area_change_m2", "score_m2"};
     const auto texts = [&] {
         QStringList all;
         for (int row = 0; row < 3; ++row)
@@ -239,20 +254,20 @@ TEST_F(ScenarioTableWindow, FiguresAreThereAgainWhenTheProjectIsOpenedAnotherDay
         EXPECT_EQ(texts(), before) << day;
         save();  // without measuring again
     }
-    EXPECT_THAT(tip(2, TableColumn::gross).toStdString(), HasSubstr("saved with the project"));
+    EXPECT_THAT(tip(2, "mean_gross_min").toStdString(), HasSubstr("saved with the project"));
     const QString figures = QString::fromStdString(session().file()->project().view.at("figures"));
     EXPECT_EQ(figures.count(QStringLiteral("\"measured\"")), 3) << "each once, however often it is saved";
     editTall(ChangeHeight{"New", 30});
     for (const TableColumn column : columns) {
-        EXPECT_EQ(text(2, column), QString()) << column;
-        EXPECT_FALSE(text(1, column).isEmpty()) << column;
+        EXPECT_EQ(text(2, column), QStringLiteral("out of date")) << column;
+        EXPECT_TRUE(hasValue(1, column)) << column;
     }
     undo();
     EXPECT_EQ(texts(), before);
     StudySettings other = workbench().document().settings();
     other.period.days += 1;
     workbench().document().change(other, QStringLiteral("date"));
-    EXPECT_EQ(text(2, TableColumn::impact), QString()) << "another question";
+    EXPECT_EQ(text(2, "shadow_area_change_m2"), QStringLiteral("out of date")) << "another question";
 }
 
 TEST_F(ScenarioTableWindow, FiguresOfAllScenariosAreUnsavedWork) {
@@ -273,29 +288,94 @@ TEST_F(ScenarioTableWindow, MeasuringAllGivesTheImpactWhateverTheEngineCounted) 
     workbench().document().change(question, QStringLiteral("engine"));
     press("measureAll");
     // Its words state how many longest runs were decided by rays, which differs from scenario to scenario.
-    EXPECT_FALSE(text(1, TableColumn::impact).isEmpty());
-    EXPECT_FALSE(text(2, TableColumn::impact).isEmpty());
+    EXPECT_TRUE(hasValue(1, "shadow_area_change_m2"));
+    EXPECT_TRUE(hasValue(2, "shadow_area_change_m2"));
 }
 
 TEST_F(ScenarioTableWindow, VerdictsOfEachScenarioAreCountedUntilItChanges) {
     ReviewChoice choice = window->review().choice();
     choice.rule = "boston-common";  // no new shadow outside the first and the last hour
     window->review().choose(choice);
-    EXPECT_THAT(tip(1, TableColumn::verdicts).toStdString(), HasSubstr("press Review all"));
+    EXPECT_THAT(tip(1, "verdicts").toStdString(), HasSubstr("press Review all"));
     press("reviewAll");
     for (const int row : {1, 2})
-        EXPECT_EQ(text(row, TableColumn::verdicts), QStringLiteral("1 ✗ fail, 1 ✓ pass"))
+        EXPECT_EQ(text(row, "verdicts"), QStringLiteral("1 ✗ fail, 1 ✓ pass"))
             << "the park beside the tower, and the far one";
-    EXPECT_THAT(tip(2, TableColumn::verdicts).toStdString(), HasSubstr("compared with Existing"));
-    EXPECT_EQ(text(0, TableColumn::verdicts), QString());
+    EXPECT_THAT(tip(2, "verdicts").toStdString(), HasSubstr("compared with Existing"));
+    EXPECT_EQ(text(0, "verdicts"), QString());
     editTall(Demolish{"New"});
-    EXPECT_EQ(text(2, TableColumn::verdicts), QString());
-    EXPECT_FALSE(text(1, TableColumn::verdicts).isEmpty());
+    EXPECT_EQ(text(2, "verdicts"), QStringLiteral("out of date"));
+    EXPECT_TRUE(hasValue(1, "verdicts"));
     undo();
-    EXPECT_FALSE(text(2, TableColumn::verdicts).isEmpty());
+    EXPECT_TRUE(hasValue(2, "verdicts"));
     choice.rule = "ceqr";
     window->review().choose(choice);
-    EXPECT_EQ(text(1, TableColumn::verdicts), QString()) << "another rule";
+    EXPECT_EQ(text(1, "verdicts"), QStringLiteral("out of date")) << "another rule";
+}
+
+TEST_F(ScenarioTableWindow, MarksTheBestValueOfEachColumn) {
+    for (int row = 0; row < 3; ++row) EXPECT_FALSE(isBest(row, "shadow_area_m2")) << "nothing is measured";
+    press("measureAll");
+    press("scoreAll");
+    EXPECT_TRUE(isBest(0, "shadow_area_m2")) << "without the tower there is least shadow";
+    EXPECT_FALSE(isBest(1, "shadow_area_m2"));
+    EXPECT_FALSE(isBest(2, "shadow_area_m2"));
+    EXPECT_TRUE(isBest(1, "shadow_area_change_m2")) << "of those that are compared";
+    EXPECT_FALSE(isBest(2, "height")) << "no height is better than another";
+    int best = 0;
+    for (int row = 0; row < 3; ++row) {
+        if (isBest(row, "score_m2")) best = row;
+    }
+    for (int row = 0; row < 3; ++row) EXPECT_LE(value(row, "score_m2"), value(best, "score_m2"));
+    EXPECT_THAT(tip(0, "shadow_area_m2").toStdString(), HasSubstr("Best of this column"));
+    tick("shadeWanted", true);
+    EXPECT_TRUE(isBest(2, "shadow_area_m2")) << "the taller one shades more";
+    EXPECT_FALSE(isBest(0, "shadow_area_m2"));
+    EXPECT_TRUE(isBest(best, "score_m2")) << "the weights say which shade is wanted";
+}
+
+TEST_F(ScenarioTableWindow, ShowsDifferencesToTheBaseline) {
+    press("measureAll");
+    const double existing = value(0, "shadow_area_m2"), tall = value(2, "shadow_area_m2");
+    tick("scenarioDifferences", true);
+    EXPECT_DOUBLE_EQ(value(0, "shadow_area_m2"), existing) << "the baseline's own";
+    EXPECT_DOUBLE_EQ(value(2, "shadow_area_m2"), tall - existing);
+    EXPECT_TRUE(text(2, "shadow_area_m2").startsWith(QLatin1Char('+')));
+    EXPECT_EQ(text(2, "score_m2"), QStringLiteral("not scored"));
+    session().compareWith("Tall");
+    settle();
+    EXPECT_DOUBLE_EQ(value(0, "shadow_area_m2"), existing - tall);
+    EXPECT_EQ(text(1, "changes"), QStringLiteral("1")) << "no figure to compare";
+    EXPECT_EQ(text(1, "height"), QStringLiteral("-24.5")) << "17.5 m against 42 m";
+}
+
+TEST_F(ScenarioTableWindow, TheCsvStatesWhatEachScenarioLacksAndWhy) {
+    press("measureAll");
+    editTall(ChangeHeight{"New", 30});
+    const QString out = folder.filePath(QStringLiteral("table.csv"));
+    window->findChild<ScenarioActions*>()->saveTable(out);
+    const QStringList lines = QString::fromUtf8(test::bytesOf(out)).split(QStringLiteral("\r\n"));
+    EXPECT_TRUE(lines[0].startsWith(QStringLiteral("scenario,changes,height,floor_area,shadow_area_m2,")));
+    EXPECT_TRUE(lines[0].endsWith(QStringLiteral(",verdicts,uses,lacks")));
+    EXPECT_TRUE(lines[2].startsWith(QStringLiteral("Low,1,17.5,2000,")));
+    EXPECT_TRUE(lines[2].endsWith(QStringLiteral("weighted_shade_m2h: not scored; verdicts: not reviewed")));
+    EXPECT_THAT(lines[3].toStdString(),
+                HasSubstr("shadow_area_m2: out of date; shadow_area_change_m2: out of date"));
+    window->findChild<QPushButton*>(QStringLiteral("copyScenarios"))->click();
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("Scenario\tChanges\t")));
+}
+
+TEST_F(ScenarioTableWindow, NamesStayInSightWhenTheTableIsScrolled) {
+    auto* names = view->findChild<QTableView*>(QStringLiteral("frozenColumn"));
+    ASSERT_NE(names, nullptr);
+    EXPECT_FALSE(names->isColumnHidden(0));
+    for (int column = 1; column < view->model()->columnCount(); ++column)
+        EXPECT_TRUE(names->isColumnHidden(column)) << column;
+    EXPECT_EQ(names->columnWidth(0), view->columnWidth(0));
+    view->sortByColumn(scenarioColumn("height"), Qt::DescendingOrder);
+    EXPECT_EQ(names->model()->index(0, 0).data().toString(), QStringLiteral("Tall"));
+    Q_EMIT names->doubleClicked(names->model()->index(0, 0));
+    EXPECT_EQ(session().scenario(), "Tall");
 }
 
 TEST_F(ScenarioTableWindow, IsSortedByEachColumn) {
@@ -310,7 +390,7 @@ TEST_F(ScenarioTableWindow, IsSortedByEachColumn) {
             EXPECT_GE(key(row - 1), key(row)) << column << ", " << row;
         }
     }
-    view->sortByColumn(TableColumn::height, Qt::DescendingOrder);
+    view->sortByColumn(scenarioColumn("height"), Qt::DescendingOrder);
     EXPECT_EQ(view->model()->index(0, 0).data().toString(), QStringLiteral("Tall"));
     EXPECT_EQ(view->model()->index(2, 0).data().toString(), QStringLiteral("Existing"));
 }
@@ -320,16 +400,16 @@ TEST_F(ScenarioTableWindow, ColumnsAreHiddenFromTheHeadingAndStayHidden) {
     ASSERT_NE(columns, nullptr);
     std::unique_ptr<QMenu> menu(columns->makeMenu());
     ASSERT_EQ(menu->actions().size(), view->model()->columnCount() - 1) << "all but the name";
-    QAction* gross = menu->actions()[TableColumn::gross - 1];
+    QAction* gross = menu->actions()[scenarioColumn("mean_gross_min") - 1];
     EXPECT_EQ(gross->text(), QStringLiteral("Mean gross, min"));
     EXPECT_TRUE(gross->isChecked());
     gross->setChecked(false);
-    EXPECT_TRUE(view->isColumnHidden(TableColumn::gross));
+    EXPECT_TRUE(view->isColumnHidden(scenarioColumn("mean_gross_min")));
     menu.reset();  // before the heading, which owns it too
     makeWindow();
     view = window->findChild<QTableView*>(QStringLiteral("scenarioTable"));
-    EXPECT_TRUE(view->isColumnHidden(TableColumn::gross));
-    EXPECT_FALSE(view->isColumnHidden(TableColumn::height));
+    EXPECT_TRUE(view->isColumnHidden(scenarioColumn("mean_gross_min")));
+    EXPECT_FALSE(view->isColumnHidden(scenarioColumn("height")));
 }
 
 TEST_F(ScenarioTableWindow, TheExportedTableHasItsFiguresWithUnits) {
@@ -353,8 +433,8 @@ TEST_F(ScenarioTableWindow, TheExportedTableHasItsFiguresWithUnits) {
     EXPECT_EQ(field("height_m"), "42.0");
     EXPECT_EQ(field("gross_floor_m2"), "4800.0");
     EXPECT_EQ(field("impact_baseline"), "Existing");
-    EXPECT_NEAR(field("impact_m2").toDouble(), value(2, TableColumn::impact), 0.06);
-    EXPECT_NEAR(field("score_m2").toDouble(), value(2, TableColumn::score), 0.06);
+    EXPECT_NEAR(field("impact_m2").toDouble(), value(2, "shadow_area_change_m2"), 0.06);
+    EXPECT_NEAR(field("score_m2").toDouble(), value(2, "score_m2"), 0.06);
     EXPECT_EQ(field("pass"), "") << "not reviewed";
 }
 

@@ -250,10 +250,15 @@ void MainWindow::connectDocks() {
         if (!place.empty() && docks_.contributions->isVisible()) contributions_.choose(place);
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
-    docks_.results->setActions(results_.saveResult(), scenarios_.compare(), results_.exportAction());
+    docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(docks_.results, &ResultsDock::commandWanted, &workbench_, &Workbench::findCommand);
     connect(docks_.results, &ResultsDock::warningsWanted, this, [this] { showDock(docks_.warnings); });
     connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);
+    scenarios_.setSideBySide(comparing_.actions().front());
+    connect(&scenarios_, &ScenarioActions::comparisonShown, this, [this] {
+        mode_.showStudies();
+        raiseDock(docks_.results);
+    });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
     connectElementForms();

@@ -88,6 +88,13 @@ QString askForSky(QWidget* parent) {
     return file + QStringLiteral(".svg");
 }
 
+QString askForTable(QWidget* parent, const QString& suggested) {
+    const QString file = QFileDialog::getSaveFileName(parent, QObject::tr("Save table"), suggested,
+                                                      QObject::tr("Tables (*.csv)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".csv");
+}
+
 QString askForPicture(QWidget* parent) {
     const QString file = QFileDialog::getSaveFileName(
         parent, QObject::tr("Save picture"), QStringLiteral("noonmark.png"), QObject::tr("Pictures (*.png)"));

@@ -18,6 +18,7 @@ QString askForWindows(QWidget* parent);
 QString askForPoints(QWidget* parent);  ///< .csv
 QStringList askForPlaces(QWidget* parent);
 QString askForSky(QWidget* parent);                              ///< likewise: .svg, .png or .csv
+QString askForTable(QWidget* parent, const QString& suggested);  ///< likewise: .csv
 QString askForPicture(QWidget* parent);                          ///< always with a file extension
 QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .gif; may replace one
 QString askForLogo(QWidget* parent);

@@ -1,5 +1,7 @@
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/docks/scenarios/latest_answers.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/all_engines.h"
@@ -62,8 +64,12 @@ void LatestAnswers::scoreAll() {
     const StudySettings& settings = from_.workbench.document().settings();
     const TimeWeights& weights = from_.weights.table();
     std::vector<CityPointer> lacking;
+    std::vector<std::string> names;
     for (const std::string& name : listNames(from_.workbench.session().project().scenarios))
-        if (const CityPointer city = cityOf(name); city && !scoreOf(city)) lacking.push_back(city);
+        if (const CityPointer city = cityOf(name); city && !scoreOf(city)) {
+            lacking.push_back(city);
+            names.push_back(name);
+        }
     using Made = ComputedAnswers<ScoreTotals>;
     scoring_.start<Made>(
         tr("All scores"),
@@ -75,7 +81,7 @@ void LatestAnswers::scoreAll() {
             };
             return computeEach<ScoreTotals>(lacking, compute, progress, stop);
         },
-        [this, lacking, settings, weights](const Result<Made>& scores) {
+        [this, lacking, names, settings, weights](const Result<Made>& scores) {
             if (!scores) return isCancelled(scores.error()) ? void() : Q_EMIT failed(scores.error());
             for (std::size_t i = 0; i < scores->made.size(); ++i)
                 add({lacking[i],
@@ -83,7 +89,10 @@ void LatestAnswers::scoreAll() {
                      {.question = hashQuestion(settings), .weights = weights, .score = scores->made[i]}});
             if (!scores->made.empty()) from_.workbench.session().noteFigures();
             update();
-            if (scores->error && !isCancelled(*scores->error)) Q_EMIT failed(*scores->error);
+            if (!scores->error || isCancelled(*scores->error)) return;
+            table_.noteFailure(names[scores->made.size()], ScenarioWork::scoring,
+                               describeError(*scores->error));
+            Q_EMIT failed(*scores->error);
         });
 }
 

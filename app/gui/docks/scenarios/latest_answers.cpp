@@ -81,6 +81,7 @@ void LatestAnswers::forget() {
     known_.clear();
     hashes_.clear();
     read_.clear();
+    table_.forgetPast();
     update();
     readViewFigures();
 }
@@ -88,7 +89,12 @@ void LatestAnswers::forget() {
 void LatestAnswers::update() {
     question_ = listHashes(from_.workbench.document().settings());
     const auto rule = from_.review.rule();
-    table_.setAnswers(all(), {baseline(), from_.weights.table().name, rule ? rule->name : std::string()});
+    const TimeWeights& weights = from_.weights.table();
+    table_.setAnswers(all(), {.baseline = baseline(),
+                              .weights = weights.name,
+                              .rule = rule ? rule->name : std::string(),
+                              .ruleBaseline = from_.review.choice().from,
+                              .hasWeights = !weights.intervals.empty()});
     compareStudies();
     readSaved();
 }

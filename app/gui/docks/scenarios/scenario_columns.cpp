@@ -1,120 +1,201 @@
 #include "app/gui/docks/scenarios/scenario_columns.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/translated.h"
 #include "app/gui/base/widgets/unit_columns.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
+#include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
+#include "scenarios/impact/impact_figure_tables.h"
 #include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
 namespace {
 
-struct Heading {
-    const char* key;
-    const char* title;  // %1: the unit; null: of a figure (figureAt())
-    const char* tip;
-};
+constexpr std::string_view heightKey = "height", floorAreaKey = "floor_area", changesKey = "changes";
 
-// In the order of ScenarioTable::Column.
-constexpr Heading headings[] = {
-    {"scenario", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Scenario"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Double-click to show it")},
-    {"changes", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Changes"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Steps from the existing city, including those of its bases")},
-    {"height", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Height, %1"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Highest point above its ground of the buildings that the scenario adds")},
-    {"floor_area", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Floor area, %1"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Gross floor area of the scenario's towers. Imported buildings and towers whose "
-                       "height was changed afterwards are not counted")},
-    {"shadow_area", nullptr, nullptr},
-    {"gross", nullptr, nullptr},
-    {"continuous", nullptr, nullptr},
-    {"impact", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Impact, %1"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "Change of the shadow area from the chosen baseline, else from the existing city, on "
-                       "the receivers of both")},
-    {"weighted_shade", nullptr, nullptr},
-    {"score", nullptr, nullptr},
-    {"verdicts", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Verdicts"),
-     QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                       "By the rule and the baseline that the dock Review shows; sorted by the number that "
-                       "fail, then by borderline ones")},
-    {"uses", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Floor area by use"),
-     QT_TRANSLATE_NOOP(
-         "noonmark::ScenarioTable",
-         "Gross floor area of the scenario's towers by use, sorted by its sum. Imported buildings "
-         "and towers whose height was changed afterwards are not counted")},
-};
+QVariant orNone(const std::optional<double>& value) { return value ? QVariant(*value) : QVariant(); }
+QVariant orNone(double value) { return std::isnan(value) ? QVariant() : QVariant(value); }
 
-static_assert(std::size(headings) == ScenarioTable::columns);
+// The fewest fails first, then the fewest borderline verdicts.
+double rankOf(const VerdictCounts& counts) {
+    const double share = 1 / double(counts.all() + 1);
+    return double(counts.fail) + share * (double(counts.borderline) + share * double(counts.notChecked));
+}
+
+ScenarioColumn nameColumn() {
+    return {.key = "scenario",
+            .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Scenario"),
+            .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Double-click to show it"),
+            .isNumber = false,
+            .value = [](const ScenarioRow& row, const ScenarioAnswers&) -> QVariant {
+                return QString::fromStdString(row.scenario);
+            }};
+}
+
+ScenarioColumn changesColumn() {
+    return {.key = changesKey,
+            .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Changes"),
+            .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                                     "Steps from the existing city, including those of its bases"),
+            .value = [](const ScenarioRow& row, const ScenarioAnswers&) {
+                return row.edits ? QVariant(quint64(row.edits->size())) : QVariant();
+            }};
+}
+
+ScenarioColumn heightColumn() {
+    return {
+        .key = heightKey,
+        .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Height, %1"),
+        .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                                 "Highest point above its ground of the buildings that the scenario adds"),
+        .isCompared = true,
+        .value = [](const ScenarioRow& row, const ScenarioAnswers&) { return orNone(row.heightM); }};
+}
+
+QVariant floorAreaOf(const ScenarioRow& row, const ScenarioAnswers& /*answers*/) {
+    return orNone(sumFloorAreaM2(row.uses));
+}
+
+ScenarioColumn floorAreaColumn() {
+    return {
+        .key = floorAreaKey,
+        .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Floor area, %1"),
+        .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                                 "Gross floor area of the scenario's towers. Imported buildings and towers "
+                                 "whose height was changed afterwards are not counted"),
+        .isCompared = true,
+        .value = floorAreaOf};
+}
+
+ScenarioColumn usesColumn() {
+    return {.key = "uses",
+            .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Floor area by use"),
+            .tip = QT_TRANSLATE_NOOP(
+                "noonmark::ScenarioTable",
+                "Gross floor area of the scenario's towers by use, sorted by its sum. Imported buildings "
+                "and towers whose height was changed afterwards are not counted"),
+            .isNumber = false,
+            .value = floorAreaOf};
+}
+
+ScenarioColumn verdictsColumn() {
+    return {.key = "verdicts",
+            .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Verdicts"),
+            .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                                     "By the rule and the baseline that the dock Review shows; sorted by the "
+                                     "number that fail, then by borderline ones"),
+            .work = ScenarioWork::reviewing,
+            .best = BestValue::least,
+            .isNumber = false,
+            .value = [](const ScenarioRow&, const ScenarioAnswers& answers) {
+                return answers.verdicts ? QVariant(rankOf(answers.verdicts->counts)) : QVariant();
+            }};
+}
+
+ScenarioColumn shadowColumn(const Figure& figure) {
+    const bool isOfRuns = figure.unit == FigureUnit::minutes;
+    return {.key = figure.key,
+            .figure = &figure,
+            .work = ScenarioWork::measuring,
+            .best = BestValue::leastShadow,
+            .isCompared = true,
+            .value = [&figure, isOfRuns](const ScenarioRow&, const ScenarioAnswers& answers) -> QVariant {
+                const auto& measured = answers.measured;
+                if (!measured || (isOfRuns && !hasRuns(*measured))) return {};
+                return orNone(figure.get(&*measured));
+            }};
+}
+
+ScenarioColumn impactColumn(const Figure& figure) {
+    return {.key = figure.key,
+            .figure = &figure,
+            .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Impact, %1"),
+            .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                                     "Change of the shadow area from the chosen baseline, else from the "
+                                     "existing city, on the receivers of both"),
+            .work = ScenarioWork::comparing,
+            .best = BestValue::leastShadow,
+            .value = [&figure](const ScenarioRow&, const ScenarioAnswers& answers) {
+                return answers.impact ? orNone(figure.get(&answers.impact->figures)) : QVariant();
+            }};
+}
+
+ScenarioColumn scoreColumn(const Figure& figure) {
+    return {.key = figure.key,
+            .figure = &figure,
+            .work = ScenarioWork::scoring,
+            .best = BestValue::most,
+            .isCompared = true,
+            .value = [&figure](const ScenarioRow&, const ScenarioAnswers& answers) {
+                return answers.score ? orNone(figure.get(&answers.score->totals)) : QVariant();
+            }};
+}
+
+// The figures that tables show of each result.
+std::vector<ScenarioColumn> listColumns() {
+    std::vector columns{nameColumn(), changesColumn(), heightColumn(), floorAreaColumn()};
+    for (const Figure& figure : shadowFigures().rows())
+        if (figure.inTable && figure.use == FigureUse::result) columns.push_back(shadowColumn(figure));
+    for (const Figure& figure : impactFigures().rows())
+        if (figure.isChange) columns.push_back(impactColumn(figure));
+    for (const Figure& figure : scoreFigures().rows())
+        if (figure.isChange && figure.inFiles) columns.push_back(scoreColumn(figure));
+    columns.push_back(verdictsColumn());
+    columns.push_back(usesColumn());
+    return columns;
+}
+
+FigureUnit unitIn(const ScenarioColumn& column) {
+    if (column.figure) return column.figure->unit;
+    return column.key == floorAreaKey ? FigureUnit::squareMetres : FigureUnit::none;
+}
+
+QString unitText(const ScenarioColumn& column) {
+    if (column.key == heightKey) return lengthUnit();
+    const FigureUnit unit = unitIn(column);
+    if (unit == FigureUnit::squareMetres) return areaUnit();
+    return unit == FigureUnit::squareMetreHours ? QStringLiteral("m² h") : QStringLiteral("min");
+}
+
+QString absoluteText(double value, const ScenarioColumn& column) {
+    if (column.key == heightKey) return lengthNumber(value);
+    const FigureUnit unit = unitIn(column);
+    if (unit == FigureUnit::squareMetres) return areaNumber(value);
+    return formatAmount(value, unit == FigureUnit::squareMetreHours || column.key == changesKey ? 0 : 1);
+}
 
 }  // namespace
 
-namespace {
-
-// A column that shows a figure has its label and definition; null for any other.
-const Figure* figureAt(ScenarioTable::Column column) {
-    switch (column) {
-        case ScenarioTable::shadowArea:
-            return &findFigure(shadowFigures().rows(), "shadow_area_m2");
-        case ScenarioTable::gross:
-            return &findFigure(shadowFigures().rows(), "mean_gross_min");
-        case ScenarioTable::continuous:
-            return &findFigure(shadowFigures().rows(), "mean_continuous_min");
-        case ScenarioTable::weightedShade:
-            return &findFigure(scoreFigures().rows(), "weighted_shade_m2h");
-        case ScenarioTable::score:
-            return &findFigure(scoreFigures().rows(), "score_m2");
-        default:
-            return nullptr;
-    }
+const std::vector<ScenarioColumn>& scenarioColumns() {
+    static const std::vector<ScenarioColumn> columns = listColumns();
+    return columns;
 }
 
-QString unitOf(ScenarioTable::Column column) {
-    if (column == ScenarioTable::height) return lengthUnit();
-    if (column == ScenarioTable::gross || column == ScenarioTable::continuous) return QStringLiteral("min");
-    return column == ScenarioTable::weightedShade ? QStringLiteral("m² h") : areaUnit();
+int scenarioColumn(std::string_view key) {
+    const auto& columns = scenarioColumns();
+    return int(std::ranges::find(columns, key, &ScenarioColumn::key) - columns.begin());
 }
 
-QString titleOf(ScenarioTable::Column column) {
-    if (const Figure* figure = figureAt(column))
-        return QStringLiteral("%1, %2").arg(translated(figure->label), unitOf(column));
-    const QString title = ScenarioTable::tr(headings[column].title);
-    return title.contains(QStringLiteral("%1")) ? title.arg(unitOf(column)) : title;
+QString titleOf(const ScenarioColumn& column) {
+    if (!column.title)
+        return QStringLiteral("%1, %2").arg(translated(column.figure->label), unitText(column));
+    const QString title = ScenarioTable::tr(column.title);
+    return title.contains(QStringLiteral("%1")) ? title.arg(unitText(column)) : title;
 }
 
-QString tipOf(ScenarioTable::Column column) {
-    const Figure* figure = figureAt(column);
-    return figure ? translatedSentence(figure->definition) : ScenarioTable::tr(headings[column].tip);
+QString tipOf(const ScenarioColumn& column) {
+    return column.tip ? ScenarioTable::tr(column.tip) : translatedSentence(column.figure->definition);
 }
 
-}  // namespace
-
-QVariant headingOf(ScenarioTable::Column column, int role) {
-    if (role == ScenarioTable::keyRole) return QString::fromLatin1(headings[column].key);
-    if (role == Qt::ToolTipRole) return tipOf(column);
-    return role == Qt::DisplayRole ? titleOf(column) : QVariant();
-}
-
-QString numberText(double value, ScenarioTable::Column column) {
-    switch (column) {
-        case ScenarioTable::height:
-            return lengthNumber(value);
-        case ScenarioTable::floorArea:
-        case ScenarioTable::shadowArea:
-            return areaNumber(value);
-        case ScenarioTable::impact:
-        case ScenarioTable::score:
-            return signedAreaNumber(value);
-        case ScenarioTable::weightedShade:
-            return (value > 0 ? QStringLiteral("+") : QString()) + formatAmount(value, 0);
-        default:
-            return formatAmount(value, column == ScenarioTable::changes ? 0 : 1);
-    }
+QString numberText(double value, const ScenarioColumn& column, bool isDifference) {
+    const bool isSigned = isDifference || (column.figure && column.figure->isChange);
+    if (isSigned && unitIn(column) == FigureUnit::squareMetres) return signedAreaNumber(value);
+    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) + absoluteText(value, column);
 }
 
 }  // namespace noonmark

@@ -1,40 +1,25 @@
 #include "app/gui/docks/scenarios/scenario_table.h"
 
 #include <QFont>
+#include <QIcon>
+#include <QPainter>
+#include <QPolygonF>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "app/gui/base/looks/theme.h"
 #include "app/gui/docks/review/verdict_words.h"
-#include "app/gui/docks/scenarios/scenario_columns.h"
 #include "app/gui/docks/scenarios/use_words.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/project/project_session.h"
-#include "core/measures/has_runs.h"
+#include "core/base/csv_text.h"
 #include "scenarios/scenario_list.h"
 
 namespace noonmark {
 
 namespace {
-
-bool isOfStudy(int column) {
-    return column >= ScenarioTable::shadowArea && column <= ScenarioTable::continuous;
-}
-bool isOfAnswers(int column) { return column >= ScenarioTable::impact && column <= ScenarioTable::verdicts; }
-
-QVariant figureAt(const ShadowStatistics& figures, int column) {
-    if (column == ScenarioTable::shadowArea) return figures.shadowAreaM2;
-    if (column == ScenarioTable::gross) return figures.meanGrossMin;
-    return hasRuns(figures) ? QVariant(figures.meanContinuousMin) : QVariant();
-}
-
-QVariant orNone(const std::optional<double>& value) { return value ? QVariant(*value) : QVariant(); }
-
-// The fewest fails first, then the fewest borderline verdicts.
-double rankOf(const VerdictCounts& counts) {
-    const double share = 1 / double(counts.all() + 1);
-    return double(counts.fail) + share * (double(counts.borderline) + share * double(counts.notChecked));
-}
 
 // Below every number, while an invalid value would be above.
 QVariant sortKey(const QVariant& value) {
@@ -42,6 +27,50 @@ QVariant sortKey(const QVariant& value) {
 }
 
 QString named(const std::string& name) { return QString::fromStdString(name); }
+
+// A filled star in the colour of the text.
+QIcon bestMark() {
+    QPixmap star(24, 24);
+    star.fill(Qt::transparent);
+    QPainter painter(&star);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(inksOf(themeInUse()).text);
+    QPolygonF shape;
+    for (int i = 0; i < 10; ++i) {
+        const double angle = std::numbers::pi * (i / 5.0 - 0.5), radius = i % 2 == 0 ? 11 : 4.5;
+        shape << QPointF(12 + radius * std::cos(angle), 12.5 + radius * std::sin(angle));
+    }
+    painter.drawPolygon(shape);
+    painter.end();
+    return star;
+}
+
+QString notDone(ScenarioWork work) {
+    if (work == ScenarioWork::scoring) return ScenarioTable::tr("not scored");
+    if (work == ScenarioWork::comparing) return ScenarioTable::tr("not compared");
+    return work == ScenarioWork::reviewing ? ScenarioTable::tr("not reviewed")
+                                           : ScenarioTable::tr("not measured");
+}
+
+constexpr ScenarioWork allWork[] = {ScenarioWork::measuring, ScenarioWork::comparing, ScenarioWork::scoring,
+                                    ScenarioWork::reviewing};
+
+bool isFilled(const ScenarioAnswers& answers, ScenarioWork work) {
+    if (work == ScenarioWork::measuring) return answers.measured.has_value();
+    if (work == ScenarioWork::comparing) return answers.impact.has_value();
+    return work == ScenarioWork::scoring ? answers.score.has_value() : answers.verdicts.has_value();
+}
+
+// What a scenario lacks is written once for each kind of work.
+const ScenarioColumn& firstColumnOf(ScenarioWork work) {
+    return *std::ranges::find(scenarioColumns(), work, &ScenarioColumn::work);
+}
+
+bool isBetter(double one, double other, BestValue best, bool shadeWanted) {
+    const bool less = best == BestValue::least || (best == BestValue::leastShadow && !shadeWanted);
+    return less ? one < other : one > other;
+}
 
 }  // namespace
 
@@ -74,7 +103,19 @@ void ScenarioTable::follow() {
     }
 }
 
-void ScenarioTable::showAgain() { Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)); }
+void ScenarioTable::showAgain() {
+    notePast();
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+void ScenarioTable::notePast() {
+    for (const Row& row : rows_)
+        for (const ScenarioWork work : allWork)
+            if (isFilled(answersOf(row), work)) {
+                past_.emplace(row.scenario, work);
+                failures_.erase({row.scenario, work});
+            }
+}
 
 void ScenarioTable::setStudies(Studies studies, const StudySettings& settings) {
     std::erase_if(studies, [&](const auto& one) { return one.second->settings != settings; });
@@ -88,9 +129,33 @@ void ScenarioTable::setAnswers(std::map<std::string, ScenarioAnswers> answers, c
     showAgain();
 }
 
+void ScenarioTable::setDifferences(bool differences) {
+    differences_ = differences;
+    showAgain();
+}
+
+void ScenarioTable::setShadeWanted(bool wanted) {
+    shadeWanted_ = wanted;
+    showAgain();
+}
+
+void ScenarioTable::noteFailure(const std::string& scenario, ScenarioWork work, const QString& error) {
+    failures_[{scenario, work}] = error;
+    showAgain();
+}
+
+void ScenarioTable::forgetPast() {
+    past_.clear();
+    failures_.clear();
+}
+
+// The figures are of the study at hand, or else of an earlier one.
 ScenarioAnswers ScenarioTable::answersOf(const Row& row) const {
     const auto found = answers_.find(row.scenario);
-    return found == answers_.end() ? ScenarioAnswers() : found->second;
+    ScenarioAnswers answers = found == answers_.end() ? ScenarioAnswers() : found->second;
+    if (const auto study = studies_.find(row.scenario); study != studies_.end())
+        answers.measured = study->second->statistics;
+    return answers;
 }
 
 std::string ScenarioTable::scenarioAt(int row) const { return rows_.at(std::size_t(row)).scenario; }
@@ -99,73 +164,104 @@ int ScenarioTable::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : int(rows_.size());
 }
 
-int ScenarioTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
-
-QVariant ScenarioTable::answerAt(const Row& row, int column) const {
-    const ScenarioAnswers answers = answersOf(row);
-    if (column == impact && answers.impact) return answers.impact->figures.shadowAreaChangeM2;
-    if (column == score && answers.score) return answers.score->totals.scoreM2;
-    if (column == weightedShade && answers.score && !std::isnan(answers.score->totals.weightedShadeM2h))
-        return answers.score->totals.weightedShadeM2h;
-    if (column == verdicts && answers.verdicts) return rankOf(answers.verdicts->counts);
-    return {};
+int ScenarioTable::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(scenarioColumns().size());
 }
 
 QVariant ScenarioTable::valueAt(const Row& row, int column) const {
-    if (column == scenario) return named(row.scenario);
-    if (column == changes) return row.edits ? QVariant(quint64(row.edits->size())) : QVariant();
-    if (column == height) return orNone(row.heightM);
-    if (column == floorArea || column == uses) return orNone(sumFloorAreaM2(row.uses));
-    if (isOfAnswers(column)) return answerAt(row, column);
-    const auto measured = measuredOf(row);
-    return measured ? figureAt(*measured, column) : QVariant();
+    return scenarioColumns()[std::size_t(column)].value(row, answersOf(row));
 }
 
-// Of the study at hand, or else of an earlier one.
-std::optional<ShadowStatistics> ScenarioTable::measuredOf(const Row& row) const {
-    const auto study = studies_.find(row.scenario);
-    return study == studies_.end() ? answersOf(row).measured : study->second->statistics;
+bool ScenarioTable::showsDifferenceAt(const Row& row, int column) const {
+    return differences_ && scenarioColumns()[std::size_t(column)].isCompared &&
+           row.scenario != basis_.baseline;
 }
 
-QString ScenarioTable::textAt(const Row& row, int column) const {
+QVariant ScenarioTable::shownValueAt(const Row& row, int column) const {
     const QVariant value = valueAt(row, column);
-    if (column == scenario) return value.toString();
-    if (column == uses) return describeUses(row.uses);
-    if (column == continuous && !value.isValid() && measuredOf(row)) return QObject::tr("not counted");
-    if (!value.isValid()) return {};
-    if (column == verdicts) return describeCounts(answersOf(row).verdicts->counts);
-    return numberText(value.toDouble(), Column(column));
+    if (!value.isValid() || !showsDifferenceAt(row, column)) return value;
+    const auto baseline = std::ranges::find(rows_, basis_.baseline, &Row::scenario);
+    const QVariant base = baseline == rows_.end() ? QVariant() : valueAt(*baseline, column);
+    return base.isValid() ? QVariant(value.toDouble() - base.toDouble()) : QVariant();
 }
 
-QString ScenarioTable::tipAt(const Row& row, int column) const {
-    if (column == floorArea || column == uses) return describeUseLines(row.uses);
-    if (column == height && !row.heightM) return tr("The scenario adds no building");
-    if (isOfStudy(column) && !measuredOf(row))
-        return tr("Not computed with the current settings: press Measure all");
-    if (isOfStudy(column) && !studies_.contains(row.scenario))
-        return tr("Measured earlier and saved with the project: press Measure all for the maps");
-    return isOfAnswers(column) ? tipOfAnswer(row, column) : QString();
+bool ScenarioTable::isBest(const Row& row, int column) const {
+    const BestValue best = scenarioColumns()[std::size_t(column)].best;
+    const QVariant value = valueAt(row, column);
+    if (best == BestValue::none || !value.isValid()) return false;
+    bool beats = false;
+    for (const Row& other : rows_) {
+        const QVariant rival = valueAt(other, column);
+        if (!rival.isValid()) continue;
+        if (isBetter(rival.toDouble(), value.toDouble(), best, shadeWanted_)) return false;
+        beats |= rival.toDouble() != value.toDouble();
+    }
+    return beats;
 }
 
-// What the figure belongs to or, where there is none for the scenario as it is now, how to get it.
-QString ScenarioTable::tipOfAnswer(const Row& row, int column) const {
+QString ScenarioTable::textAt(const Row& row, int at) const {
+    const ScenarioColumn& column = scenarioColumns()[std::size_t(at)];
+    if (at == 0) return named(row.scenario);
+    if (column.key == "uses") return describeUses(row.uses);
+    const QVariant value = valueAt(row, at);
+    if (!value.isValid()) return lackAt(row, column);
+    if (column.work == ScenarioWork::reviewing) return describeCounts(answersOf(row).verdicts->counts);
+    const QVariant shown = shownValueAt(row, at);
+    if (!shown.isValid()) return tr("no baseline");
+    return numberText(shown.toDouble(), column, showsDifferenceAt(row, at));
+}
+
+bool ScenarioTable::isBaselineOf(const Row& row, ScenarioWork work) const {
+    if (work == ScenarioWork::comparing) return row.scenario == basis_.baseline;
+    return work == ScenarioWork::reviewing && row.scenario == basis_.ruleBaseline;
+}
+
+QString ScenarioTable::lackAt(const Row& row, const ScenarioColumn& column) const {
+    const ScenarioWork work = column.work;
+    if (work == ScenarioWork::none || isBaselineOf(row, work)) return {};
+    if (isFilled(answersOf(row), work)) return tr("not counted");
+    if (!row.city) return tr("base missing");
+    if (work == ScenarioWork::scoring && !basis_.hasWeights) return tr("no weights");
+    if (work == ScenarioWork::reviewing && basis_.rule.empty()) return tr("no rule");
+    if (failures_.contains({row.scenario, work})) return tr("failed");
+    return past_.contains({row.scenario, work}) ? tr("out of date") : notDone(work);
+}
+
+QString ScenarioTable::listLacks(const Row& row) const {
+    QStringList lacks;
+    for (const ScenarioWork work : allWork) {
+        const ScenarioColumn& column = firstColumnOf(work);
+        const auto failure = failures_.find({row.scenario, work});
+        if (column.value(row, answersOf(row)).isValid() || lackAt(row, column).isEmpty()) continue;
+        const QString reason = failure == failures_.end() ? lackAt(row, column) : failure->second;
+        lacks << QString::fromUtf8(column.key.data(), qsizetype(column.key.size())) + QStringLiteral(": ") +
+                     reason;
+    }
+    return lacks.join(QStringLiteral("; "));
+}
+
+QString ScenarioTable::tipAt(const Row& row, int at) const {
+    const ScenarioColumn& column = scenarioColumns()[std::size_t(at)];
+    if (column.key == "floor_area" || column.key == "uses") return describeUseLines(row.uses);
+    if (column.key == "height" && !row.heightM) return tr("The scenario adds no building");
+    if (column.work == ScenarioWork::none) return {};
+    const bool filled = isFilled(answersOf(row), column.work);
+    const QString tip = filled ? tipOfValue(row, column) : tipOfLack(row, column);
+    return isBest(row, at) ? tr("Best of this column") + QLatin1Char('\n') + tip : tip;
+}
+
+// What the figure belongs to.
+QString ScenarioTable::tipOfValue(const Row& row, const ScenarioColumn& column) const {
     const ScenarioAnswers answers = answersOf(row);
-    if (column == score || column == weightedShade)
-        return answers.score
-                   ? tr("With the weights %1").arg(named(answers.score->weights))
-                   : tr("Not computed with these settings and the weights %1 since buildings last changed: "
-                        "press Score all")
-                         .arg(named(basis_.weights));
-    if (column == verdicts)
-        return answers.verdicts ? tr("%1, compared with %2")
-                                      .arg(named(answers.verdicts->rule), named(answers.verdicts->baseline))
-                                : tr("Not reviewed by the rule %1 since buildings or places last changed: "
-                                     "press Review all")
-                                      .arg(named(basis_.rule));
-    if (row.scenario == basis_.baseline) return tr("The other scenarios are compared with this one");
-    if (!answers.impact)
-        return tr("Not compared with %1 with these settings since buildings last changed: press Measure all")
-            .arg(named(basis_.baseline));
+    if (column.work == ScenarioWork::scoring)
+        return tr("With the weights %1").arg(named(answers.score->weights));
+    if (column.work == ScenarioWork::reviewing)
+        return tr("%1, compared with %2")
+            .arg(named(answers.verdicts->rule), named(answers.verdicts->baseline));
+    if (column.work == ScenarioWork::measuring)
+        return studies_.contains(row.scenario)
+                   ? QString()
+                   : tr("Measured earlier and saved with the project: press Measure all for the maps");
     const ImpactFigures& figures = answers.impact->figures;
     return tr("Compared with %1. Ground whose gross shadow changes by more than %2 min a day:\n%3")
         .arg(named(answers.impact->baseline))
@@ -173,15 +269,55 @@ QString ScenarioTable::tipOfAnswer(const Row& row, int column) const {
         .arg(describeChangedArea(figures.gross));
 }
 
+// How to get it for the scenario as it is now.
+QString ScenarioTable::tipOfLack(const Row& row, const ScenarioColumn& column) const {
+    if (const auto failure = failures_.find({row.scenario, column.work}); failure != failures_.end())
+        return failure->second;
+    if (column.work == ScenarioWork::measuring)
+        return tr("Not computed with the current settings: press Measure all");
+    if (column.work == ScenarioWork::scoring)
+        return tr("Not computed with these settings and the weights %1 since buildings last changed: "
+                  "press Score all")
+            .arg(named(basis_.weights));
+    if (column.work == ScenarioWork::reviewing)
+        return tr("Not reviewed by the rule %1 since buildings or places last changed: press Review all")
+            .arg(named(basis_.rule));
+    if (row.scenario == basis_.baseline) return tr("The other scenarios are compared with this one");
+    return tr("Not compared with %1 with these settings since buildings last changed: press Measure all")
+        .arg(named(basis_.baseline));
+}
+
+std::string ScenarioTable::csv() const {
+    std::vector<std::string> keys;
+    for (const ScenarioColumn& column : scenarioColumns()) keys.emplace_back(column.key);
+    keys.emplace_back("lacks");
+    CsvText text(keys);
+    for (const Row& row : rows_) {
+        for (int at = 0; at < columnCount(); ++at) {
+            const ScenarioColumn& column = scenarioColumns()[std::size_t(at)];
+            const QVariant value = shownValueAt(row, at);
+            if (!column.isNumber)
+                text.text((value.isValid() ? textAt(row, at) : QString()).toStdString());
+            else
+                value.isValid() ? text.number(value.toDouble()) : text.nothing();
+        }
+        text.text(listLacks(row).toStdString()).endRow();
+    }
+    return text.take();
+}
+
 QVariant ScenarioTable::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Row& row = rows_[std::size_t(index.row())];
     const int column = index.column();
-    const bool number = column != scenario && column != verdicts && column != uses;
     if (role == Qt::DisplayRole) return textAt(row, column);
-    if (role == sortRole) return sortKey(valueAt(row, column));
+    if (role == sortRole) return sortKey(shownValueAt(row, column));
+    if (role == bestRole) return isBest(row, column);
+    if (role == Qt::DecorationRole && isBest(row, column)) return bestMark();
     if (role == Qt::ToolTipRole) return tipAt(row, column);
-    if (role == Qt::TextAlignmentRole && number) return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::TextAlignmentRole && scenarioColumns()[std::size_t(column)].isNumber)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ForegroundRole && !valueAt(row, column).isValid()) return inksOf(themeInUse()).quiet;
     if (role == Qt::FontRole && row.scenario == session_.scenario()) {
         QFont bold;
         bold.setBold(true);
@@ -192,7 +328,10 @@ QVariant ScenarioTable::data(const QModelIndex& index, int role) const {
 
 QVariant ScenarioTable::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
-    return headingOf(Column(section), role);
+    const ScenarioColumn& column = scenarioColumns()[std::size_t(section)];
+    if (role == keyRole) return QString::fromUtf8(column.key.data(), qsizetype(column.key.size()));
+    if (role == Qt::ToolTipRole) return tipOf(column);
+    return role == Qt::DisplayRole ? titleOf(column) : QVariant();
 }
 
 }  // namespace noonmark

@@ -4,39 +4,28 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
-#include "app/report/scenarios/scenario_study.h"
+#include "app/gui/docks/scenarios/scenario_columns.h"
 
 namespace noonmark {
 
 class ProjectSession;
 
 /// The scenarios side by side: changes, height and floor area, the figures of each one's latest study, its
-/// impact, score and verdicts. Figures are comparable only for the same study, so those with other settings
-/// are left out. Areas and heights are in the units in use.
+/// impact, score and verdicts (scenarioColumns()). A cell without a figure says why. Figures are comparable
+/// only for the same study, so those with other settings are left out. Areas and heights are in the units in
+/// use.
 class ScenarioTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
     /// `session` must outlive it
     explicit ScenarioTable(ProjectSession& session, QObject* parent = nullptr);
 
-    enum Column {
-        scenario,
-        changes,
-        height,
-        floorArea,
-        shadowArea,
-        gross,
-        continuous,
-        impact,
-        weightedShade,
-        score,
-        verdicts,
-        uses,
-    };
-    static constexpr int columns = uses + 1;
     /// Role of the number, or name, by which a column is sorted.
     static constexpr int sortRole = Qt::UserRole;
+    /// Role of whether the value is the best one of its column: of at least two that differ.
+    static constexpr int bestRole = Qt::UserRole + 1;
     /// Role of a heading: a name of the column for settings, the same in all languages.
     static constexpr int keyRole = Qt::UserRole;
 
@@ -47,11 +36,25 @@ public:
     /// What impact, score and verdicts belong to: names of the baseline, the weight table and the rule.
     struct Basis {
         std::string baseline, weights, rule;
+        std::string ruleBaseline{};  ///< the rule compares the others with it
+        bool hasWeights = true;      ///< the weight table has intervals
     };
     /// By scenario. Only what is up to date; figures of earlier studies count where setStudies() gave none.
     void setAnswers(std::map<std::string, ScenarioAnswers> answers, const Basis& basis);
 
+    /// Numbers as differences to the baseline of the impact, whose own stay.
+    void setDifferences(bool differences);
+    /// Whether more shadow is better in all columns of shadow.
+    void setShadeWanted(bool wanted);
+    /// Why the last attempt to fill these columns of a scenario failed, until it has a value.
+    void noteFailure(const std::string& scenario, ScenarioWork work, const QString& error);
+    /// Forgets which values were there before, and failures: of another project.
+    void forgetPast();
+
     [[nodiscard]] std::string scenarioAt(int row) const;
+    /// All scenarios as CSV, whatever is hidden: numbers in metres and square metres, empty where there is
+    /// none, and last what each scenario lacks, in words.
+    [[nodiscard]] std::string csv() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -60,21 +63,22 @@ public:
 
 private:
     void follow();
-    struct Row {
-        std::string scenario;
-        std::shared_ptr<const City> city;
-        std::optional<std::vector<Edit>> edits;  ///< with those of its bases; none: a base is missing
-        ScenarioUses uses;
-        std::optional<double> heightM;
-    };
+    using Row = ScenarioRow;
     [[nodiscard]] Row makeRow(const std::string& scenario) const;
     [[nodiscard]] QVariant valueAt(const Row& row, int column) const;
-    [[nodiscard]] QVariant answerAt(const Row& row, int column) const;
+    [[nodiscard]] QVariant shownValueAt(const Row& row, int column) const;
+    [[nodiscard]] bool showsDifferenceAt(const Row& row, int column) const;
+    [[nodiscard]] bool isBest(const Row& row, int column) const;
     [[nodiscard]] QString textAt(const Row& row, int column) const;
     [[nodiscard]] QString tipAt(const Row& row, int column) const;
-    [[nodiscard]] QString tipOfAnswer(const Row& row, int column) const;
+    [[nodiscard]] QString tipOfValue(const Row& row, const ScenarioColumn& column) const;
+    [[nodiscard]] QString tipOfLack(const Row& row, const ScenarioColumn& column) const;
+    /// Why there is no value; empty: it has none by its nature.
+    [[nodiscard]] QString lackAt(const Row& row, const ScenarioColumn& column) const;
+    [[nodiscard]] QString listLacks(const Row& row) const;
+    [[nodiscard]] bool isBaselineOf(const Row& row, ScenarioWork work) const;
     [[nodiscard]] ScenarioAnswers answersOf(const Row& row) const;
-    [[nodiscard]] std::optional<ShadowStatistics> measuredOf(const Row& row) const;
+    void notePast();
     void showAgain();
 
     ProjectSession& session_;
@@ -82,6 +86,10 @@ private:
     Studies studies_;
     std::map<std::string, ScenarioAnswers> answers_;
     Basis basis_;
+    bool differences_ = false, shadeWanted_ = false;
+    using Filled = std::pair<std::string, ScenarioWork>;
+    std::set<Filled> past_;  ///< had a value before
+    std::map<Filled, QString> failures_;
 };
 
 }  // namespace noonmark

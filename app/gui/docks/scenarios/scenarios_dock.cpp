@@ -1,19 +1,46 @@
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
 #include <QSortFilterProxyModel>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/gui/base/widgets/column_menu.h"
+#include "app/gui/base/widgets/frozen_column.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/session/project/project_session.h"
 
 namespace noonmark {
+
+namespace {
+
+QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
+    auto* whole = new QWidget;
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget : widgets) row->addWidget(widget);
+    return whole;
+}
+
+// Remembered in the settings under its name.
+QCheckBox* switchOf(const QString& text, const char* name, QSettings& settings, const QString& tip) {
+    const QString key = QString::fromLatin1(name);
+    auto* box = new QCheckBox(text);
+    box->setObjectName(key);
+    box->setToolTip(tip);
+    box->setChecked(settings.value(key).toBool());
+    QObject::connect(box, &QCheckBox::toggled, box,
+                     [&settings, key](bool on) { settings.setValue(key, on); });
+    return box;
+}
+
+}  // namespace
 
 ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidget* parent)
     : QWidget(parent), table_(new ScenarioTable(session, this)), sorted_(new QSortFilterProxyModel(this)) {
@@ -28,6 +55,7 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidg
     follow();
     auto* column = new QVBoxLayout(this);
     column->addWidget(view);
+    column->addWidget(makeSwitches(settings));
     column->addWidget(hint);
     column->addWidget(makeButtons());
     connect(view, &QTableView::doubleClicked, this, [this, &session](const QModelIndex& index) {
@@ -47,12 +75,35 @@ QWidget* ScenariosDock::makeButtons() {
     connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
     connect(score, &QPushButton::clicked, this, &ScenariosDock::scoreAllRequested);
     connect(review, &QPushButton::clicked, this, &ScenariosDock::reviewAllRequested);
-    auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    for (QPushButton* button : {measure, score, review}) row->addWidget(button);
-    return buttons;
+    return rowOf({measure, score, review});
 }
+
+// How figures are shown, and what is done with the table.
+QWidget* ScenariosDock::makeSwitches(QSettings& settings) {
+    auto* differences = switchOf(tr("Differences"), "scenarioDifferences", settings,
+                                 tr("Shows figures as differences to the baseline: the chosen one, else the "
+                                    "existing city"));
+    auto* shade =
+        switchOf(tr("Shade is wanted"), "shadeWanted", settings,
+                 tr("The star marks the scenario with most shadow as the best, not that with least"));
+    auto* copy = pushButton(tr("Copy"), "copyScenarios", tr("Copies the table for a spreadsheet"));
+    auto* save = pushButton(tr("CSV…"), "exportScenarios",
+                            tr("Saves the table with what each scenario lacks, in metres and square metres"));
+    connect(differences, &QCheckBox::toggled, table_, &ScenarioTable::setDifferences);
+    connect(shade, &QCheckBox::toggled, table_, &ScenarioTable::setShadeWanted);
+    table_->setDifferences(differences->isChecked());
+    table_->setShadeWanted(shade->isChecked());
+    connect(copy, &QPushButton::clicked, this, &ScenariosDock::copyRequested);
+    connect(save, &QPushButton::clicked, this, &ScenariosDock::exportRequested);
+    auto* switches = new QWidget;
+    auto* column = new QVBoxLayout(switches);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(rowOf({differences, shade}));
+    column->addWidget(rowOf({copy, save}));
+    return switches;
+}
+
+const QAbstractItemModel& ScenariosDock::shownTable() const { return *sorted_; }
 
 // In the project's order until a heading is clicked, and again after its third click.
 QTableView* ScenariosDock::makeView(QSettings& settings) {
@@ -73,6 +124,7 @@ QTableView* ScenariosDock::makeView(QSettings& settings) {
     heading->setSortIndicatorClearable(true);
     heading->setSortIndicator(-1, Qt::AscendingOrder);
     view->setSortingEnabled(true);
+    new FrozenColumn(*view);
     return view;
 }
 

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QAbstractItemModel;
 class QSettings;
 class QSortFilterProxyModel;
 class QTableView;
@@ -18,19 +19,24 @@ class ScenarioTable;
 class ScenariosDock final : public QWidget {
     Q_OBJECT
 public:
-    /// Both must outlive it. `settings` stores which columns are hidden.
+    /// Both must outlive it. `settings` stores which columns are hidden, and what the switches state.
     ScenariosDock(ProjectSession& session, QSettings& settings, QWidget* parent = nullptr);
 
     [[nodiscard]] ScenarioTable& table() { return *table_; }
+    /// As it is sorted.
+    [[nodiscard]] const QAbstractItemModel& shownTable() const;
 
 Q_SIGNALS:
     void measureAllRequested();
     void scoreAllRequested();
     void reviewAllRequested();
+    void copyRequested();
+    void exportRequested();
 
 private:
     QTableView* makeView(QSettings& settings);
     QWidget* makeButtons();
+    QWidget* makeSwitches(QSettings& settings);
 
     ScenarioTable* table_;
     QSortFilterProxyModel* sorted_;

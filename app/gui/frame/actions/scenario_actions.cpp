@@ -1,16 +1,29 @@
 #include "app/gui/frame/actions/scenario_actions.h"
 
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
+#include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/scenarios/latest_answers.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/session/workbench.h"
+#include "core/io/files/check_output.h"
+#include "core/io/files/write_text.h"
+#include "scenarios/impact/impact_text.h"
 
 namespace noonmark {
 
 ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, ProjectDock& tree,
                                  ScenariosDock& scenarios)
-    : newScenario_(
+    : QObject(&scenarios),
+      workbench_(workbench),
+      dock_(scenarios),
+      newScenario_(
           makeAction(this, tr("&New scenario"), {}, tr("Starts from the existing city"), "scenario")),
       newFromThis_(makeAction(this, tr("New scenario &from this one"), {},
                               tr("Starts from the displayed scenario and inherits its later changes"))),
@@ -31,8 +44,7 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
     connect(newScenario_, &QAction::triggered, this, [&tree] { tree.addScenario({}); });
     connect(newFromThis_, &QAction::triggered, this,
             [&tree, &session] { tree.addScenario(session.scenario()); });
-    connect(compare_, &QAction::triggered, this,
-            [&session](bool on) { session.compareWith(on ? existingCity : std::string()); });
+    connect(compare_, &QAction::triggered, this, &ScenarioActions::compare);
     connect(&session, &ProjectSession::changed, this,
             [this, &session] { compare_->setChecked(session.baseline() == existingCity); });
     connect(measureAll_, &QAction::triggered, &workbench, &Workbench::measureAll);
@@ -41,6 +53,58 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
     connect(&scenarios, &ScenariosDock::scoreAllRequested, &answers, &LatestAnswers::scoreAll);
     connect(reviewAll_, &QAction::triggered, &answers, &LatestAnswers::reviewAll);
     connect(&scenarios, &ScenariosDock::reviewAllRequested, &answers, &LatestAnswers::reviewAll);
+    connect(&scenarios, &ScenariosDock::copyRequested, this, [this] {
+        QGuiApplication::clipboard()->setText(makeTableText(dock_.shownTable()));
+        Q_EMIT workbench_.noted(tr("The table of scenarios is on the clipboard"));
+    });
+    connect(&scenarios, &ScenariosDock::exportRequested, this,
+            [this] { saveTable(askForTable(&dock_, QStringLiteral("scenarios.csv"))); });
+}
+
+// The difference at once where it is known. Else both scenarios side by side, with the shadows of the present
+// moment, while it is computed.
+void ScenarioActions::compare(bool on) {
+    ProjectSession& session = workbench_.session();
+    if (!on && awaited_) endWaiting();
+    session.compareWith(on ? existingCity : std::string());
+    if (!on) return;
+    if (!workbench_.comparing())
+        return Q_EMIT workbench_.noted(
+            tr("The existing city is displayed. Choose a scenario at the top, and compare it"));
+    if (workbench_.answerAs<ImpactAnswer>()) return Q_EMIT comparisonShown();
+    if (beside_ && !beside_->isChecked()) beside_->trigger();
+    awaitComparison();
+    if (!workbench_.running().busy()) workbench_.run();  // a quick one has begun by itself
+}
+
+void ScenarioActions::awaitComparison() {
+    awaited_ = std::make_unique<QObject>();
+    connect(&workbench_, &Workbench::answered, awaited_.get(), [this] {
+        if (!workbench_.answerAs<ImpactAnswer>()) return;
+        endWaiting();
+        Q_EMIT comparisonShown();
+    });
+    connect(&workbench_, &Workbench::projectOpened, awaited_.get(), [this] { stopWaiting(); });
+    connect(&workbench_, &Workbench::studyStopped, awaited_.get(), [this] { stopWaiting(); });
+}
+
+// Leaves what is shown.
+void ScenarioActions::stopWaiting() {
+    if (awaited_) awaited_.release()->deleteLater();
+}
+
+void ScenarioActions::endWaiting() {
+    stopWaiting();
+    if (beside_ && beside_->isChecked()) beside_->trigger();
+}
+
+void ScenarioActions::saveTable(const QString& file) {
+    if (file.isEmpty()) return;
+    const std::filesystem::path path = file.toStdString();
+    auto saved = checkOutput(path, OutputKind::table, workbench_.exportRules());
+    if (saved) saved = writeText(path, dock_.table().csv());
+    if (!saved) return Q_EMIT workbench_.failed(saved.error());
+    Q_EMIT workbench_.noted(tr("Saved as %1").arg(file));
 }
 
 QList<QAction*> ScenarioActions::actions() const {

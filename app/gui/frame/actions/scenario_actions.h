@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 
 class QAction;
 
@@ -20,12 +21,28 @@ public:
                     ScenariosDock& scenarios);
 
     [[nodiscard]] QList<QAction*> actions() const;
-    [[nodiscard]] QAction* compare() const { return compare_; }
+    [[nodiscard]] QAction* compareAction() const { return compare_; }
+    /// Writes the table of scenarios as CSV; asks for no file. Empty: nothing.
+    void saveTable(const QString& file);
+    /// What shows both scenarios side by side until their comparison is computed; it must outlive this
+    /// object.
+    void setSideBySide(QAction* beside) { beside_ = beside; }
+
+Q_SIGNALS:
+    void comparisonShown();  ///< the one that was wanted is there
 
 private:
+    void compare(bool on);
+    void awaitComparison();
+    void stopWaiting();
+    void endWaiting();
+    Workbench& workbench_;
+    ScenariosDock& dock_;
     QAction* newScenario_;
     QAction* newFromThis_;
     QAction* compare_;  ///< checkable
+    QAction* beside_ = nullptr;
+    std::unique_ptr<QObject> awaited_;  ///< while a comparison is computed
     QAction* measureAll_;
     QAction* scoreAll_;
     QAction* reviewAll_;

@@ -54,6 +54,9 @@ constexpr FieldText texts[] = {
     {"scenarioTable", QT_TRANSLATE_NOOP("FieldText",
                                         "The scenarios side by side, with their figures for the same period "
                                         "and region. A click on a heading sorts them.")},
+    {"frozenColumn", QT_TRANSLATE_NOOP("FieldText",
+                                       "The names of the scenarios, which stay in sight when the table is "
+                                       "scrolled sideways. A double click shows a scenario.")},
     {"weights",
      QT_TRANSLATE_NOOP("FieldText",
                        "The intervals of the weight table: days of the year, hours of the day, and a weight "
