@@ -6,6 +6,7 @@
 
 #include "app/input/load_city.h"
 #include "app/questions/answer.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/place_elements.h"
 
 namespace noonmark {
@@ -13,12 +14,14 @@ namespace noonmark {
 /// What a user asks: of which city, where, when and how.
 struct Asked {
     LoadedCity loaded;                   ///< the city of the scenario, with the warnings of reading
-    std::shared_ptr<const City> before;  ///< of the baseline; of a comparison only
+    std::shared_ptr<const City> before;  ///< of the baseline; of a comparison or of places only
     std::string scenario = existingCity;
     std::string baseline{};
     StudySettings settings{};
     std::optional<ElementSettings> points{};  ///< of points only
     std::optional<TimeWeights> weights{};     ///< of a score only
+    std::vector<Place> places{};              ///< of sun by place only
+    SunByPlaceSettings byPlace{};             ///< likewise; its study is `settings`
     bool byBuilding = false;                  ///< a comparison: the contribution of each new building, too
     std::vector<double> thresholdsMin{};      ///< a comparison: of the change, minutes a day
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
@@ -41,5 +44,11 @@ const Question& studyQuestion();
 const Question& comparisonQuestion();
 const Question& scoreQuestion();
 const Question& pointsQuestion();
+const Question& byPlaceQuestion();
+
+/// The last of the cities whose places were measured: the scenario, or the only city.
+inline const SunByPlace& shownCity(const SunOfCities& sun) {
+    return sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
+}
 
 }  // namespace noonmark

@@ -63,7 +63,7 @@ struct SavedLayer {
 /// A result saved in the project, with everything it is based on.
 struct SavedResult {
     std::string name;      ///< unique in a project
-    std::string kind;      ///< "study", "impact", "score" or "elements"
+    std::string kind;      ///< "study", "impact", "score", "elements" or "by-place"
     std::string scenario;  ///< whose city was measured
     std::string baseline;  ///< impact: the scenario compared with; else empty
     std::string settings;  ///< JSON: engine, period, region and figures, as in study.json

@@ -161,6 +161,68 @@ TEST(SavedAnswers, AScoreComesBackMonthByMonth) {
     EXPECT_TRUE(same(back.score.score, answer.score.score));
 }
 
+Place lawn(const std::string& name, const Footprint& outline) {
+    return {name, PlaceKind::park, {outline}, "drawn"};
+}
+
+SunOfCities sunny(const Project& project) {
+    Footprint ring = box(-40, -40, -20, -20);
+    ring.holes.push_back({{-35, -35}, {-35, -25}, {-25, -25}, {-25, -35}});
+    SunByPlaceSettings settings;
+    settings.study = question();
+    settings.study.engine = StudySettings().engine;
+    settings.enoughHours = 2.5;
+    settings.dates = {2026y / December / 21, 2026y / June / 21};
+    const NamedCity cities[]{{existingCity, *project.city}, {"Tower", cityOf(project, "Tower")->city}};
+    NoProgress progress;
+    return compareSunByPlace(cities, {lawn("Ring", ring), lawn("Lawn", box(12, 12, 40, 40))}, settings,
+                             progress, {})
+        .value();
+}
+
+TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
+    const SunOfCities answer = sunny(town());
+    Project project = addResult(town(), [&] {
+        SavedResult result = makeSavedResult(town(), answer, keptAt);
+        result.name = "Sun";
+        return result;
+    }());
+    project = saved(project);
+    const SavedResult& result = *project.results[0];
+    EXPECT_EQ(result.kind, "by-place");
+    EXPECT_EQ(result.scenario, "Tower");
+    EXPECT_EQ(result.baseline, existingCity);
+    const auto read = readSavedAnswer(result);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_THAT(findChangesSince(result, read->origin, project), IsEmpty());
+    const auto& back = std::get<SavedSunByPlace>(read->answer);
+    EXPECT_EQ(back.sun.baseline.places, answer.baseline.places);
+    EXPECT_EQ(back.sun.baseline.settings.dates, answer.baseline.settings.dates);
+    EXPECT_EQ(back.sun.baseline.settings.enoughHours, 2.5);
+    EXPECT_EQ(back.sun.baseline.months, answer.baseline.months);
+    ASSERT_EQ(back.sun.compared.size(), 1U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const SunOfPlace &then = answer.baseline.sun[i], &now = back.sun.baseline.sun[i];
+        EXPECT_NEAR(now.meanHours, then.meanHours, 1e-4);
+        EXPECT_EQ(now.dateHours.size(), 2U);
+        EXPECT_NEAR(now.dateHours[0], then.dateHours[0], 1e-4);
+        EXPECT_NEAR(now.belowShare[1], then.belowShare[1], 1e-4);
+        EXPECT_NEAR(back.sun.compared[0].changes[i].meanHours, answer.compared[0].changes[i].meanHours, 1e-4);
+    }
+    EXPECT_LT(back.sun.compared[0].changes[1].meanHours, 0) << "north of the tower";
+}
+
+TEST(SavedAnswers, SunByPlaceOfAnotherShapeIsAnError) {
+    SavedResult result = makeSavedResult(town(), sunny(town()), keptAt);
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(result.settings);
+    json["kept"]["places"].erase(1);
+    result.settings = json.dump();
+    EXPECT_FALSE(readSavedAnswer(result));
+    json["kept"].erase("places");
+    result.settings = json.dump();
+    EXPECT_FALSE(readSavedAnswer(result));
+}
+
 TEST(SavedAnswers, WhatChangedSinceIsSaid) {
     const Project project = addResult(town(), "Tower", compared(town()), keptAt);
     const SavedResult& result = *project.results[0];

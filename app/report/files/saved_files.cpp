@@ -25,10 +25,25 @@ Result<std::vector<std::filesystem::path>> writeElements(const SavedResult& resu
     return std::move(files).result();
 }
 
+Result<std::vector<std::filesystem::path>> writePlaces(const SavedResult& result, SunOfCities sun,
+                                                       const City& city, const std::filesystem::path& folder,
+                                                       const OutputRules& rules) {
+    sun.baseline.city = city;
+    const ElementTable table = makeTable(sun.baseline, sun.compared);
+    OutputFolder files(folder, rules);
+    files.add("places.csv", textContent(toCsv(table)));
+    files.add("places.gpkg", [&](const std::filesystem::path& file) {
+        return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table);
+    });
+    files.add("result.json", textContent(result.settings));
+    return std::move(files).result();
+}
+
 }  // namespace
 
 std::vector<std::string> savedFileNames(const SavedResult& result) {
     if (result.kind == "elements") return {"elements.csv", "elements.gpkg", "elements.glb", "result.json"};
+    if (result.kind == "by-place") return {"places.csv", "places.gpkg", "result.json"};
     return {"result.tif", "result.png", "result.pdf", "result.json"};
 }
 
@@ -44,6 +59,8 @@ Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& re
     if (!answer) return tl::make_unexpected(answer.error());
     if (const auto* elements = std::get_if<SavedElements>(&answer->answer))
         return writeElements(result, *elements, source.city, folder, rules);
+    if (const auto* saved = std::get_if<SavedSunByPlace>(&answer->answer))
+        return writePlaces(result, saved->sun, source.city, folder, rules);
     const Region region = makeSavedRegion(result, *answer, source.regions);
     const Sheet sheet = makeSheet(result, *answer, region, source, scale);
     const FileTags tags{{"RESULT", result.name}, {"SCENARIO", result.scenario}};

@@ -59,6 +59,11 @@ void addMaps(Sheet&, const SavedElements&, const SavedMaps&) {}
 SheetMap makeMainMap(const SavedElements&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
 std::vector<FigureText> figuresOf(const SavedElements&) { return {}; }
 
+// Nor has sun by place.
+void addMaps(Sheet&, const SavedSunByPlace&, const SavedMaps&) {}
+SheetMap makeMainMap(const SavedSunByPlace&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
+std::vector<FigureText> figuresOf(const SavedSunByPlace&) { return {}; }
+
 SheetMap makeMainMap(const SavedStudy& study, const SavedMaps& from) {
     return makeStudyMap(study.field, ShadowMeasure::gross, from);
 }
@@ -111,6 +116,7 @@ TextBlocks definitionsOf(const SavedResult&, const SavedScore& saved) {
 }
 
 TextBlocks definitionsOf(const SavedResult&, const SavedElements&) { return {}; }
+TextBlocks definitionsOf(const SavedResult&, const SavedSunByPlace&) { return {}; }
 
 TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source) {
     TextBlocks blocks{

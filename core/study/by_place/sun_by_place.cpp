@@ -247,6 +247,7 @@ Result<void> addDate(Measuring& m, const CivilDate& date) {
     for (std::size_t place = 0; place < m.common.cells.size(); ++place) {
         const auto hours = [&](std::uint32_t cell) { return hoursAt(field, cell); };
         const AreaSums sums = sumUp(m.common.cells[place], m.made.settings.enoughHours, hours);
+        m.made.sun[place].dateHours.push_back(sums.hours / sums.cells);
         m.made.sun[place].belowShare.push_back(1 - sums.enough / sums.cells);
     }
     return {};

@@ -49,6 +49,7 @@ struct SunOfPlace {
     double meanHours = none, minHours = none, maxHours = none;  ///< over the cells, mean over the days
     double enoughShare = none;                                  ///< of the area, with enoughHours or more
     std::vector<double> monthHours;  ///< mean over the cells and the month's days; of SunByPlace::months
+    std::vector<double> dateHours;   ///< mean over the cells; of SunByPlaceSettings::dates
     std::vector<double>
         belowShare;  ///< of the area, with less than enoughHours; of SunByPlaceSettings::dates
     std::vector<SunOfCell> ofCells;  ///< also those beside it that count for some of it

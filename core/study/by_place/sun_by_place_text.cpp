@@ -32,6 +32,7 @@ Figure hours(double SunOfPlace::*member, std::string_view key, std::string_view 
 }
 
 std::string monthKey(const std::string& month) { return "hours_" + month; }
+std::string dateHoursKey(const CivilDate& date) { return "hours_" + formatText(date); }
 std::string dateKey(const CivilDate& date) { return "share_below_" + formatText(date); }
 
 LonLat middleOf(const Place& place, const Frame& frame) {
@@ -76,6 +77,8 @@ void addComparedColumns(std::vector<ElementColumn>& columns, std::span<const Com
             if (isCompared(figure))
                 columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
         for (const CivilDate& date : compared[i].sun.settings.dates)
+            columns.push_back({dateHoursKey(date) + suffixes[i], 0.0, digits});
+        for (const CivilDate& date : compared[i].sun.settings.dates)
             columns.push_back({dateKey(date) + suffixes[i], 0.0, digits});
         for (const Figure& figure : sunChangeFigures().rows())
             columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
@@ -86,6 +89,7 @@ void addComparedValues(std::vector<ElementValue>& row, const ComparedSun& compar
     const DescribedFigures sun = sunOfPlaceFigures().of(compared.sun.sun[i]);
     for (const Figure& figure : sun.figures)
         if (isCompared(figure)) row.emplace_back(sun.get(figure));
+    for (const double hours : compared.sun.sun[i].dateHours) row.emplace_back(hours);
     for (const double share : compared.sun.sun[i].belowShare) row.emplace_back(share);
     const DescribedFigures change = sunChangeFigures().of(compared.changes[i]);
     for (const Figure& figure : change.figures) row.emplace_back(change.get(figure));
@@ -96,6 +100,7 @@ std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const Comp
     for (const Figure& figure : sunOfPlaceFigures().rows())
         columns.push_back({std::string(figure.key), 0.0, figure.decimals});
     for (const std::string& month : sun.months) columns.push_back({monthKey(month), 0.0, digits});
+    for (const CivilDate& date : sun.settings.dates) columns.push_back({dateHoursKey(date), 0.0, digits});
     for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date), 0.0, digits});
     addComparedColumns(columns, compared);
     columns.push_back({"lon_deg", 0.0, placeDecimals});
@@ -110,6 +115,7 @@ std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedS
     const DescribedFigures figures = sunOfPlaceFigures().of(sun.sun[i]);
     for (const Figure& figure : figures.figures) row.emplace_back(figures.get(figure));
     for (const double hours : sun.sun[i].monthHours) row.emplace_back(hours);
+    for (const double hours : sun.sun[i].dateHours) row.emplace_back(hours);
     for (const double share : sun.sun[i].belowShare) row.emplace_back(share);
     for (const ComparedSun& one : compared) addComparedValues(row, one, i);
     const LonLat middle = middleOf(place, sun.city.frame);
@@ -122,6 +128,8 @@ Json figuresOf(const SunByPlace& sun, std::size_t i) {
     Json json = figuresJson(sunOfPlaceFigures().of(of));
     for (std::size_t month = 0; month < of.monthHours.size(); ++month)
         json["month_hours"][sun.months[month]] = of.monthHours[month];
+    for (std::size_t date = 0; date < of.dateHours.size(); ++date)
+        json["date_hours"][formatText(sun.settings.dates[date])] = of.dateHours[date];
     for (std::size_t date = 0; date < of.belowShare.size(); ++date)
         json["share_below"][formatText(sun.settings.dates[date])] = of.belowShare[date];
     return json;

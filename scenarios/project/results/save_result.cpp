@@ -2,6 +2,8 @@
 
 #include <fmt/chrono.h>
 
+#include <cmath>
+
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/study_hash.h"
@@ -64,6 +66,29 @@ std::vector<SavedLayer> layersOf(const Impact& impact) {
     return layers;
 }
 
+double roundToMm(float metres) { return std::round(double(metres) * 1000) / 1000; }
+
+Json ringJson(const Ring& ring) {
+    Json json = Json::array();
+    for (const glm::vec2& corner : ring) json.push_back({roundToMm(corner.x), roundToMm(corner.y)});
+    return json;
+}
+
+// Of each place a list of polygons, of each polygon its outer ring and then its holes, local metres.
+Json outlinesJson(const std::vector<Place>& places) {
+    Json json = Json::array();
+    for (const Place& place : places) {
+        Json polygons = Json::array();
+        for (const Footprint& polygon : place.polygons) {
+            Json rings = Json::array({ringJson(polygon.outer)});
+            for (const Ring& hole : polygon.holes) rings.push_back(ringJson(hole));
+            polygons.push_back(std::move(rings));
+        }
+        json.push_back(std::move(polygons));
+    }
+    return json;
+}
+
 Project nameResult(Project project, const std::string& name, SavedResult result) {
     result.name = name;
     return addResult(std::move(project), std::move(result));
@@ -121,6 +146,27 @@ SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer, s
             inputsOf(project),
             answer.score.grid,
             {{"shadow score", "", answer.score.score}}};
+}
+
+// The grid means nothing; the keys that other kinds of results state are those of readSavedAnswer().
+SavedResult makeSavedResult(const Project& project, const SunOfCities& sun, std::chrono::sys_seconds at) {
+    const SunByPlace& baseline = sun.baseline;
+    const SunByPlace& shown = sun.compared.empty() ? baseline : sun.compared.back().sun;
+    Json origin = originJson(at, hashCity(shown.city), baseline.settings.study);
+    if (!sun.compared.empty()) origin["baseline_sha256"] = hashCity(baseline.city);
+    origin["places"] = outlinesJson(baseline.places);
+    Json json = Json::parse(toJson(baseline, sun.compared));
+    json["engine_settings"] = baseline.field.engine;
+    json["region"] = "places";
+    json["kept"] = std::move(origin);
+    return {{},
+            "by-place",
+            shown.name,
+            sun.compared.empty() ? std::string() : baseline.name,
+            toJsonText(json),
+            inputsOf(project),
+            {0, 0, 1, 1, 1},
+            {}};
 }
 
 Project addResult(Project project, SavedResult result) {

@@ -6,6 +6,7 @@
 
 #include <chrono>
 
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_map.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
@@ -27,6 +28,11 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
 SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer,
                             std::chrono::sys_seconds at = timeNow());
 SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer,
+                            std::chrono::sys_seconds at = timeNow());
+
+/// Sun by place: with the outlines of the places in `kept`, and without cells. `sun` is of the project's
+/// cities under the names of their scenarios; at most one is compared.
+SavedResult makeSavedResult(const Project& project, const SunOfCities& sun,
                             std::chrono::sys_seconds at = timeNow());
 
 /// Adds a result to the project; a result of the same name is replaced.

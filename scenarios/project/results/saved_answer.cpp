@@ -139,6 +139,96 @@ SavedElements elementsOf(const SavedResult& result, const Json& json) {
     return saved;
 }
 
+Ring ringOf(const Json& json) {
+    Ring ring;
+    for (const Json& corner : json) ring.emplace_back(corner.at(0).get<float>(), corner.at(1).get<float>());
+    if (ring.size() < 3) throw std::invalid_argument("an outline has too few corners");
+    return ring;
+}
+
+std::vector<Footprint> outlineOf(const Json& json) {
+    std::vector<Footprint> polygons;
+    for (const Json& rings : json) {
+        Footprint polygon{ringOf(rings.at(0)), {}};
+        for (std::size_t hole = 1; hole < rings.size(); ++hole) polygon.holes.push_back(ringOf(rings[hole]));
+        polygons.push_back(std::move(polygon));
+    }
+    if (polygons.empty()) throw std::invalid_argument("a place has no outline");
+    return polygons;
+}
+
+Place placeOf(const Json& json, const Json& outline) {
+    const auto kind = parsePlaceKind(json.at("kind").get<std::string>());
+    if (!kind) throw std::invalid_argument("the kind of a place is unknown");
+    return {json.at("name"), *kind, outlineOf(outline), json.at("source")};
+}
+
+std::vector<double> listNumbers(const Json& json, const char* member) {
+    std::vector<double> numbers;
+    for (const Json& value : json.value(member, Json::object()))
+        numbers.push_back(value.is_null() ? SunOfPlace::none : value.get<double>());
+    return numbers;
+}
+
+// Hours by month and by date of a place, which are no figures of the table.
+SunOfPlace sunOfPlace(const Json& json) {
+    SunOfPlace sun = readFigures(sunOfPlaceFigures(), json);
+    sun.monthHours = listNumbers(json, "month_hours");
+    sun.dateHours = listNumbers(json, "date_hours");
+    sun.belowShare = listNumbers(json, "share_below");
+    return sun;
+}
+
+// What the figures of all cities have in common: their places, dates and threshold.
+SunByPlace sunWithoutFigures(const Json& json) {
+    SunByPlace sun;
+    sun.settings.enoughHours = json.at("enough_hours");
+    sun.settings.lossMin = json.value("loss_min", sun.settings.lossMin);
+    sun.settings.study.receivers.cellM = json.at("cell_m");
+    sun.possibleHours = json.at("possible_hours");
+    const Json& places = json.at("places");
+    const Json& outlines = json.at("kept").at("places");
+    for (std::size_t i = 0; i < places.size(); ++i)
+        sun.places.push_back(placeOf(places[i], outlines.at(i)));
+    if (places.empty()) return sun;
+    const Json months = places[0].value("month_hours", Json::object());
+    for (const auto& month : months.items()) sun.months.push_back(month.key());
+    const Json dates = places[0].value("share_below", Json::object());
+    for (const auto& date : dates.items())
+        if (const auto day = parseDate(date.key())) sun.settings.dates.push_back(*day);
+    return sun;
+}
+
+// An error that was measured needs no reason why it was not.
+std::string placeErrorOf(const Json& error) {
+    if (!error.is_object()) return {};
+    Json study{{"error", error}};
+    study["error"]["why_not"] = nullptr;
+    return parseErrorText(study);
+}
+
+SavedSunByPlace sunByPlaceOf(const SavedResult& result, const Json& json) {
+    SavedSunByPlace saved{.sun = {.baseline = sunWithoutFigures(json), .compared = {}}};
+    SunOfCities& sun = saved.sun;
+    sun.baseline.name = result.baseline.empty() ? result.scenario : result.baseline;
+    if (!result.baseline.empty()) {
+        sun.compared.push_back({sun.baseline, {}});
+        sun.compared.front().sun.name = result.scenario;
+    }
+    for (const Json& place : json.at("places")) {
+        sun.baseline.sun.push_back(sunOfPlace(place));
+        if (sun.compared.empty()) continue;
+        const Json& other = place.at("scenarios").begin().value();
+        sun.compared.front().sun.sun.push_back(sunOfPlace(other));
+        sun.compared.front().changes.push_back(readFigures(sunChangeFigures(), other));
+    }
+    saved.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
+    saved.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
+    saved.seconds = json.at("seconds").value("total", 0.0);
+    saved.error = placeErrorOf(json.at("error"));
+    return saved;
+}
+
 void compareCity(std::vector<std::string>& changes, const Project& project, const std::string& scenario,
                  const std::string& hash) {
     const auto city = cityOf(project, scenario);
@@ -158,6 +248,7 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
     if (result.kind == "impact") return SavedAnswer{origin, impactOf(result, json)};
     if (result.kind == "score") return SavedAnswer{origin, readScore(result, json)};
     if (result.kind == "elements") return SavedAnswer{origin, elementsOf(result, json)};
+    if (result.kind == "by-place") return SavedAnswer{origin, sunByPlaceOf(result, json)};
     return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind), result.name,
                    "Open the project with a newer Noonmark");
 } catch (const std::exception& problem) {  // JSON or layers of the wrong shape

@@ -7,6 +7,7 @@
 
 #include "core/engines/api/shadow_field.h"
 #include "core/measures/statistics.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_tables.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
@@ -56,10 +57,17 @@ struct SavedElements {
     SourceValues source;  ///< the source columns of its table, as they were when it was saved
 };
 
+struct SavedSunByPlace {
+    SunOfCities sun;  ///< without city, cells and sun of the days
+    std::uint64_t steps = 0, belowHorizon = 0;  ///< as of SavedStudy
+    double seconds = 0;
+    std::string error;  ///< against rays, as text; empty: not measured
+};
+
 /// A saved result read back, with the figures it was saved with.
 struct SavedAnswer {
     SavedOrigin origin;
-    std::variant<SavedStudy, SavedImpact, SavedScore, SavedElements> answer;
+    std::variant<SavedStudy, SavedImpact, SavedScore, SavedElements, SavedSunByPlace> answer;
 };
 
 /// Copies the layers. Error: the settings or layers do not match the kind.

@@ -30,7 +30,7 @@ const AnswerViewer anyViewer{{}, layerOfAny, rowsOfAny, titleOfAny};
 
 const AnswerViewer& viewerOf(const Answer& answer) {
     static const std::array all{&studyViewer(), &comparisonViewer(), &scoreViewer(), &pointsViewer(),
-                                &savedViewer()};
+                                &byPlaceViewer(), &savedViewer()};
     const auto found = std::ranges::find(all, answer.question().key, &AnswerViewer::question);
     return found == all.end() ? anyViewer : **found;
 }

@@ -37,6 +37,7 @@ const AnswerViewer& studyViewer();
 const AnswerViewer& comparisonViewer();
 const AnswerViewer& scoreViewer();
 const AnswerViewer& pointsViewer();
+const AnswerViewer& byPlaceViewer();
 const AnswerViewer& savedViewer();
 
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 
 #include "core/describe/figure_text.h"
 #include "core/describe/sentence.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/error_words.h"
@@ -76,6 +77,18 @@ QString describeChangedArea(const ChangeFigures& figures);
 /// Of a score: the total, each month and each interval with sunlit time.
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period);
+
+/// The sun of places, new or saved.
+struct PlaceFigures {
+    const SunOfCities& sun;
+    std::uint64_t steps = 0, belowHorizon = 0;
+    double seconds = 0;
+    std::string period;  ///< in words
+    std::string error;   ///< against rays, in words; empty: not measured
+    std::string engine;
+};
+/// How many places were measured, the sunniest and the darkest of them, and how.
+std::vector<ResultRow> makeRows(const PlaceFigures& figures);
 
 /// "Jan 2026"
 QString describeMonth(std::chrono::year_month month);

@@ -44,6 +44,11 @@ std::vector<ResultRow> figureRows(const SavedElements& saved, const SavedContent
                                  result.answer.origin.engine});
 }
 
+std::vector<ResultRow> figureRows(const SavedSunByPlace& saved, const SavedContent& result) {
+    return makeRows(PlaceFigures{saved.sun, saved.steps, saved.belowHorizon, saved.seconds,
+                                 result.answer.origin.period, saved.error, result.answer.origin.engine});
+}
+
 QString noteOf(const SavedContent& result) {
     const QString saved =
         QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), formatText(result.result->name));
@@ -59,9 +64,11 @@ GroundAnswer::Map mapOf(const std::shared_ptr<const SavedContent>& saved) {
     return std::shared_ptr<const Score>(saved, &std::get<SavedScore>(answer).score);
 }
 
+// Places have a table of their own that paints the view (app/gui/docks/places).
 // The note states when the result was saved and whether anything has changed since; if so, it is marked.
 std::optional<AnswerLayer> layerOfSaved(const std::shared_ptr<const Answer>& answer) {
     const auto saved = contentOf<SavedContent>(answer);
+    if (std::holds_alternative<SavedSunByPlace>(saved->answer.answer)) return std::nullopt;
     const QString note = noteOf(*saved);
     if (const auto* points = std::get_if<SavedElements>(&saved->answer.answer))
         return ElementView{std::shared_ptr<const ElementMap>(saved, &points->map), note, !saved->upToDate()};

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/answers/answer_viewer.h"
+#include "app/gui/session/answers/result_rows.h"
+
+namespace noonmark {
+
+namespace {
+
+// The table of places paints the view (app/gui/docks/places).
+std::optional<AnswerLayer> layerOfPlaces(const std::shared_ptr<const Answer>&) { return std::nullopt; }
+
+std::string errorOf(const SunByPlace& sun) {
+    if (!sun.error) return {};
+    const CellError& gross = sun.error->gross;
+    return fmt::format("cells: {:.3f} % mean, {:.2f} % largest", gross.percent(gross.meanMin),
+                       gross.percent(gross.maxMin));
+}
+
+std::vector<ResultRow> rowsOfPlaces(const Answer& answer) {
+    const auto& sun = *answer.as<SunOfCities>();
+    const SunByPlace& baseline = sun.baseline;
+    return makeRows(PlaceFigures{sun, baseline.daylight.steps.size(), baseline.daylight.belowHorizon,
+                                 answer.seconds(), formatText(answer.settings()->period), errorOf(baseline),
+                                 baseline.field.engine});
+}
+
+QString titleOfPlaces(const Answer& answer) {
+    const MeasuredPart part = answer.part();
+    const QString scenario = QString::fromStdString(part.scenario);
+    return part.baseline.empty() ? QObject::tr("Sun by place in %1").arg(scenario)
+                                 : QObject::tr("Sun by place in %1 compared with %2")
+                                       .arg(scenario, QString::fromStdString(part.baseline));
+}
+
+QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
+
+// Of the place with least, or with most.
+ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool most) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < sun.sun.size(); ++i) {
+        const double hours = sun.sun[i].meanHours;
+        if (std::isnan(hours)) continue;
+        if (!found || (most ? hours > sun.sun[*found].meanHours : hours < sun.sun[*found].meanHours)) found = i;
+    }
+    if (!found) return {name, QObject::tr("none"), meaning};
+    return {name,
+            QStringLiteral("%1\n%2").arg(QString::fromStdString(sun.places[*found].name),
+                                         hoursText(sun.sun[*found].meanHours)),
+            meaning};
+}
+
+QString countText(const SunByPlace& sun) {
+    const auto without = std::size_t(
+        std::ranges::count_if(sun.sun, [](const SunOfPlace& one) { return std::isnan(one.meanHours); }));
+    const QString all = formatCount(sun.places.size());
+    return without == 0 ? all : QObject::tr("%1, %2 without a cell").arg(all, formatCount(without));
+}
+
+}  // namespace
+
+const AnswerViewer& byPlaceViewer() {
+    static const AnswerViewer viewer{byPlaceQuestion().key, layerOfPlaces, rowsOfPlaces, titleOfPlaces};
+    return viewer;
+}
+
+std::vector<ResultRow> makeRows(const PlaceFigures& shown) {
+    const SunByPlace& sun = shownCity(shown.sun);
+    std::vector<ResultRow> rows{
+        {QObject::tr("Places"), countText(sun), QObject::tr("Each is a row of the panel Places")},
+        {QObject::tr("Without shadow"), hoursText(shown.sun.baseline.possibleHours),
+         QObject::tr("Sun above the horizon, mean over the days")},
+        extremeRow(QObject::tr("Least sun"), QObject::tr("The place with the lowest mean"), sun, false),
+        extremeRow(QObject::tr("Most sun"), QObject::tr("The place with the highest mean"), sun, true)};
+    rows.push_back(
+        {QObject::tr("Steps of the sun"), formatCount(shown.steps), describeSteps(shown.belowHorizon)});
+    rows.push_back({QObject::tr("Time"), formatAmount(shown.seconds, 2) + QStringLiteral(" s"),
+                    QObject::tr("Time taken by all of it")});
+    rows.push_back({QObject::tr("Period"), QString::fromStdString(shown.period), {}});
+    if (!shown.error.empty())
+        rows.push_back({QObject::tr("Error"), localiseNumbers(QString::fromStdString(shown.error)),
+                        QObject::tr("Against the ray reference, on a sample of the cells over the same "
+                                    "steps")});
+    rows.push_back({QObject::tr("Engine"), QString::fromStdString(shown.engine), {}});
+    return rows;
+}
+
+}  // namespace noonmark

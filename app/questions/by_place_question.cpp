@@ -1,0 +1,97 @@
+#include "app/input/all_engines.h"
+#include "app/questions/question.h"
+#include "app/report/files/output_folder.h"
+#include "core/base/progress_share.h"
+#include "core/describe/text.h"
+#include "core/study/elements/element_tables.h"
+#include "scenarios/project/results/save_result.h"
+
+namespace noonmark {
+
+namespace {
+
+/// How much sun places get in one scenario, and what it takes from or gives to those of a baseline.
+class ByPlaceAnswer final : public AnswerOf<SunOfCities> {
+public:
+    ByPlaceAnswer(std::shared_ptr<const SunOfCities> sun, StudySettings asked)
+        : AnswerOf(std::move(sun)), asked_(std::move(asked)) {}
+
+    [[nodiscard]] const Question& question() const override { return byPlaceQuestion(); }
+    /// As they were asked for: the content's have the places as their region.
+    [[nodiscard]] const StudySettings* settings() const override { return &asked_; }
+    [[nodiscard]] MeasuredPart part() const override {
+        const SunOfCities& sun = content();
+        return {shownCity(sun).name, sun.compared.empty() ? std::string() : sun.baseline.name, {}, {}};
+    }
+    [[nodiscard]] const Warnings& warnings() const override { return content().baseline.warnings; }
+    [[nodiscard]] double seconds() const override { return content().baseline.seconds.at("total"); }
+
+    /// The baseline of a comparison keeps its name: another one may be chosen while this answer is shown.
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string& scenario,
+                                                        const std::string&) const override {
+        if (shownCity(content()).name == scenario) return nullptr;
+        auto sun = std::make_shared<SunOfCities>(content());
+        (sun->compared.empty() ? sun->baseline : sun->compared.front().sun).name = scenario;
+        return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_);
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
+        auto sun = std::make_shared<SunOfCities>(content());
+        sun->baseline.provenance = std::move(provenance);
+        return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_);
+    }
+
+    [[nodiscard]] std::string json() const override { return toJson(content().baseline, content().compared); }
+    [[nodiscard]] SavedResult toSave(const Project& project) const override {
+        return makeSavedResult(project, content());
+    }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
+        return {"places.csv", "places.gpkg", "places.json"};
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles& how) const override {
+        const SunByPlace& sun = content().baseline;
+        const ElementTable table = makeTable(sun, content().compared);
+        OutputFolder files(folder, how.rules);
+        files.add("places.csv", textContent(toCsv(table)));
+        files.add("places.gpkg", [&](const std::filesystem::path& file) {
+            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table);
+        });
+        files.add("places.json", textContent(json()));
+        return std::move(files).result();
+    }
+
+private:
+    StudySettings asked_;
+};
+
+std::vector<NamedCity> listCities(const Asked& asked) {
+    std::vector<NamedCity> cities;
+    if (asked.before) cities.push_back({asked.baseline, *asked.before});
+    cities.push_back({asked.scenario, asked.loaded.read.city});
+    return cities;
+}
+
+Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progress& progress,
+                                                     const std::stop_token& stop) {
+    ProgressShare whole(progress, 0, 1);  // forwards no partial results: they would cover one month only
+    SunByPlaceSettings settings = asked.byPlace;
+    settings.study = asked.settings;
+    auto sun = compareSunByPlace(listCities(asked), asked.places, settings, whole, stop,
+                                 enginesWith(asked.settings.engine));
+    if (!sun) return tl::make_unexpected(sun.error());
+    putBefore(sun->baseline.warnings, asked.loaded.read.warnings);
+    sun->baseline.provenance = asked.provenance;
+    return std::make_shared<ByPlaceAnswer>(std::make_shared<const SunOfCities>(*std::move(sun)),
+                                           asked.settings);
+}
+
+}  // namespace
+
+const Question& byPlaceQuestion() {
+    static const Question question{
+        .key = "by-place", .label = NM_TEXT("Sun by place"), .ofRun = false, .compute = computeByPlace};
+    return question;
+}
+
+}  // namespace noonmark
