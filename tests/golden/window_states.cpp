@@ -19,6 +19,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
 #include <QTreeView>
@@ -139,6 +140,7 @@ void WindowStates::writeAll() {
     compare();
     score();
     measurePoints();
+    measurePlaces();
     inspectPoint();
     review();
     reviewGlazing();
@@ -189,6 +191,21 @@ void WindowStates::measurePoints() {
     exportTo("points");
     trigger(QStringLiteral("Save result"));
     choose("places", QStringLiteral("on the ground"));
+}
+
+// The days of the study are as before, so that the other states do not depend on this one.
+void WindowStates::measurePlaces() {
+    choose("studyKind", QStringLiteral("Sun by place"));
+    enter(QStringLiteral("Periods"), QStringLiteral("Autumn"));
+    press("run");
+    write("sun by place");
+    named<QCheckBox>("placesGrouped").click();
+    named<QSlider>("placesSlider").setValue(100);
+    write("sun by place grouped");
+    exportTo("places");
+    trigger(QStringLiteral("Save result"));
+    choose("studyKind", QStringLiteral("Hours of shadow"));
+    press("wayBack");
 }
 
 void WindowStates::inspectPoint() {

@@ -22,6 +22,7 @@ private:
     void compare();
     void score();
     void measurePoints();
+    void measurePlaces();
     void inspectPoint();
     void review();
     void reviewGlazing();

@@ -15,6 +15,7 @@
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
+#include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/point/point_dock.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/results_dock.h"
@@ -70,6 +71,7 @@ MainWindow::MainWindow(QSettings& settings)
              new PointDock(points_),
              new ElementsDock,
              new ContributionsDock,
+             new PlacesDock,
              tools_.dock(),
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
@@ -88,6 +90,7 @@ MainWindow::MainWindow(QSettings& settings)
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
                 docks_.scenarios->table()}),
+      placeLinks_(workbench_, display_, *docks_.places, *panel_),
       results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, windowReview_, *this),
       copying_(results_, *docks_.results, *panel_),
       movies_(workbench_, *panel_, *this),
@@ -259,6 +262,8 @@ void MainWindow::connectDocks() {
         mode_.showStudies();
         raiseDock(docks_.results);
     });
+    connect(&placeLinks_, &PlaceLinks::dockWanted, this, [this] { showDock(docks_.places); });
+    connect(&placeLinks_, &PlaceLinks::placeWanted, &places_, &PlaceActions::zoomTo);
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
     connectElementForms();
@@ -282,8 +287,11 @@ void MainWindow::connectStudyForm() {
     connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
         if (building.selected()) region_.takeSurroundings(*building.selected());
     });
-    connect(&workbench_.session(), &ProjectSession::changed, &form,
-            [this, &form] { form.setComparing(workbench_.comparing()); });
+    connect(&form, &StudyDock::sunByPlaceRequested, &workbench_, &Workbench::runByPlace);
+    connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {
+        form.setComparing(workbench_.comparing());
+        form.setPlaces(workbench_.session().project().places);
+    });
 }
 
 // Of a study at points and of a review of windows.
@@ -310,6 +318,7 @@ void MainWindow::chooseKind(StudyKind kind) {
     ProjectSession& session = workbench_.session();
     if (kind == StudyKind::review) return showDock(docks_.review);
     if (kind == StudyKind::score) return raiseDock(docks_.weights);
+    if (kind == StudyKind::places) return;  // the form asks for all of it
     if (kind == StudyKind::shadow) return session.compareWith({});
     if (session.scenario() != existingCity) return session.compareWith(existingCity);
     panel_->messages().showNote(tr(

@@ -12,6 +12,7 @@
 #include "app/gui/docks/elements/element_links.h"
 #include "app/gui/docks/elements/element_picking.h"
 #include "app/gui/docks/export/movie_actions.h"
+#include "app/gui/docks/places/place_links.h"
 #include "app/gui/docks/point/dome_display.h"
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/docks/project/saved_views.h"
@@ -147,6 +148,7 @@ private:
     ElementPicking picking_;
     ContributionLinks contributions_;
     ResultDisplay display_;
+    PlaceLinks placeLinks_;
     ResultActions results_;
     CopyActions copying_;
     MovieActions movies_;

@@ -6,6 +6,7 @@
 
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
+#include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/point/point_dock.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/results_dock.h"
@@ -61,6 +62,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
     QDockWidget* contributions =
         dockOf(QObject::tr("Contributions"), "contributionsDock", scrolled(docks.contributions, sideWidth));
+    QDockWidget* places = dockOf(QObject::tr("Places"), "placesDock", docks.places);
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
     for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
     for (QDockWidget* dock : {review, point, elements}) dock->hide();  // they take much of the view's height
@@ -69,14 +71,15 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     study->raise();
     window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
-    for (QDockWidget* beside : {contributions, scenarios, weights}) window.tabifyDockWidget(results, beside);
+    for (QDockWidget* beside : {contributions, scenarios, weights, places})
+        window.tabifyDockWidget(results, beside);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
     window.resizeDocks({project, results, warnings}, {180, 470, 90}, Qt::Vertical);
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
-    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, review, point,
+    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review, point,
                               elements, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;

@@ -10,6 +10,7 @@ namespace noonmark {
 
 class ContributionsDock;
 class ElementsDock;
+class PlacesDock;
 class PointDock;
 class ProjectDock;
 class ResultsDock;
@@ -31,6 +32,7 @@ struct WindowDocks {
     PointDock* point;
     ElementsDock* elements;
     ContributionsDock* contributions;
+    PlacesDock* places;
     QWidget* building;  ///< the selected building
     QWidget* tower;     ///< lots, and the tower being designed
 };

@@ -46,6 +46,9 @@ public:
     void ask(const Question& question, const std::string& weights = {});
     /// Asks for the score of the displayed scenario with a weight table of the project.
     void runScore(const std::string& weights) { ask(scoreQuestion(), weights); }
+    /// Asks how much sun places get in the displayed scenario, and what changes against the baseline if one
+    /// is chosen. The study of `settings` is the document's, without its region.
+    void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings);
     /// Starts the run announced by longRun(): with the chosen engine, or with the automatic engine.
     void runAnyway();
     void runQuicker();
@@ -185,6 +188,7 @@ private:
     void announceIfLong(const Result<RunEstimate>& one, double fields, const Start& start);
     [[nodiscard]] Result<Asked> makeAsked(const Question& question, const std::string& weights);
     void askNow(const Question& question, const std::string& weights);
+    void compute(const Question& question, Asked asked);
     void adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer);
     /// `toSave`: the figures are work of the user's that is saved with the project.
     void measure(const QString& what, std::vector<KnownAnswer> wanted, bool toSave = false);

@@ -108,7 +108,7 @@ Result<Asked> Workbench::makeAsked(const Question& question, const std::string& 
                 .settings = document_.settings(),
                 .byBuilding = true,
                 .thresholdsMin = {usualThresholdsMin.begin(), usualThresholdsMin.end()}};
-    if (&question == &comparisonQuestion()) {
+    if (&question == &comparisonQuestion() || (&question == &byPlaceQuestion() && comparing())) {
         auto before = session_.cityOf(asked.baseline);
         if (!before) return tl::make_unexpected(before.error());
         asked.before = *std::move(before);
@@ -130,15 +130,28 @@ void Workbench::askNow(const Question& question, const std::string& weights) {
     if (&question == &studyQuestion())
         return measure(translated(question.label), {{session_.city(), {}, {}}});
     const auto asked = makeAsked(question, weights);
+    asked ? compute(question, *asked) : report(asked.error());
+}
+
+void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings) {
+    if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
+    auto asked = makeAsked(byPlaceQuestion(), {});
     if (!asked) return report(asked.error());
+    asked->places = std::move(places);
+    asked->byPlace = settings;
+    compute(byPlaceQuestion(), *std::move(asked));
+}
+
+void Workbench::compute(const Question& question, Asked asked) {
+    KnownAnswer known{session_.city(), asked.before, {}};
     running_.start<SharedAnswer>(
         translated(question.label),
-        [&question, asked = *asked, shown = city_, city = session_.city()](
+        [&question, asked = std::move(asked), shown = city_, city = session_.city()](
             Progress& progress, const std::stop_token& stop) mutable {
             asked.loaded = withCity(shown->loaded, *city);
             return question.compute(asked, progress, stop);
         },
-        [this, known = KnownAnswer{session_.city(), asked->before, {}}](Result<SharedAnswer> answer) {
+        [this, known = std::move(known)](Result<SharedAnswer> answer) {
             adoptAnswer(known, std::move(answer));
         });
 }

@@ -188,8 +188,7 @@ SunByPlace sunWithoutFigures(const Json& json) {
     sun.possibleHours = json.at("possible_hours");
     const Json& places = json.at("places");
     const Json& outlines = json.at("kept").at("places");
-    for (std::size_t i = 0; i < places.size(); ++i)
-        sun.places.push_back(placeOf(places[i], outlines.at(i)));
+    for (std::size_t i = 0; i < places.size(); ++i) sun.places.push_back(placeOf(places[i], outlines.at(i)));
     if (places.empty()) return sun;
     const Json months = places[0].value("month_hours", Json::object());
     for (const auto& month : months.items()) sun.months.push_back(month.key());

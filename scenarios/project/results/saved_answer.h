@@ -58,7 +58,7 @@ struct SavedElements {
 };
 
 struct SavedSunByPlace {
-    SunOfCities sun;  ///< without city, cells and sun of the days
+    SunOfCities sun;                            ///< without city, cells and sun of the days
     std::uint64_t steps = 0, belowHorizon = 0;  ///< as of SavedStudy
     double seconds = 0;
     std::string error;  ///< against rays, as text; empty: not measured

@@ -233,8 +233,9 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
         settings);
     const ElementTable table = makeTable(sun);
     const std::string csv = toCsv(table);
-    EXPECT_THAT(csv, HasSubstr("name,kind,area_m2,hours_mean,hours_min,hours_max,share_enough,hours_2026-02,"
-                               "hours_2026-03,hours_2026-12-21,share_below_2026-12-21,lon_deg,lat_deg,source"));
+    EXPECT_THAT(csv,
+                HasSubstr("name,kind,area_m2,hours_mean,hours_min,hours_max,share_enough,hours_2026-02,"
+                          "hours_2026-03,hours_2026-12-21,share_below_2026-12-21,lon_deg,lat_deg,source"));
     EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,800.0,"));
     const auto json = nlohmann::json::parse(toJson(sun));
     EXPECT_NEAR(json["places"][1]["hours_mean"].get<double>(), sun.sun[1].meanHours, 1e-4);

@@ -13,6 +13,8 @@
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
 #include "app/gui/docks/study_form/breakdown_form.h"
+#include "app/gui/docks/study_form/period_preset.h"
+#include "app/gui/docks/study_form/places_form.h"
 #include "app/gui/docks/study_form/run_forecast.h"
 #include "app/gui/docks/study_form/when_form.h"
 #include "app/gui/docks/study_form/where_form.h"
@@ -25,10 +27,17 @@ namespace {
 
 constexpr int leastScreenPx = 248;  // of the forms; where they need more, they scroll
 
-QGroupBox* groupOf(const QString& title, QWidget* content) {
+QGroupBox* groupOf(const QString& title, std::initializer_list<QWidget*> content) {
     auto* group = new QGroupBox(title);
-    (new QVBoxLayout(group))->addWidget(content);
+    auto* column = new QVBoxLayout(group);
+    for (QWidget* widget : content) column->addWidget(widget);
     return group;
+}
+
+Period wholeYear(const Period& period) {
+    Period year = applied(PeriodPreset::year, period, period.start, 0);
+    year.window = SolarWindow{};
+    return year;
 }
 
 QLabel* lineOf(const char* name) {
@@ -47,6 +56,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
       breakdown_(new BreakdownForm),
       when_(new WhenForm),
       where_(new WhereForm),
+      places_(new PlacesForm),
       accuracy_(new AccuracySection),
       forecast_(new RunForecast(this)),
       forecastLine_(lineOf("forecast")),
@@ -67,10 +77,10 @@ void StudyDock::placeForms() {
     auto* forms = new QWidget;
     auto* questions = new QVBoxLayout(forms);
     what_->layout()->addWidget(breakdown_);
-    questions->addWidget(groupOf(tr("What"), what_));
-    questions->addWidget(groupOf(tr("When"), when_));
-    questions->addWidget(groupOf(tr("Where"), where_));
-    questions->addWidget(groupOf(tr("How exactly"), accuracy_));
+    questions->addWidget(groupOf(tr("What"), {what_}));
+    questions->addWidget(groupOf(tr("When"), {when_}));
+    questions->addWidget(groupOf(tr("Where"), {where_, places_}));
+    questions->addWidget(groupOf(tr("How exactly"), {accuracy_}));
     questions->addStretch(1);
     // The button and what it will do stay in sight on any screen.
     auto* scroll = new QScrollArea;
@@ -104,8 +114,10 @@ void StudyDock::connectForms() {
             });
     connect(what_, &WhatForm::kindChosen, this, [this](StudyKind kind) {
         Q_EMIT kindChosen(kind);
-        showKind();
+        usePeriodOf(kind);
+        showDocument();
     });
+    connect(places_, &PlacesForm::edited, this, &StudyDock::showDocument);
     connect(when_, &WhenForm::edited, this, [this](const Period& period, const QString& field) {
         StudySettings settings = document_.settings();
         settings.period = period;
@@ -132,8 +144,30 @@ void StudyDock::connectRegion() {
 void StudyDock::run() {
     const StudyKind kind = what_->kind();
     if (kind == StudyKind::score || kind == StudyKind::review) return Q_EMIT kindChosen(kind);
-    Q_EMIT runRequested();
+    kind == StudyKind::places ? runByPlace() : Q_EMIT runRequested();
 }
+
+// What is wrong with the settings is said in the form.
+void StudyDock::runByPlace() {
+    if (const auto settings = places_->settings()) Q_EMIT sunByPlaceRequested(places_->chosen(), *settings);
+}
+
+// The sun of places is asked for over a year, until the user chooses other days; other questions get their
+// days back.
+void StudyDock::usePeriodOf(StudyKind kind) {
+    StudySettings settings = document_.settings();
+    const Period year = wholeYear(settings.period);
+    if (kind == StudyKind::places && settings.period != year && !periodBefore_) {
+        periodBefore_ = settings.period;
+        settings.period = year;
+    } else if (kind != StudyKind::places && periodBefore_) {
+        if (settings.period == year) settings.period = *periodBefore_;
+        periodBefore_.reset();
+    }
+    document_.change(settings, tr("period"));
+}
+
+void StudyDock::setPlaces(const std::vector<Place>& places) { places_->setPlaces(places); }
 
 void StudyDock::setRegions(const QStringList& names) { where_->setNames(names); }
 void StudyDock::setDrawing(bool drawing) { where_->setDrawing(drawing); }
@@ -157,9 +191,11 @@ void StudyDock::setElementFinder(ElementFinder find) { find_ = std::move(find); 
 void StudyDock::setComparing(bool comparing) {
     if (comparing == comparing_) return;
     comparing_ = comparing;
-    what_->show(comparing ? StudyKind::change : StudyKind::shadow, document_.settings().receivers.places,
-                document_.elements());
-    forecast_->setSettings(document_.settings(), measuredElements());
+    const StudyKind kind = what_->kind() == StudyKind::places ? StudyKind::places
+                           : comparing                        ? StudyKind::change
+                                                              : StudyKind::shadow;
+    what_->show(kind, document_.settings().receivers.places, document_.elements());
+    forecast_->setSettings(measuredCells(), measuredElements());
     showRefusal();
     showKind();
 }
@@ -171,14 +207,27 @@ void StudyDock::showDocument() {
     where_->show(settings);
     breakdown_->show(settings);
     accuracy_->show(settings);
-    forecast_->setSettings(settings, measuredElements());
+    places_->setYear(settings.period.start.year());
+    forecast_->setSettings(measuredCells(), measuredElements());
     showRefusal();
     showKind();
 }
 
-// Comparisons are of cells.
+// Those of the document; of the sun by place, the ground of the places that are ticked.
+StudySettings StudyDock::measuredCells() const {
+    StudySettings settings = document_.settings();
+    if (what_->kind() != StudyKind::places) return settings;
+    settings.region = {.name = "places", .polygons = {}};
+    settings.receivers.places = ReceiverPlaces::ground;
+    for (const Place& place : places_->chosen())
+        settings.region.polygons.insert(settings.region.polygons.end(), place.polygons.begin(),
+                                        place.polygons.end());
+    return settings;
+}
+
+// Comparisons and places are of cells.
 std::optional<ElementSettings> StudyDock::measuredElements() const {
-    if (comparing_ || !document_.elements()) return std::nullopt;
+    if (comparing_ || what_->kind() == StudyKind::places || !document_.elements()) return std::nullopt;
     return find_ ? find_(*document_.elements()) : *document_.elements();
 }
 
@@ -192,7 +241,7 @@ void StudyDock::showRefusal() {
 
 QString StudyDock::whyNotCells() const {
     const StudySettings& settings = document_.settings();
-    const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
+    const bool roofs = measuredCells().receivers.places != ReceiverPlaces::ground;
     if (!comparing_ && settings.byMonth && !whyNoMonths(settings).isEmpty()) return whyNoMonths(settings);
     if (!comparing_ && settings.contributions && !whyNoContributions(settings).isEmpty())
         return whyNoContributions(settings);
@@ -212,15 +261,27 @@ void StudyDock::showForecast() {
     const QString words = estimate ? describe(*estimate) : forecast_->refusal();
     forecastLine_->setText(words);
     forecastLine_->setVisible(refusal_->isHidden() && !words.isEmpty());
+    if (what_->kind() == StudyKind::places) showKind();
 }
 
 void StudyDock::showKind() {
+    const bool ofPlaces = what_->kind() == StudyKind::places;
+    breakdown_->setOfCells(what_->kind() == StudyKind::shadow && !document_.elements());
+    where_->setVisible(!ofPlaces);
+    places_->setVisible(ofPlaces);
+    run_->setText(runText());
+    run_->setEnabled(!ofPlaces || (places_->settings() && !places_->chosen().empty()));
+}
+
+QString StudyDock::runText() const {
     const StudyKind kind = what_->kind();
-    breakdown_->setOfCells(kind == StudyKind::shadow && !document_.elements());
-    if (kind == StudyKind::score) return run_->setText(tr("Choose weights"));
-    if (kind == StudyKind::review) return run_->setText(tr("Choose a rule"));
-    if (running_) return run_->setText(tr("Run again"));
-    run_->setText(kind == StudyKind::change ? tr("Compare") : tr("Run study"));
+    if (kind == StudyKind::score) return tr("Choose weights");
+    if (kind == StudyKind::review) return tr("Choose a rule");
+    if (running_) return tr("Run again");
+    if (kind == StudyKind::change) return tr("Compare");
+    if (kind == StudyKind::shadow) return tr("Run study");
+    const auto& estimate = forecast_->estimate();
+    return estimate ? tr("Run (%1)").arg(describeAbout(estimate->seconds)) : tr("Run");
 }
 
 void StudyDock::setRunning(bool running) {

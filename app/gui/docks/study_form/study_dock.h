@@ -9,6 +9,7 @@
 
 #include "app/gui/docks/study_form/what_form.h"
 #include "core/review/rule/rule.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/study.h"
 
 class QLabel;
@@ -18,6 +19,7 @@ namespace noonmark {
 
 class AccuracySection;
 class BreakdownForm;
+class PlacesForm;
 class ProgressStrip;
 class RunForecast;
 class StudyDocument;
@@ -37,19 +39,24 @@ public:
     void setRunning(bool running);
     /// The names of regions and places that can be chosen.
     void setRegions(const QStringList& names);
-    void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
-    void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
-    void setBuilding(const QString& id);             ///< the selected building; empty: none
+    void setPlaces(const std::vector<Place>& places);  ///< of the project
+    void setCity(std::shared_ptr<const City> city);    ///< of the displayed scenario
+    void setRules(const std::vector<Rule>& rules);     ///< whose days and hours are offered
+    void setBuilding(const QString& id);               ///< the selected building; empty: none
     /// Looks up the parts of the settings in the project (findElementParts()), to estimate the time of a run.
     using ElementFinder = std::function<ElementSettings(const ElementSettings&)>;
     void setElementFinder(ElementFinder find);
     [[nodiscard]] ElementForm& elements() { return what_->elements(); }
     void setComparing(bool comparing);  ///< run() compares the scenario with a baseline
+    /// The kind of study that is chosen.
+    [[nodiscard]] StudyKind kind() const { return what_->kind(); }
+    void run();  ///< as the button does
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
 
 Q_SIGNALS:
     void runRequested();
+    void sunByPlaceRequested(std::vector<noonmark::Place> places, noonmark::SunByPlaceSettings settings);
     void drawRequested(bool draw);
     void viewRegionRequested();
     void wholeCityRequested();
@@ -62,12 +69,15 @@ private:
     void placeForms();
     void connectForms();
     void connectRegion();
-    void run();
+    void runByPlace();
+    void usePeriodOf(StudyKind kind);
     void showDocument();
     void showKind();
     void showForecast();
     void showRefusal();
     [[nodiscard]] std::optional<ElementSettings> measuredElements() const;
+    [[nodiscard]] StudySettings measuredCells() const;
+    [[nodiscard]] QString runText() const;
     [[nodiscard]] QString whyNotCells() const;
     [[nodiscard]] QString whyNotPoints() const;
 
@@ -76,6 +86,8 @@ private:
     BreakdownForm* breakdown_;
     WhenForm* when_;
     WhereForm* where_;
+    PlacesForm* places_;                  ///< instead of it, for the sun by place
+    std::optional<Period> periodBefore_;  ///< that the whole year took the place of
     AccuracySection* accuracy_;
     RunForecast* forecast_;
     QLabel* forecastLine_;

@@ -34,6 +34,10 @@ QString aboutOf(StudyKind kind) {
         case StudyKind::review:
             return QObject::tr(
                 "Pass or fail of parks and other places by a board's rule. Choose it in the panel Review");
+        case StudyKind::places:
+            return QObject::tr(
+                "Hours of sun a day of each park, street and other place: over the period, by month and on "
+                "stated dates, in a table beside the map");
     }
     return {};
 }
@@ -69,7 +73,7 @@ WhatForm::WhatForm(QWidget* parent)
 
 void WhatForm::fill() {
     kind_->addItems({tr("Hours of shadow"), tr("Change by a scenario"), tr("Score of wanted shadow"),
-                     tr("Review by a rule")});
+                     tr("Review by a rule"), tr("Sun by place")});
     for (const auto& choice : receiverPlaceChoices) places_->addItem(translated(choice.label));
     for (const auto& choice : elementPlaceChoices) places_->addItem(translated(choice.label));
     for (QComboBox* list : {kind_, places_}) {

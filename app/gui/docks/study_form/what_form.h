@@ -18,6 +18,7 @@ enum class StudyKind {
     change,  ///< how a scenario changes the shadow
     score,   ///< good and bad shadow, weighed by hours and months
     review,  ///< verdicts by a rule of a review board
+    places,  ///< hours of sun of parks, streets and other places
 };
 
 /// What: the kind of study, and the surfaces where it measures.

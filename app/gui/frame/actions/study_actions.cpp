@@ -25,7 +25,6 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
                         tr("Minutes in shadow per day"))),
       continuous_(makeAction(this, tr("Show c&ontinuous shadow"), QKeySequence(tr("Ctrl+2")),
                              tr("Longest unbroken run in shadow"))) {
-    connect(run_, &QAction::triggered, &workbench_, &Workbench::run);
     connect(cancel_, &QAction::triggered, &workbench_.running(), &JobSlot::cancel);
     connect(gross_, &QAction::triggered, this, [this] { panel_.legend().setMeasure(ShadowMeasure::gross); });
     connect(continuous_, &QAction::triggered, this,
@@ -38,6 +37,8 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
 
 void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights) {
     connect(&study, &StudyDock::runRequested, &workbench_, &Workbench::run);
+    connect(run_, &QAction::triggered, &study,
+            [this, &study] { study.kind() == StudyKind::places ? study.run() : workbench_.run(); });
     connect(&weights, &WeightsDock::scoreRequested, &workbench_, &Workbench::runScore);
     connect(&tree, &ProjectDock::periodChosen, this, &StudyActions::setPeriod);
     connect(&tree, &ProjectDock::keepPeriodRequested, this, &StudyActions::savePeriod);
@@ -58,7 +59,7 @@ void StudyActions::savePeriod() {
 }
 
 void StudyActions::compare() {
-    if (workbench_.comparing()) workbench_.run();
+    if (workbench_.comparing()) run_->trigger();
 }
 
 void StudyActions::runAgainIfQuick() {

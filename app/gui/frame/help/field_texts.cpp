@@ -36,6 +36,11 @@ constexpr FieldText texts[] = {
     {"reviewFrom", QT_TRANSLATE_NOOP("FieldText", "What the proposal is compared with.")},
     {"placeFilter",
      QT_TRANSLATE_NOOP("FieldText", "Lists only the places whose name or kind contains this text.")},
+    {"placesTable",
+     QT_TRANSLATE_NOOP(
+         "FieldText",
+         "The places with their hours of sun. A click on a heading sorts them, a click on a row "
+         "shows its place in the view.")},
     {"reviewPlaces", QT_TRANSLATE_NOOP("FieldText", "The places that the review judges: those with a tick.")},
     {"plateSize",
      QT_TRANSLATE_NOOP(
@@ -66,10 +71,11 @@ constexpr FieldText texts[] = {
     {"lookDateField", QT_TRANSLATE_NOOP("FieldText", "The date that is shown, in the year of the period.")},
     {"lookTimeField",
      QT_TRANSLATE_NOOP("FieldText", "The wall-clock time that is shown, in the time zone of the study.")},
-    {"studyKind",
-     QT_TRANSLATE_NOOP("FieldText",
-                       "What the study answers: minutes of shadow, the change that a scenario makes, a score "
-                       "of wanted and unwanted shadow, or the verdicts of a board's rule.")},
+    {"studyKind", QT_TRANSLATE_NOOP(
+                      "FieldText",
+                      "What the study answers: minutes of shadow, the change that a scenario makes, a score "
+                      "of wanted and unwanted shadow, the verdicts of a board's rule, or the hours of sun of "
+                      "places.")},
     {"reviewRule", QT_TRANSLATE_NOOP("FieldText",
                                      "The rule of a review board by which the ticked places are judged. The "
                                      "list has the rules that come with Noonmark and those of your own.")},

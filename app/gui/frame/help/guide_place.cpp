@@ -16,6 +16,7 @@ struct PlaceOfPart {
 constexpr PlaceOfPart places[] = {
     {"studyDock", "window", "A study"},
     {"elementsDock", "window", "Facades, windows, planes"},
+    {"placesDock", "window", "Sun by place"},
     {"resultsDock", "results", "Figures"},
     {"contributionsDock", "window", "Contributions"},
     {"scenariosDock", "window", "Scenarios"},

@@ -29,8 +29,8 @@ const AnswerViewer anyViewer{{}, layerOfAny, rowsOfAny, titleOfAny};
 }  // namespace
 
 const AnswerViewer& viewerOf(const Answer& answer) {
-    static const std::array all{&studyViewer(), &comparisonViewer(), &scoreViewer(), &pointsViewer(),
-                                &byPlaceViewer(), &savedViewer()};
+    static const std::array all{&studyViewer(),  &comparisonViewer(), &scoreViewer(),
+                                &pointsViewer(), &byPlaceViewer(),    &savedViewer()};
     const auto found = std::ranges::find(all, answer.question().key, &AnswerViewer::question);
     return found == all.end() ? anyViewer : **found;
 }

@@ -46,7 +46,8 @@ ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPla
     for (std::size_t i = 0; i < sun.sun.size(); ++i) {
         const double hours = sun.sun[i].meanHours;
         if (std::isnan(hours)) continue;
-        if (!found || (most ? hours > sun.sun[*found].meanHours : hours < sun.sun[*found].meanHours)) found = i;
+        if (!found || (most ? hours > sun.sun[*found].meanHours : hours < sun.sun[*found].meanHours))
+            found = i;
     }
     if (!found) return {name, QObject::tr("none"), meaning};
     return {name,

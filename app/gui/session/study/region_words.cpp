@@ -34,6 +34,32 @@ QString describeKind(PlaceKind kind) {
     return {};
 }
 
+QString describeKinds(PlaceKind kind) {
+    switch (kind) {
+        case PlaceKind::park:
+            return QObject::tr("Parks");
+        case PlaceKind::playground:
+            return QObject::tr("Playgrounds");
+        case PlaceKind::schoolyard:
+            return QObject::tr("Schoolyards");
+        case PlaceKind::plaza:
+            return QObject::tr("Plazas");
+        case PlaceKind::greenstreet:
+            return QObject::tr("Greenstreets");
+        case PlaceKind::cemetery:
+            return QObject::tr("Cemeteries");
+        case PlaceKind::street:
+            return QObject::tr("Streets");
+        case PlaceKind::facade:
+            return QObject::tr("Facades");
+        case PlaceKind::stainedGlass:
+            return QObject::tr("Stained glass");
+        case PlaceKind::other:
+            return QObject::tr("Other places");
+    }
+    return {};
+}
+
 QString describeRegion(const Region& region, double cellM) {
     if (region.polygons.empty()) return QObject::tr("No region yet");
     double areaM2 = 0;

@@ -40,6 +40,7 @@ void ResultLayer::forget() {
     study_.reset();
     inFront_.reset();
     elements_.reset();
+    places_.reset();
     partial_.reset();
     time_.reset();
     explored_.reset();
@@ -120,7 +121,8 @@ bool ResultLayer::showsExplored() const {
 }
 
 bool ResultLayer::showsStudy() const {
-    const bool ground = mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles();
+    const bool ground =
+        mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles() && !showsPlaces();
     return ground && !showsElements() && study_ && this->ground() == &*study_;
 }
 
@@ -144,6 +146,7 @@ void ResultLayer::showWhatIsWanted() {
     }
     view_.surfaces().clear();
     if (showsElements()) return showElements();
+    if (showsPlaces()) return showPlaces();
     ground() ? showGround() : showNothing();
 }
 
@@ -175,6 +178,23 @@ void ResultLayer::showTiles() {
     if (std::exchange(painted_, tiles_) != tiles_) view_.tiles().show(tiles_->tiles);
     strip_.setLegend(tiles_->legend);
     strip_.setNote(tileNote_, tileNoteMarked_);
+}
+
+void ResultLayer::setPlaces(std::shared_ptr<const PlaceView> places) {
+    if (places == places_) return;
+    places_ = std::move(places);
+    show();
+}
+
+bool ResultLayer::showsPlaces() const {
+    return places_ && !showsTiles() && !live_ && !partial_ && mode_ != ViewMode::exploration &&
+           moment_.isEmpty();
+}
+
+void ResultLayer::showPlaces() {
+    view_.showPicture(places_->picture);
+    strip_.setLegend(places_->legend);
+    strip_.setNote(places_->note, places_->marked);
 }
 
 std::optional<std::size_t> ResultLayer::elementAt(const glm::dvec3& place) const {
@@ -267,6 +287,7 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
         if (!live_) return {};
     }
     const glm::dvec2 place{pick.position.x, pick.position.y};
+    if (showsPlaces()) return pick.building ? QString() : places_->describe(place);
     if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
     return textAt(*ground(), place);
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/gui/base/layers/place_picture.h"
 #include "app/gui/base/layers/tile_view.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/view_mode.h"
@@ -35,8 +36,11 @@ public:
     void noteTiles(const QString& note, bool marked);
     /// One of setTiles() at a place of the scene, as the camera sees it.
     [[nodiscard]] std::optional<std::size_t> tileAt(const glm::dvec3& place) const;
+    /// Places in colours, displayed instead of the ground of the displayed answer; null: none.
+    void setPlaces(std::shared_ptr<const PlaceView> places);
     [[nodiscard]] bool showsElements() const;
     [[nodiscard]] bool showsTiles() const;
+    [[nodiscard]] bool showsPlaces() const;
     /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
     /// before again.
     void setPartial(std::shared_ptr<const PartialField> partial);
@@ -72,6 +76,7 @@ private:
     void showGround();
     void showElements();
     void showTiles();
+    void showPlaces();
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     void showFacades();
     [[nodiscard]] const ElementMap* shownElements() const;
@@ -87,6 +92,7 @@ private:
     std::optional<GroundAnswer> inFront_;
     std::optional<ElementView> elements_;
     std::shared_ptr<const TileView> tiles_, painted_;  ///< to be shown, and in the view
+    std::shared_ptr<const PlaceView> places_;
     QString tileNote_;
     bool tileNoteMarked_ = false;
     std::optional<GroundAnswer> partial_;

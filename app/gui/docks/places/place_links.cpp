@@ -1,0 +1,77 @@
+#include "app/gui/docks/places/place_links.h"
+
+#include <QLocale>
+
+#include "app/gui/docks/places/places_dock.h"
+#include "app/gui/docks/results/result_display.h"
+#include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/questions/saved_question.h"
+
+namespace noonmark {
+
+namespace {
+
+using SharedSun = std::shared_ptr<const SunOfCities>;
+
+SharedSun sunOf(const std::shared_ptr<const Answer>& answer) {
+    if (auto sun = contentOf<SunOfCities>(answer)) return sun;
+    const auto saved = contentOf<SavedContent>(answer);
+    const auto* places = saved ? std::get_if<SavedSunByPlace>(&saved->answer.answer) : nullptr;
+    return places ? SharedSun(saved, &places->sun) : nullptr;
+}
+
+bool isAged(const std::shared_ptr<const Answer>& answer) {
+    const auto saved = contentOf<SavedContent>(answer);
+    return saved && !saved->upToDate();
+}
+
+QString describeError(const SunOfCities& sun) {
+    const auto& error = shownCity(sun).error;
+    if (!error) return {};
+    return QObject::tr("Error of cells against rays: %1 % mean, %2 % largest")
+        .arg(QLocale().toString(error->gross.percent(error->gross.meanMin), 'g', 2),
+             QLocale().toString(error->gross.percent(error->gross.maxMin), 'g', 2));
+}
+
+}  // namespace
+
+PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, PlacesDock& dock, ViewPanel& panel)
+    : workbench_(workbench), dock_(dock), panel_(panel) {
+    connect(&display, &ResultDisplay::updated, this, &PlaceLinks::follow);
+    connect(&workbench_, &Workbench::answered, this, [this] {
+        follow();
+        if (sunOf(workbench_.answer())) Q_EMIT dockWanted();
+    });
+    connect(&dock_, &PlacesDock::viewChanged, this, [this] { panel_.results().setPlaces(dock_.view()); });
+    connect(&dock_, &PlacesDock::pointedAt, this,
+            [this](std::size_t place) { panel_.highlightPlace(nameOf(place)); });
+    connect(&dock_, &PlacesDock::wanted, this,
+            [this](std::size_t place) { Q_EMIT placeWanted(nameOf(place)); });
+    connect(&panel_.navigator(), &ViewNavigator::clicked, this, &PlaceLinks::click);
+}
+
+// The view forgets what it shows with each city, so it is shown again.
+void PlaceLinks::follow() {
+    const auto past = workbench_.answer() ? nullptr : workbench_.past();
+    const auto answer = past ? past : workbench_.answer();
+    const SharedSun sun = sunOf(answer);
+    const bool outdated = past || isAged(answer);
+    const QString note =
+        outdated ? tr("Outdated: buildings have changed") : (sun ? describeError(*sun) : QString());
+    dock_.show(sun, note, outdated);
+    panel_.results().setPlaces(dock_.view());
+}
+
+const std::string& PlaceLinks::nameOf(std::size_t place) const {
+    return dock_.model().sun()->baseline.places[place].name;
+}
+
+void PlaceLinks::click(QPointF pixel) {
+    if (panel_.drawing() || !panel_.results().showsPlaces()) return;
+    const auto pick = panel_.navigator().pickAt(pixel);
+    if (!pick || pick->building) return;
+    if (const auto place = dock_.placeAt({pick->position.x, pick->position.y})) dock_.select(*place);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,328 @@
+#include "app/gui/docks/places/place_sun_model.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/translated.h"
+#include "app/gui/session/study/region_words.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double percentOfShare = 100;
+
+QString nameOf(const CivilDate& date) {
+    return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
+                              QStringLiteral("d MMM"));
+}
+
+bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
+
+QString columnHeading(const Figure& figure) {
+    const QString label = translated(figure.label);
+    if (isShare(figure)) return QObject::tr("%1, %").arg(label);
+    if (figure.unit == FigureUnit::squareMetres) return QObject::tr("%1, m²").arg(label);
+    return figure.unit == FigureUnit::minutesADay ? QObject::tr("%1, min").arg(label)
+                                                  : QObject::tr("%1, h").arg(label);
+}
+
+// The middle of its largest polygon.
+glm::dvec2 middleOf(const Place& place) {
+    const auto largest =
+        std::ranges::max_element(place.polygons, {}, [](const Footprint& one) { return area(one); });
+    const Box2 box = bounds(largest->outer);
+    return (glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5;
+}
+
+bool holds(const Place& place, const Box2& box, glm::dvec2 point) {
+    if (point.x < box.low.x || point.y < box.low.y || point.x > box.high.x || point.y > box.high.y)
+        return false;
+    return std::ranges::any_of(place.polygons, [&](const Footprint& one) { return contains(one, point); });
+}
+
+}  // namespace
+
+PlaceSunModel::PlaceSunModel(QObject* parent) : QAbstractItemModel(parent), nodes_(1) {}
+
+void PlaceSunModel::show(std::shared_ptr<const SunOfCities> sun) {
+    beginResetModel();
+    sun_ = std::move(sun);
+    colours_.clear();
+    makeColumns();
+    makeNodes();
+    endResetModel();
+}
+
+void PlaceSunModel::setGrouped(bool grouped) {
+    if (grouped == grouped_) return;
+    beginResetModel();
+    grouped_ = grouped;
+    makeNodes();
+    endResetModel();
+}
+
+// Only what the view draws of them changes: no signal for each row.
+void PlaceSunModel::setColours(std::vector<QColor> colours) { colours_ = std::move(colours); }
+
+double PlaceSunModel::hoursOf(std::size_t place, const ShownSun& shown) const {
+    if (shown.what == ShownSun::What::change) return sun_->compared.back().changes[place].meanHours;
+    const SunOfPlace& sun = shownCity(*sun_).sun[place];
+    return shown.what == ShownSun::What::period ? sun.meanHours : sun.dateHours[shown.date];
+}
+
+void PlaceSunModel::addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf) {
+    for (std::size_t i = 0; i < sun_->baseline.places.size(); ++i) column.values.push_back(valueOf(i));
+    columns_.push_back(std::move(column));
+}
+
+void PlaceSunModel::makeColumns() {
+    columns_.clear();
+    if (!sun_) return;
+    const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
+    const auto add = [&](const Figure& figure) {
+        const double factor = isShare(figure) ? percentOfShare : 1;
+        QString tip = translatedSentence(figure.definition);
+        if (isShare(figure))
+            tip += tr(" (here: %1 h)").arg(formatAmount(sun_->baseline.settings.enoughHours));
+        addColumn({columnHeading(figure),
+                   tip,
+                   isShare(figure) ? 0 : figure.shownDecimals,
+                   figure.use == FigureUse::basis,
+                   {}},
+                  [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
+    };
+    for (const Figure& figure : sunOfPlaceFigures().rows())
+        if (figure.use != FigureUse::basis) add(figure);
+    addChanges();
+    addDates();
+    for (const Figure& figure : sunOfPlaceFigures().rows())
+        if (figure.use == FigureUse::basis) add(figure);
+}
+
+void PlaceSunModel::addDates() {
+    const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
+    const SunByPlaceSettings& settings = sun_->baseline.settings;
+    for (std::size_t date = 0; date < settings.dates.size(); ++date) {
+        const QString name = nameOf(settings.dates[date]), enough = formatAmount(settings.enoughHours);
+        addColumn({tr("%1, h").arg(name), tr("Hours of sun on this day, mean over the place"), 2, false, {}},
+                  [&](std::size_t i) { return sun[i].dateHours[date]; });
+        addColumn({tr("%1 < %2 h, %").arg(name, enough),
+                   tr("Share of the area with less than %1 h of sun on this day").arg(enough),
+                   0,
+                   false,
+                   {}},
+                  [&](std::size_t i) { return sun[i].belowShare[date] * percentOfShare; });
+    }
+}
+
+void PlaceSunModel::addChanges() {
+    if (sun_->compared.empty()) return;
+    const ComparedSun& compared = sun_->compared.back();
+    for (const Figure& figure : sunChangeFigures().rows()) {
+        const double factor = isShare(figure) ? percentOfShare : 1;
+        const QString tip =
+            tr("%1 (baseline: %2)")
+                .arg(translatedSentence(figure.definition), QString::fromStdString(sun_->baseline.name));
+        addColumn({columnHeading(figure), tip, isShare(figure) ? 0 : figure.shownDecimals, false, {}},
+                  [&](std::size_t i) { return figure.get(&compared.changes[i]) * factor; });
+    }
+}
+
+int PlaceSunModel::addNode(Node node, int parent) {
+    const int number = int(nodes_.size());
+    node.parent = parent;
+    node.row = int(nodes_[std::size_t(parent)].children.size());
+    nodes_[std::size_t(parent)].children.push_back(number);
+    nodes_.push_back(std::move(node));
+    return number;
+}
+
+void PlaceSunModel::makeNodes() {
+    nodes_.assign(1, {});
+    if (!sun_) return;
+    const std::vector<Place>& places = sun_->baseline.places;
+    nodeOf_.assign(places.size(), 0);
+    std::vector<std::size_t> order(places.size()), named;
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i].kind; });
+    for (const std::size_t place : order) {
+        if (!hasOwnName(places[place])) continue;
+        named.push_back(place);
+        const int above = grouped_ ? aboveOf(places[place].kind, false) : 0;
+        nodeOf_[place] = addNode({.place = place, .text = {}, .kind = places[place].kind}, above);
+    }
+    addPlaces(named);
+    for (std::size_t node = 1; node < nodes_.size(); ++node)
+        if (!nodes_[node].place) summarize(int(node));
+}
+
+// The row of a kind, or of its places without a name; made where it is missing.
+int PlaceSunModel::aboveOf(PlaceKind kind, bool unnamed) {
+    const int parent = unnamed && grouped_ ? aboveOf(kind, false) : 0;
+    const QString text = unnamed ? tr("%1 without a name").arg(describeKinds(kind)) : describeKinds(kind);
+    for (const int child : nodes_[std::size_t(parent)].children)
+        if (!nodes_[std::size_t(child)].place && nodes_[std::size_t(child)].text == text) return child;
+    return addNode({.place = {}, .text = text, .kind = kind}, parent);
+}
+
+// Those without a name: below the place that holds their middle, but not below a street.
+void PlaceSunModel::addPlaces(const std::vector<std::size_t>& named) {
+    const std::vector<Place>& places = sun_->baseline.places;
+    std::vector<Box2> boxes;
+    for (const std::size_t place : named) boxes.push_back(bounds(places[place]));
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        if (hasOwnName(places[place])) continue;
+        const glm::dvec2 middle = middleOf(places[place]);
+        int above = 0;
+        for (std::size_t i = 0; i < named.size() && above == 0; ++i)
+            if (places[named[i]].kind != PlaceKind::street && holds(places[named[i]], boxes[i], middle))
+                above = nodeOf_[named[i]];
+        if (above == 0) above = aboveOf(places[place].kind, true);
+        nodeOf_[place] = addNode({.place = place, .text = {}, .kind = places[place].kind}, above);
+    }
+}
+
+std::vector<std::size_t> PlaceSunModel::placesBelow(int node) const {
+    std::vector<std::size_t> all;
+    for (const int child : nodes_[std::size_t(node)].children) {
+        if (const auto place = nodes_[std::size_t(child)].place) all.push_back(*place);
+        const auto below = placesBelow(child);
+        all.insert(all.end(), below.begin(), below.end());
+    }
+    return all;
+}
+
+void PlaceSunModel::summarize(int node) {
+    const std::vector<std::size_t> places = placesBelow(node);
+    const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
+    nodes_[std::size_t(node)].text =
+        QStringLiteral("%1 (%2)").arg(nodes_[std::size_t(node)].text, formatCount(places.size()));
+    for (const FigureColumn& column : columns_) {
+        double sum = 0, areas = 0;
+        for (const std::size_t place : places) {
+            const double value = column.values[place], area = sun[place].areaM2;
+            if (std::isnan(value)) continue;
+            sum += column.isSum ? value : value * area;
+            areas += area;
+        }
+        nodes_[std::size_t(node)].values.push_back(column.isSum ? sum : sum / areas);
+    }
+}
+
+std::optional<std::size_t> PlaceSunModel::placeOf(const QModelIndex& index) const {
+    return index.isValid() ? nodes_[index.internalId()].place : std::nullopt;
+}
+
+std::optional<PlaceKind> PlaceSunModel::kindOf(const QModelIndex& index) const {
+    return index.isValid() ? std::optional(nodes_[index.internalId()].kind) : std::nullopt;
+}
+
+QModelIndex PlaceSunModel::indexOf(std::size_t place) const {
+    if (!sun_ || place >= nodeOf_.size()) return {};
+    const int node = nodeOf_[place];
+    return createIndex(nodes_[std::size_t(node)].row, 0, quintptr(node));
+}
+
+double PlaceSunModel::valueAt(const QModelIndex& index) const {
+    if (index.column() < firstFigure) return std::nan("");
+    const auto figure = std::size_t(index.column() - firstFigure);
+    const Node& node = nodes_[index.internalId()];
+    return node.place ? columns_[figure].values[*node.place] : node.values[figure];
+}
+
+QModelIndex PlaceSunModel::index(int row, int column, const QModelIndex& parent) const {
+    const std::vector<int>& children = nodes_[parent.isValid() ? parent.internalId() : 0].children;
+    if (row < 0 || row >= int(children.size()) || column < 0 || column >= columnCount()) return {};
+    return createIndex(row, column, quintptr(children[std::size_t(row)]));
+}
+
+QModelIndex PlaceSunModel::parent(const QModelIndex& index) const {
+    const int above = index.isValid() ? nodes_[index.internalId()].parent : 0;
+    return above == 0 ? QModelIndex() : createIndex(nodes_[std::size_t(above)].row, 0, quintptr(above));
+}
+
+int PlaceSunModel::rowCount(const QModelIndex& parent) const {
+    if (parent.column() > 0) return 0;
+    return int(nodes_[parent.isValid() ? parent.internalId() : 0].children.size());
+}
+
+int PlaceSunModel::columnCount(const QModelIndex&) const { return firstFigure + int(columns_.size()); }
+
+QString PlaceSunModel::textOf(const Node& node, int column) const {
+    if (column == kind) return describeKind(node.kind);
+    return node.place ? QString::fromStdString(sun_->baseline.places[*node.place].name) : node.text;
+}
+
+QVariant PlaceSunModel::data(const QModelIndex& index, int role) const {
+    const Node& node = nodes_[index.internalId()];
+    const bool isText = index.column() < firstFigure;
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignVCenter | (isText ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == Qt::DecorationRole && index.column() == name && node.place && *node.place < colours_.size())
+        return colours_[*node.place];
+    if (role == Qt::ToolTipRole && isText) return textOf(node, name);
+    if (role != Qt::DisplayRole && role != valueRole) return {};
+    if (isText) return textOf(node, index.column());
+    const double value = valueAt(index);
+    if (std::isnan(value)) return {};
+    if (role == valueRole) return value;
+    return groupDigits(value, columns_[std::size_t(index.column() - firstFigure)].decimals);
+}
+
+QVariant PlaceSunModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) return {};
+    if (section >= firstFigure && role == Qt::ToolTipRole)
+        return columns_[std::size_t(section - firstFigure)].tip;
+    if (role != Qt::DisplayRole) return {};
+    if (section < firstFigure) return section == name ? tr("Place") : tr("Kind");
+    return columns_[std::size_t(section - firstFigure)].heading;
+}
+
+PlaceSunFilter::PlaceSunFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+    setRecursiveFilteringEnabled(true);
+}
+
+const PlaceSunModel& PlaceSunFilter::model() const {
+    return *static_cast<const PlaceSunModel*>(sourceModel());
+}
+
+void PlaceSunFilter::setText(const QString& text) {
+    text_ = text;
+    invalidateFilter();
+}
+
+void PlaceSunFilter::setKind(std::optional<PlaceKind> kind) {
+    kind_ = kind;
+    invalidateFilter();
+}
+
+int PlaceSunFilter::countPlaces() const {
+    int count = 0;
+    if (!model().sun()) return count;
+    for (std::size_t i = 0; i < model().sun()->baseline.places.size(); ++i)
+        if (mapFromSource(model().indexOf(i)).isValid()) ++count;
+    return count;
+}
+
+// Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come
+// first.
+bool PlaceSunFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+    if (left.column() < PlaceSunModel::firstFigure)
+        return QString::localeAwareCompare(left.data().toString(), right.data().toString()) < 0;
+    const double a = model().valueAt(left), b = model().valueAt(right);
+    return std::isnan(a) ? !std::isnan(b) : a < b;
+}
+
+bool PlaceSunFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    const QModelIndex index = model().index(row, 0, parent);
+    if (!model().placeOf(index)) return false;  // a row above places stays for those below it
+    if (kind_ && model().kindOf(index) != kind_) return false;
+    return text_.isEmpty() || index.data().toString().contains(text_, Qt::CaseInsensitive);
+}
+
+}  // namespace noonmark

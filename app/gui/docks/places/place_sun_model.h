@@ -1,0 +1,111 @@
+#pragma once
+
+#include <QAbstractItemModel>
+#include <QSortFilterProxyModel>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/gui/docks/places/sun_scale.h"
+#include "app/questions/question.h"
+
+namespace noonmark {
+
+/// What of the sun is coloured and held against the threshold: the hours over the period, those of one of the
+/// dates, or the change against the baseline.
+struct ShownSun {
+    enum class What { period, date, change };
+    What what = What::period;
+    std::size_t date = 0;  ///< of SunByPlaceSettings::dates
+    bool operator==(const ShownSun&) const = default;
+};
+
+/// The places that were measured as a table whose columns are the figures of their tables
+/// (sunOfPlaceFigures(), sunChangeFigures()), those of the dates between. Pieces without a name of their own
+/// stand below the place that they lie in, or together below one row of their kind; grouped, all stand below
+/// their kind. Rows above places have the means of their places, by area.
+class PlaceSunModel final : public QAbstractItemModel {
+    Q_OBJECT
+public:
+    enum Column { name, kind, firstFigure };
+    static constexpr int valueRole = Qt::UserRole;  ///< a number where the text is one
+
+    explicit PlaceSunModel(QObject* parent = nullptr);
+
+    void show(std::shared_ptr<const SunOfCities> sun);  ///< null: no rows
+    void setGrouped(bool grouped);
+    [[nodiscard]] const std::shared_ptr<const SunOfCities>& sun() const { return sun_; }
+    /// Hours a day of a place; NaN: no cell.
+    [[nodiscard]] double hoursOf(std::size_t place, const ShownSun& shown) const;
+    void setColours(std::vector<QColor> colours);  ///< of each place
+
+    [[nodiscard]] std::optional<std::size_t> placeOf(const QModelIndex& index) const;  ///< none: of several
+    [[nodiscard]] QModelIndex indexOf(std::size_t place) const;
+    [[nodiscard]] double valueAt(const QModelIndex& index) const;  ///< NaN: none
+    [[nodiscard]] std::optional<PlaceKind> kindOf(const QModelIndex& index) const;
+
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct FigureColumn {
+        QString heading, tip;
+        int decimals = 2;
+        bool isSum = false;  ///< of rows above places the sum, else the mean by area
+        std::vector<double> values;
+    };
+    struct Node {
+        std::optional<std::size_t> place;
+        QString text;  ///< of a row above places
+        PlaceKind kind = PlaceKind::other;
+        int parent = 0, row = 0;
+        std::vector<int> children{};
+        std::vector<double> values{};  ///< of a row above places
+    };
+    void makeColumns();
+    void addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf);
+    void addDates();
+    void addChanges();
+    void makeNodes();
+    int addNode(Node node, int parent);
+    int aboveOf(PlaceKind kind, bool unnamed);
+    void addPlaces(const std::vector<std::size_t>& named);
+    void summarize(int node);
+    [[nodiscard]] std::vector<std::size_t> placesBelow(int node) const;
+    [[nodiscard]] QString textOf(const Node& node, int column) const;
+
+    std::shared_ptr<const SunOfCities> sun_;
+    bool grouped_ = false;
+    std::vector<FigureColumn> columns_;
+    std::vector<Node> nodes_;      ///< 0: above all
+    std::vector<int> nodeOf_;      ///< of each place
+    std::vector<QColor> colours_;  ///< of each place
+};
+
+/// Over a PlaceSunModel: only places whose name contains a text, of one kind, with less sun than a limit.
+class PlaceSunFilter final : public QSortFilterProxyModel {
+    Q_OBJECT
+public:
+    explicit PlaceSunFilter(QObject* parent = nullptr);
+
+    void setText(const QString& text);
+    void setKind(std::optional<PlaceKind> kind);  ///< none: all
+    [[nodiscard]] int countPlaces() const;        ///< that are listed
+
+protected:
+    [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+    [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    [[nodiscard]] const PlaceSunModel& model() const;
+
+    QString text_;
+    std::optional<PlaceKind> kind_;
+};
+
+}  // namespace noonmark

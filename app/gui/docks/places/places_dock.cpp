@@ -1,0 +1,306 @@
+#include "app/gui/docks/places/places_dock.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/gui/base/layers/field_picture.h"
+#include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/study/region_words.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double maxThreshold = 12;  // hours
+constexpr int ticksOfHour = 10;
+constexpr int fittedRows = 200;  // that columns are made wide enough for
+
+QString longNameOf(const CivilDate& date) {
+    return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
+                              QStringLiteral("d MMMM yyyy"));
+}
+
+QComboBox* listField(const char* name, const QString& tip) {
+    auto* list = new QComboBox;
+    list->setObjectName(QString::fromLatin1(name));
+    list->setToolTip(tip);
+    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    list->setMinimumContentsLength(8);
+    return list;
+}
+
+}  // namespace
+
+PlacesDock::PlacesDock(QWidget* parent)
+    : QWidget(parent),
+      model_(new PlaceSunModel(this)),
+      filter_(new PlaceSunFilter(this)),
+      count_(new QLabel),
+      shown_(listField("placesShown", tr("What colours the places: the whole period, one of the dates, or "
+                                         "the change against the baseline"))),
+      slider_(new QSlider(Qt::Horizontal)),
+      threshold_(numberField(0, maxThreshold, 1, 0.5, tr(" h"))),
+      text_(new QLineEdit),
+      kinds_(listField("placesKind", tr("Lists only places of this kind"))),
+      grouped_(new QCheckBox(tr("By kind"))),
+      table_(new QTreeView),
+      listed_(new QLabel) {
+    filter_->setSourceModel(model_);
+    makeTable();
+    placeFields();
+    connectFields();
+    connectTable();
+    describeCount();
+}
+
+void PlacesDock::placeFields() {
+    count_->setObjectName(QStringLiteral("placesBelow"));
+    count_->setWordWrap(true);
+    QFont bold = count_->font();
+    bold.setBold(true);
+    count_->setFont(bold);
+    listed_->setObjectName(QStringLiteral("placesListed"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    column->addWidget(count_);
+    column->addWidget(shown_);
+    column->addWidget(makeThreshold());
+    column->addWidget(makeFilters());
+    column->addWidget(table_, 1);
+    column->addWidget(listed_);
+}
+
+QWidget* PlacesDock::makeThreshold() {
+    threshold_->setObjectName(QStringLiteral("placesThreshold"));
+    slider_->setObjectName(QStringLiteral("placesSlider"));
+    slider_->setRange(0, int(maxThreshold * ticksOfHour));
+    slider_->setPageStep(ticksOfHour);
+    const QString tip = tr("Places with less sun a day than this are violet, others orange");
+    slider_->setToolTip(tip);
+    threshold_->setToolTip(tip);
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(slider_, 1);
+    line->addWidget(threshold_);
+    return row;
+}
+
+QWidget* PlacesDock::makeFilters() {
+    text_->setObjectName(QStringLiteral("placesFilter"));
+    text_->setPlaceholderText(tr("Part of a name"));
+    text_->setToolTip(tr("Lists only the places whose name contains this text"));
+    text_->setClearButtonEnabled(true);
+    grouped_->setObjectName(QStringLiteral("placesGrouped"));
+    grouped_->setToolTip(tr("Places stand below a row of their kind with its means"));
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(text_, 1);
+    line->addWidget(kinds_, 1);
+    line->addWidget(grouped_);
+    return row;
+}
+
+void PlacesDock::makeTable() {
+    table_->setObjectName(QStringLiteral("placesTable"));
+    table_->setModel(filter_);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(-1, Qt::AscendingOrder);
+    table_->setUniformRowHeights(true);
+    table_->setAllColumnsShowFocus(true);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->header()->setStretchLastSection(false);
+    table_->setToolTip(
+        tr("Click a row to see its place in the view; a click on a place in the view selects "
+           "its row"));
+}
+
+void PlacesDock::connectFields() {
+    connect(shown_, &QComboBox::currentIndexChanged, this, &PlacesDock::colour);
+    connect(slider_, &QSlider::valueChanged, this, [this](int tick) { follow(double(tick) / ticksOfHour); });
+    connect(threshold_, &QDoubleSpinBox::valueChanged, this, &PlacesDock::follow);
+    connect(text_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        filter_->setText(text);
+        listed();
+    });
+    connect(kinds_, &QComboBox::currentIndexChanged, this, [this] {
+        const QVariant kind = kinds_->currentData();
+        filter_->setKind(kind.isValid() ? std::optional(PlaceKind(kind.toInt())) : std::nullopt);
+        listed();
+    });
+    connect(grouped_, &QCheckBox::toggled, this, [this](bool on) {
+        model_->setGrouped(on);
+        if (on) table_->expandToDepth(0);
+    });
+}
+
+void PlacesDock::connectTable() {
+    const auto placeOf = [this](const QModelIndex& index) {
+        return model_->placeOf(filter_->mapToSource(index.siblingAtColumn(0)));
+    };
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this, placeOf](const QModelIndex& index) {
+                if (const auto place = placeOf(index)) Q_EMIT pointedAt(*place);
+            });
+    for (auto signal : {&QTreeView::clicked, &QTreeView::activated})
+        connect(table_, signal, this, [this, placeOf](const QModelIndex& index) {
+            if (const auto place = placeOf(index)) Q_EMIT wanted(*place);
+        });
+}
+
+void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated) {
+    if (sun == model_->sun() && note == note_ && outdated == outdated_) return;
+    note_ = note;
+    outdated_ = outdated;
+    if (sun != model_->sun()) {
+        picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
+        model_->show(std::move(sun));
+        fillLists();
+    }
+    colour();
+    listed();
+}
+
+// The threshold begins at the hours that were asked for.
+void PlacesDock::fillLists() {
+    const QSignalBlocker quietShown(shown_), quietSlider(slider_), quietThreshold(threshold_);
+    shown_->clear();
+    kinds_->clear();
+    kinds_->addItem(tr("All kinds"));
+    const auto& sun = model_->sun();
+    if (!sun) return;
+    shown_->addItem(tr("Whole period"));
+    for (const CivilDate& date : sun->baseline.settings.dates) shown_->addItem(longNameOf(date));
+    if (!sun->compared.empty()) shown_->addItem(tr("Change"));
+    std::set<PlaceKind> kinds;
+    for (const Place& place : sun->baseline.places) kinds.insert(place.kind);
+    for (const PlaceKind kind : kinds) kinds_->addItem(describeKinds(kind), int(kind));
+    const double enough = std::min(maxThreshold, sun->baseline.settings.enoughHours);
+    threshold_->setValue(enough);
+    slider_->setValue(int(std::lround(enough * ticksOfHour)));
+    table_->header()->setResizeContentsPrecision(fittedRows);
+    for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
+    table_->setColumnWidth(0, std::min(table_->columnWidth(0), 24 * fontMetrics().averageCharWidth()));
+    if (grouped_->isChecked()) table_->expandToDepth(0);
+}
+
+// Slider and field show the same hours.
+void PlacesDock::follow(double hours) {
+    const QSignalBlocker quietSlider(slider_), quietThreshold(threshold_);
+    threshold_->setValue(hours);
+    slider_->setValue(int(std::lround(hours * ticksOfHour)));
+    colour();
+}
+
+ShownSun PlacesDock::shown() const {
+    const auto& sun = model_->sun();
+    const int entry = shown_->currentIndex();
+    if (!sun || entry <= 0) return {};
+    const auto date = std::size_t(entry - 1);
+    return date < sun->baseline.settings.dates.size() ? ShownSun{ShownSun::What::date, date}
+                                                      : ShownSun{ShownSun::What::change, 0};
+}
+
+SunScale PlacesDock::scaleOf(const ShownSun& shown) const {
+    if (shown.what == ShownSun::What::change) return SunScale::ofChange();
+    double top = 0;
+    for (std::size_t i = 0; i < model_->sun()->baseline.places.size(); ++i)
+        top = std::fmax(top, model_->hoursOf(i, shown));
+    return SunScale::ofHours(threshold_->value(), std::ceil(top));
+}
+
+void PlacesDock::colour() {
+    view_.reset();
+    if (const auto& sun = model_->sun()) {
+        const ShownSun what = shown();
+        const SunScale scale = scaleOf(what);
+        std::vector<QColor> colours;
+        std::vector<GroundPicture::Pixel> pixels;
+        for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
+            colours.push_back(scale.colourOf(model_->hoursOf(i, what)));
+            pixels.push_back(pixelOf(colours.back()));
+        }
+        model_->setColours(std::move(colours));
+        view_ = std::make_shared<const PlaceView>(
+            PlaceView{picture_.coloured(pixels), scale.legend(), note_, outdated_,
+                      [this, what](glm::dvec2 point) { return describeAt(point, what); }});
+    }
+    table_->viewport()->update();
+    const bool ofHours = shown().what != ShownSun::What::change;
+    for (QWidget* field : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(threshold_)})
+        field->setEnabled(model_->sun() && ofHours);
+    describeCount();
+    Q_EMIT viewChanged();
+}
+
+QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {
+    const auto place = picture_.placeAt(point);
+    if (!place || !model_->sun()) return {};
+    const QString name = QString::fromStdString(model_->sun()->baseline.places[*place].name);
+    const double hours = model_->hoursOf(*place, shown);
+    if (std::isnan(hours)) return tr("%1: no cell on open ground").arg(name);
+    if (shown.what == ShownSun::What::change)
+        return tr("%1: %2 min of sun a day more or less").arg(name, groupDigits(hours * 60));
+    return tr("%1: %2 h of sun a day").arg(name, groupDigits(hours, 2));
+}
+
+void PlacesDock::describeCount() {
+    const auto& sun = model_->sun();
+    if (!sun) return count_->setText(tr("No places measured: choose \"Sun by place\" in the panel Study"));
+    const ShownSun what = shown();
+    const bool ofChange = what.what == ShownSun::What::change;
+    const double limit = ofChange ? -1.0 / 60 : threshold_->value();
+    std::size_t below = 0, measured = 0;
+    for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
+        const double hours = model_->hoursOf(i, what);
+        if (std::isnan(hours)) continue;
+        ++measured;
+        if (hours < limit) ++below;
+    }
+    const QString counts =
+        tr("%1 of %2 place(s)", "", pluralNumber(measured)).arg(formatCount(below), formatCount(measured));
+    const QString hours = groupDigits(threshold_->value(), 1);
+    count_->setText(ofChange ? tr("%1 lose more than a minute of sun a day").arg(counts)
+                    : what.what == ShownSun::What::period
+                        ? tr("%1 have less than %2 h of sun a day").arg(counts, hours)
+                        : tr("%1 have less than %2 h of sun on %3")
+                              .arg(counts, hours, longNameOf(sun->baseline.settings.dates[what.date])));
+}
+
+void PlacesDock::listed() {
+    const std::size_t all = model_->sun() ? model_->sun()->baseline.places.size() : 0;
+    const auto shown = std::size_t(filter_->countPlaces());
+    listed_->setVisible(all > 0);
+    listed_->setText(shown == all ? tr("%1 place(s)", "", pluralNumber(all)).arg(formatCount(all))
+                                  : tr("%1 of %2 place(s) listed", "", pluralNumber(all))
+                                        .arg(formatCount(shown), formatCount(all)));
+}
+
+void PlacesDock::select(std::size_t place) {
+    const QModelIndex source = model_->indexOf(place);
+    if (!source.isValid()) return;
+    if (!filter_->mapFromSource(source).isValid()) {
+        text_->clear();
+        kinds_->setCurrentIndex(0);
+    }
+    const QModelIndex row = filter_->mapFromSource(source);
+    table_->setCurrentIndex(row);
+    table_->scrollTo(row);
+}
+
+}  // namespace noonmark

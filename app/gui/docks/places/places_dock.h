@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "app/gui/base/layers/place_picture.h"
+#include "app/gui/docks/places/place_sun_model.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QSlider;
+class QTreeView;
+
+namespace noonmark {
+
+/// How much sun places get: a table that sorts, filters and points at the view, and a threshold that colours
+/// table and view and counts the places below it.
+class PlacesDock final : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlacesDock(QWidget* parent = nullptr);
+
+    /// Null: none. `note`: what is said of the answer beside the legend; `outdated`: as a warning.
+    void show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated);
+    void select(std::size_t place);  ///< without wanted(); a filter that hides it is emptied
+    /// What the view shows of it; null: nothing.
+    [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
+    [[nodiscard]] std::optional<std::size_t> placeAt(glm::dvec2 point) const {
+        return picture_.placeAt(point);
+    }
+    [[nodiscard]] const PlaceSunModel& model() const { return *model_; }
+
+Q_SIGNALS:
+    void viewChanged();                 ///< view()
+    void pointedAt(std::size_t place);  ///< the current row
+    void wanted(std::size_t place);     ///< a click on its row, or Enter
+
+private:
+    void placeFields();
+    QWidget* makeThreshold();
+    QWidget* makeFilters();
+    void makeTable();
+    void connectFields();
+    void connectTable();
+    void fillLists();
+    void follow(double hours);
+    void colour();
+    void describeCount();
+    void listed();
+    [[nodiscard]] ShownSun shown() const;
+    [[nodiscard]] SunScale scaleOf(const ShownSun& shown) const;
+    [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;
+
+    PlaceSunModel* model_;
+    PlaceSunFilter* filter_;
+    QLabel* count_;
+    QComboBox* shown_;
+    QSlider* slider_;
+    QDoubleSpinBox* threshold_;
+    QLineEdit* text_;
+    QComboBox* kinds_;
+    QCheckBox* grouped_;
+    QTreeView* table_;
+    QLabel* listed_;
+    PlacePicture picture_;
+    std::shared_ptr<const PlaceView> view_;
+    QString note_;
+    bool outdated_ = false;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,138 @@
+#include "app/gui/docks/study_form/places_form.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/study/region_words.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int kindRole = Qt::UserRole;
+
+// The shortest day, an equinox and the longest day, as planners state them.
+QString usualDates(std::chrono::year year) {
+    using namespace std::chrono;
+    QStringList texts;
+    for (const CivilDate date : {year / December / 21, year / March / 21, year / June / 21})
+        texts << QString::fromStdString(formatText(date));
+    return texts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+PlacesForm::PlacesForm(QWidget* parent)
+    : QWidget(parent),
+      kinds_(new QListWidget),
+      none_(new QLabel(tr("The project has no places. Read some (Study > Read places...) or draw one."))),
+      enough_(numberField(0, SunByPlaceSettings::maxHours, 1, 0.5, tr(" h"))),
+      dates_(new QLineEdit(usualDates(year_))),
+      refusal_(new QLabel) {
+    kinds_->setObjectName(QStringLiteral("placeKinds"));
+    kinds_->setToolTip(tr("Places of the ticked kinds are measured, all in one run"));
+    kinds_->setUniformItemSizes(true);
+    none_->setWordWrap(true);
+    enough_->setObjectName(QStringLiteral("enoughHours"));
+    enough_->setToolTip(tr("The share of each place with so many hours of sun a day is stated"));
+    enough_->setValue(SunByPlaceSettings().enoughHours);
+    dates_->setObjectName(QStringLiteral("placeDates"));
+    dates_->setToolTip(
+        tr("Days on which the hours of sun of each place are stated, too, with commas between"));
+    refusal_->setWordWrap(true);
+    showAsError(*refusal_);
+    auto* form = new QFormLayout;
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Enough sun"), enough_);
+    form->addRow(tr("Dates"), dates_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget : {static_cast<QWidget*>(kinds_), static_cast<QWidget*>(none_)})
+        column->addWidget(widget);
+    column->addLayout(form);
+    column->addWidget(refusal_);
+    connect(kinds_, &QListWidget::itemChanged, this, &PlacesForm::follow);
+    connect(enough_, &QDoubleSpinBox::valueChanged, this, &PlacesForm::edited);
+    connect(dates_, &QLineEdit::textChanged, this, &PlacesForm::follow);
+    fill();
+    follow();
+}
+
+void PlacesForm::setPlaces(const std::vector<Place>& places) {
+    if (places == places_) return;
+    places_ = places;
+    fill();
+    Q_EMIT edited();
+}
+
+void PlacesForm::setYear(std::chrono::year year) {
+    if (year == year_) return;
+    const bool usual = dates_->text() == usualDates(year_);
+    year_ = year;
+    if (usual) dates_->setText(usualDates(year));
+}
+
+// One line for each kind that there is, with the number of its places.
+void PlacesForm::fill() {
+    const QSignalBlocker quiet(kinds_);
+    kinds_->clear();
+    for (const PlaceKind kind : placeKinds) {
+        const auto count = std::size_t(std::ranges::count(places_, kind, &Place::kind));
+        if (count == 0) continue;
+        auto* item =
+            new QListWidgetItem(QStringLiteral("%1 %2").arg(describeKinds(kind), formatCount(count)), kinds_);
+        item->setData(kindRole, int(kind));
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setCheckState(unticked_.contains(kind) ? Qt::Unchecked : Qt::Checked);
+    }
+    kinds_->setVisible(kinds_->count() > 0);
+    none_->setVisible(kinds_->count() == 0);
+    kinds_->setFixedHeight(kinds_->sizeHintForRow(0) * std::max(1, kinds_->count()) +
+                           2 * kinds_->frameWidth() + 2);
+}
+
+void PlacesForm::follow() {
+    for (int i = 0; i < kinds_->count(); ++i) {
+        const auto kind = PlaceKind(kinds_->item(i)->data(kindRole).toInt());
+        if (kinds_->item(i)->checkState() == Qt::Checked)
+            unticked_.erase(kind);
+        else
+            unticked_.insert(kind);
+    }
+    const auto valid = settings();
+    refusal_->setVisible(!valid);
+    if (!valid) refusal_->setText(QString::fromStdString(valid.error().text()));
+    Q_EMIT edited();
+}
+
+std::vector<Place> PlacesForm::chosen() const {
+    std::vector<Place> chosen;
+    std::ranges::copy_if(places_, std::back_inserter(chosen),
+                         [this](const Place& place) { return !unticked_.contains(place.kind); });
+    return chosen;
+}
+
+Result<SunByPlaceSettings> PlacesForm::settings() const {
+    SunByPlaceSettings settings;
+    settings.enoughHours = enough_->value();
+    static const QRegularExpression between(QStringLiteral("[,;\\s]+"));
+    for (const QString& text : dates_->text().split(between, Qt::SkipEmptyParts)) {
+        const auto date = parseDate(text.toStdString());
+        if (!date) return tl::make_unexpected(date.error());
+        settings.dates.push_back(*date);
+    }
+    return settings;
+}
+
+}  // namespace noonmark

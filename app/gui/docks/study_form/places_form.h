@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+#include <set>
+
+#include "core/study/by_place/sun_by_place.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+
+namespace noonmark {
+
+/// Which places sun is measured on: the project's by kind, how much sun is enough, and the dates on which
+/// less is stated.
+class PlacesForm final : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlacesForm(QWidget* parent = nullptr);
+
+    void setPlaces(const std::vector<Place>& places);  ///< of the project; ticks stay
+    /// The dates follow the year of the period until others are typed.
+    void setYear(std::chrono::year year);
+    [[nodiscard]] std::vector<Place> chosen() const;
+    /// Without a study. Error: a date that is none.
+    [[nodiscard]] Result<SunByPlaceSettings> settings() const;
+
+Q_SIGNALS:
+    void edited();
+
+private:
+    void fill();
+    void follow();
+
+    std::vector<Place> places_;
+    std::set<PlaceKind> unticked_{PlaceKind::facade, PlaceKind::stainedGlass};
+    std::chrono::year year_{2026};
+    QListWidget* kinds_;
+    QLabel* none_;  ///< where the project has no places
+    QDoubleSpinBox* enough_;
+    QLineEdit* dates_;
+    QLabel* refusal_;  ///< what is wrong with the dates
+};
+
+}  // namespace noonmark

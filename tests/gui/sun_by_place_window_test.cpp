@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <cmath>
+
+#include "app/gui/docks/export/table_text.h"
+#include "app/gui/docks/places/places_dock.h"
+#include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "tests/gui/answers_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+Place area(const std::string& name, PlaceKind kind, glm::vec2 corner, float sideM,
+           const std::string& source = "drawn") {
+    return {name, kind, {test::square(corner, sideM)}, source};
+}
+
+/// The window with a project that has parks, one of them in pieces, a greenstreet and a street.
+struct SunByPlaceWindow : test::AnswersWindow {
+    void SetUp() override {
+        test::AnswersWindow::SetUp();
+        Project next = session().project();
+        next.places = {area("North Park", PlaceKind::park, {-40, 30}, 60),
+                       area("park (OSM way 7)", PlaceKind::park, {-30, 40}, 10, "OSM way 7"),
+                       area("park (OSM way 8)", PlaceKind::park, {60, -70}, 10, "OSM way 8"),
+                       area("Green", PlaceKind::greenstreet, {30, -70}, 20),
+                       area("Main Street", PlaceKind::street, {-80, -80}, 20)};
+        ASSERT_TRUE(session().change(std::move(next), QStringLiteral("places")));
+        chooseKind(StudyKind::places);
+    }
+
+    StudyDock& form() { return *window->findChild<StudyDock*>(); }
+    PlacesDock& dock() { return *window->findChild<PlacesDock*>(); }
+    template <class Field>
+    Field& field(const char* name) {
+        return *window->findChild<Field*>(QString::fromLatin1(name));
+    }
+    void chooseKind(StudyKind kind) {
+        auto& list = field<QComboBox>("studyKind");
+        list.setCurrentIndex(int(kind));
+        Q_EMIT list.activated(int(kind));
+    }
+    void chooseDays(int days) {
+        StudySettings settings = workbench().document().settings();
+        settings.period.days = days;
+        workbench().document().change(settings, QStringLiteral("test"));
+    }
+    std::shared_ptr<const SunOfCities> sun() { return dock().model().sun(); }
+    void measure() {
+        chooseDays(40);
+        const auto before = sun();
+        QTest::mouseClick(&field<QPushButton>("run"), Qt::LeftButton);
+        ASSERT_TRUE(waitFor([&] { return sun() && sun() != before; }))
+            << window->panel().messages().text().toStdString();
+    }
+    // In the plural of any number, also where its forms are not translated yet.
+    QString textOf(const char* label) {
+        return field<QLabel>(label).text().replace(QStringLiteral("place(s)"), QStringLiteral("places"));
+    }
+    QString count() { return textOf("placesBelow"); }
+    QAbstractItemView& table() { return field<QAbstractItemView>("placesTable"); }
+    QStringList rows(const QModelIndex& parent = {}) {
+        QStringList names;
+        for (int row = 0; row < table().model()->rowCount(parent); ++row)
+            names << table().model()->index(row, 0, parent).data().toString();
+        return names;
+    }
+    std::size_t countBelow(double hours) {
+        std::size_t below = 0;
+        for (const SunOfPlace& one : sun()->baseline.sun)
+            if (one.meanHours < hours) ++below;
+        return below;
+    }
+};
+
+TEST_F(SunByPlaceWindow, TheFormCountsKindsAndTicksThemExactly) {
+    auto& kinds = field<QListWidget>("placeKinds");
+    ASSERT_EQ(kinds.count(), 3);
+    EXPECT_EQ(kinds.item(0)->text(), QStringLiteral("Parks 3"));
+    EXPECT_EQ(kinds.item(1)->text(), QStringLiteral("Greenstreets 1"));
+    EXPECT_EQ(kinds.item(2)->text(), QStringLiteral("Streets 1"));
+    kinds.setCurrentRow(2);
+    QTest::keyClick(&kinds, Qt::Key_Space);
+    EXPECT_EQ(kinds.item(2)->checkState(), Qt::Unchecked);
+    EXPECT_EQ(kinds.item(1)->checkState(), Qt::Checked) << "a greenstreet is no street";
+    measure();
+    EXPECT_EQ(sun()->baseline.places.size(), 4U);
+}
+
+TEST_F(SunByPlaceWindow, ItAsksForTheWholeYearUntilAnotherQuestionIsChosen) {
+    const Period& period = workbench().document().settings().period;
+    EXPECT_EQ(period.days, 365);
+    EXPECT_TRUE(period.window);
+    EXPECT_EQ(field<QLineEdit>("placeDates").text(), QStringLiteral("2026-12-21, 2026-03-21, 2026-06-21"));
+    chooseKind(StudyKind::shadow);
+    EXPECT_EQ(workbench().document().settings().period.days, 40);
+    EXPECT_FALSE(workbench().document().settings().period.window);
+}
+
+TEST_F(SunByPlaceWindow, ADateThatIsNoneIsRefusedInTheForm) {
+    auto& dates = field<QLineEdit>("placeDates");
+    dates.clear();
+    QTest::keyClicks(&dates, QStringLiteral("2026-13-21"));
+    EXPECT_FALSE(field<QPushButton>("run").isEnabled());
+    dates.clear();
+    QTest::keyClicks(&dates, QStringLiteral("2026-12-21"));
+    EXPECT_TRUE(field<QPushButton>("run").isEnabled());
+    measure();
+    EXPECT_EQ(sun()->baseline.settings.dates.size(), 1U);
+}
+
+TEST_F(SunByPlaceWindow, TheThresholdColoursAndCountsThePlacesBelowIt) {
+    measure();
+    auto& slider = field<QSlider>("placesSlider");
+    EXPECT_EQ(slider.value(), 20) << "two hours were asked for";
+    const auto before = dock().view();
+    for (const int tenths : {0, 45, 80, 120}) {
+        slider.setValue(tenths);
+        const QString expected = QStringLiteral("%1 of 5 places have less than %2 h of sun a day")
+                                     .arg(countBelow(tenths / 10.0))
+                                     .arg(tenths / 10.0, 0, 'f', 1);
+        EXPECT_EQ(count().toStdString(), expected.toStdString());
+    }
+    EXPECT_NE(dock().view()->picture.pixels, before->picture.pixels);
+    EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Sun by place"));
+    auto& shown = field<QComboBox>("placesShown");
+    ASSERT_EQ(shown.count(), 4) << "the period and three dates";
+    shown.setCurrentIndex(1);
+    EXPECT_TRUE(count().contains(QStringLiteral("21 December 2026"))) << count().toStdString();
+}
+
+TEST_F(SunByPlaceWindow, PiecesWithoutANameStandBelowTheirParkOrTheirKind) {
+    measure();
+    EXPECT_EQ(rows(), (QStringList{"North Park", "Green", "Main Street", "Parks without a name (1)"}));
+    EXPECT_EQ(rows(table().model()->index(0, 0)), QStringList{"park (OSM way 7)"});
+    field<QCheckBox>("placesGrouped").click();
+    EXPECT_EQ(rows(), (QStringList{"Parks (3)", "Greenstreets (1)", "Streets (1)"}));
+    auto& text = field<QLineEdit>("placesFilter");
+    QTest::keyClicks(&text, QStringLiteral("main"));
+    EXPECT_EQ(rows(), QStringList{"Streets (1)"});
+    text.clear();
+    field<QComboBox>("placesKind").setCurrentIndex(2);
+    EXPECT_EQ(rows(), QStringList{"Greenstreets (1)"});
+    EXPECT_EQ(textOf("placesListed"), QStringLiteral("1 of 5 places listed"));
+}
+
+TEST_F(SunByPlaceWindow, ColumnsSortByTheirNumbers) {
+    measure();
+    table().model()->sort(PlaceSunModel::firstFigure, Qt::DescendingOrder);
+    double last = 24;
+    for (int row = 0; row < table().model()->rowCount(); ++row) {
+        const double hours =
+            table().model()->index(row, PlaceSunModel::firstFigure).data(PlaceSunModel::valueRole).toDouble();
+        EXPECT_LE(hours, last);
+        last = hours;
+    }
+    EXPECT_TRUE(makeTableText(*table().model()).contains(QStringLiteral("Main Street")))
+        << "it can be copied";
+}
+
+TEST_F(SunByPlaceWindow, ARowShowsItsPlaceAndAPlaceInTheViewSelectsItsRow) {
+    measure();
+    const CameraPose before = window->panel().view().pose();
+    Q_EMIT dock().wanted(0);
+    EXPECT_NE(window->panel().view().pose().target, before.target) << "it zooms to the place";
+    const CityView& view = window->panel().view();
+    const auto pixel = pixelOf(view.pose(), view.lens(), {-5, 80, 0});
+    ASSERT_TRUE(pixel);
+    Q_EMIT window->panel().navigator().clicked(QPointF(pixel->x, pixel->y));
+    EXPECT_EQ(table().currentIndex().data().toString(), QStringLiteral("North Park"));
+}
+
+TEST_F(SunByPlaceWindow, AScenarioIsSetAgainstItsBaseline) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    measure();
+    ASSERT_EQ(sun()->compared.size(), 1U);
+    EXPECT_EQ(sun()->compared[0].sun.name, "Tower");
+    auto& shown = field<QComboBox>("placesShown");
+    shown.setCurrentIndex(shown.count() - 1);
+    EXPECT_EQ(shown.currentText(), QStringLiteral("Change"));
+    EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Change of sun by place"));
+    EXPECT_TRUE(count().contains(QStringLiteral("lose more than a minute"))) << count().toStdString();
+}
+
+TEST_F(SunByPlaceWindow, ASavedAnswerComesBack) {
+    measure();
+    const auto measured = sun();
+    keep("Sunny");
+    workbench().showStudyAgain();
+    EXPECT_FALSE(sun()) << "another answer is in front";
+    showSaved("Sunny");
+    ASSERT_TRUE(sun());
+    ASSERT_EQ(sun()->baseline.places, measured->baseline.places);
+    EXPECT_NEAR(sun()->baseline.sun[0].meanHours, measured->baseline.sun[0].meanHours, 1e-4);
+    EXPECT_FALSE(dock().view()->marked);
+    EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Sun by place"));
+}
+
+TEST_F(SunByPlaceWindow, AnEditMarksTheAnswerAsOutdated) {
+    measure();
+    ASSERT_TRUE(session().addEdits({test::newTower("Other", 50)}, QStringLiteral("tower")));
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy(); }));
+    ASSERT_TRUE(dock().view());
+    EXPECT_TRUE(dock().view()->marked);
+}
+
+}  // namespace
+}  // namespace noonmark
