@@ -195,8 +195,15 @@ void PlacesDock::fillLists() {
     slider_->setValue(int(std::lround(enough * ticksOfHour)));
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
+    showKindLast();
     table_->setColumnWidth(0, std::min(table_->columnWidth(0), 24 * fontMetrics().averageCharWidth()));
     if (grouped_->isChecked()) table_->expandToDepth(0);
+}
+
+// Name and sun are read first.
+void PlacesDock::showKindLast() {
+    QHeaderView& header = *table_->header();
+    header.moveSection(header.visualIndex(PlaceSunModel::kind), header.count() - 1);
 }
 
 // Slider and field show the same hours.

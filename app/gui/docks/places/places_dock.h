@@ -46,6 +46,7 @@ private:
     void connectFields();
     void connectTable();
     void fillLists();
+    void showKindLast();
     void follow(double hours);
     void colour();
     void describeCount();

@@ -18,11 +18,11 @@ constexpr QColor withoutCell{0xa8, 0xa8, 0xa8};
 constexpr double minutesOfHour = 60;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// ColorBrewer's PuOr, whose two sides differ for all kinds of colour blindness.
-constexpr std::array<QColor, steps> below{QColor{0x54, 0x27, 0x88}, QColor{0x99, 0x8e, 0xc3},
-                                          QColor{0xd8, 0xda, 0xeb}};
-constexpr std::array<QColor, steps> above{QColor{0xfe, 0xe0, 0xb6}, QColor{0xf1, 0xa3, 0x40},
-                                          QColor{0xb3, 0x58, 0x06}};
+// The more sun, the lighter, also in grey print. Violet and orange differ for all kinds of colour blindness.
+constexpr std::array<QColor, steps> below{QColor{0x2d, 0x10, 0x60}, QColor{0x5b, 0x3a, 0x9b},
+                                          QColor{0x99, 0x8e, 0xc3}};
+constexpr std::array<QColor, steps> above{QColor{0xf1, 0xa3, 0x40}, QColor{0xfc, 0xc8, 0x6a},
+                                          QColor{0xfe, 0xec, 0xb5}};
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 namespace noonmark {
 
 /// Colours of places in classes that colour-blind readers can tell apart: violet below the threshold, orange
-/// from it on; the farther from it, the darker. Of a change: those of all maps of change.
+/// from it on; the more sun, the lighter. Of a change: those of all maps of change.
 class SunScale {
 public:
     SunScale() = default;

@@ -48,6 +48,7 @@ PlacesForm::PlacesForm(QWidget* parent)
     enough_->setToolTip(tr("The share of each place with so many hours of sun a day is stated"));
     enough_->setValue(SunByPlaceSettings().enoughHours);
     dates_->setObjectName(QStringLiteral("placeDates"));
+    dates_->setCursorPosition(0);
     dates_->setToolTip(
         tr("Days on which the hours of sun of each place are stated, too, with commas between"));
     refusal_->setWordWrap(true);
@@ -81,6 +82,7 @@ void PlacesForm::setYear(std::chrono::year year) {
     const bool usual = dates_->text() == usualDates(year_);
     year_ = year;
     if (usual) dates_->setText(usualDates(year));
+    dates_->setCursorPosition(0);
 }
 
 // One line for each kind that there is, with the number of its places.

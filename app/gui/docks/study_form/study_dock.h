@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "app/gui/docks/study_form/what_form.h"
+#include "app/gui/session/study/run_estimate.h"
 #include "core/review/rule/rule.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/study.h"
@@ -77,6 +78,7 @@ private:
     void showRefusal();
     [[nodiscard]] std::optional<ElementSettings> measuredElements() const;
     [[nodiscard]] StudySettings measuredCells() const;
+    [[nodiscard]] std::optional<RunEstimate> estimate() const;
     [[nodiscard]] QString runText() const;
     [[nodiscard]] QString whyNotCells() const;
     [[nodiscard]] QString whyNotPoints() const;
