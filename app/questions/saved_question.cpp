@@ -37,6 +37,8 @@ AnswerPage pageOf(const SavedElements& points, const SavedContent&) {
     return makePage(points.map, points.figures);
 }
 
+AnswerPage pageOf(const SavedSunByPlace& places, const SavedContent&) { return makePage(places.sun); }
+
 // Its JSON states it, or why there is none (addRepeat() in provenance_json.h).
 Result<std::string> commandOf(const SavedResult& result) {
     const auto json = nlohmann::ordered_json::parse(result.settings, nullptr, false);

@@ -41,7 +41,7 @@ namespace noonmark {
 namespace {
 
 constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
-constexpr int layoutVersion = 10;
+constexpr int layoutVersion = 11;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;

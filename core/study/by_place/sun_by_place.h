@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/field.h"
 #include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
@@ -118,6 +119,10 @@ std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace
 
 const Figures<SunOfPlace>& sunOfPlaceFigures();
 const Figures<SunChange>& sunChangeFigures();
+
+/// What they say: how many places have less than enough, hours on average, what each compared city takes,
+/// and the months.
+AnswerPage makePage(const SunOfCities& sun);
 
 /// A row for each place: name, kind, the figures, a column for each month and each date, for each compared
 /// city its figures and changes in columns that end in its name ("hours_mean_tower"), lon_deg and lat_deg of

@@ -78,16 +78,16 @@ std::vector<ResultRow> makeRows(const PlaceFigures& shown) {
          QObject::tr("Sun above the horizon, mean over the days")},
         extremeRow(QObject::tr("Least sun"), QObject::tr("The place with the lowest mean"), sun, false),
         extremeRow(QObject::tr("Most sun"), QObject::tr("The place with the highest mean"), sun, true)};
-    rows.push_back(
-        {QObject::tr("Steps of the sun"), formatCount(shown.steps), describeSteps(shown.belowHorizon)});
-    rows.push_back({QObject::tr("Time"), formatAmount(shown.seconds, 2) + QStringLiteral(" s"),
-                    QObject::tr("Time taken by all of it")});
-    rows.push_back({QObject::tr("Period"), QString::fromStdString(shown.period), {}});
+    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
+    rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
+                             describeSteps(shown.belowHorizon)));
+    rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(shown.engine)));
     if (!shown.error.empty())
-        rows.push_back({QObject::tr("Error"), localiseNumbers(QString::fromStdString(shown.error)),
-                        QObject::tr("Against the ray reference, on a sample of the cells over the same "
-                                    "steps")});
-    rows.push_back({QObject::tr("Engine"), QString::fromStdString(shown.engine), {}});
+        rows.push_back(methodRow(QObject::tr("Error"), localiseNumbers(QString::fromStdString(shown.error)),
+                                 QObject::tr("Against the ray reference, on a sample of the cells over the "
+                                             "same steps")));
+    rows.push_back(methodRow(QObject::tr("Time"), formatAmount(shown.seconds, 2) + QStringLiteral(" s"),
+                             QObject::tr("Time taken by all of it")));
     return rows;
 }
 

@@ -1,0 +1,93 @@
+#include <charconv>
+#include <cmath>
+
+#include "core/describe/text.h"
+#include "core/study/by_place/sun_by_place.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double minutesOfHour = 60;
+
+Amount hoursOf(double hours) { return {hours * minutesOfHour, FigureUnit::hours}; }
+Amount countOf(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
+
+// Over the area of the places; NaN: none has a cell. `of`: NaN counts as no cell.
+template <class Of>
+double meanOver(const SunByPlace& sun, Of of) {
+    double area = 0, sum = 0;
+    for (std::size_t i = 0; i < sun.sun.size(); ++i)
+        if (const double value = of(i); !std::isnan(value)) {
+            area += sun.sun[i].areaM2;
+            sum += sun.sun[i].areaM2 * value;
+        }
+    return area > 0 ? sum / area : SunOfPlace::none;
+}
+
+Sentence countDark(const SunByPlace& sun) {
+    std::size_t dark = 0, all = 0;
+    for (const SunOfPlace& place : sun.sun) {
+        if (std::isnan(place.meanHours)) continue;
+        ++all;
+        if (place.meanHours < sun.settings.enoughHours) ++dark;
+    }
+    return {NM_TEXT("%1 of %2 places have less than %3 of sun a day"),
+            {countOf(dark), countOf(all), hoursOf(sun.settings.enoughHours)}};
+}
+
+Sentence describeMean(const SunByPlace& sun) {
+    return {NM_TEXT("On average over their area %1, of %2 a day with the sun up."),
+            {hoursOf(meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; })),
+             hoursOf(sun.possibleHours)}};
+}
+
+Sentence describeLosses(const ComparedSun& compared) {
+    std::size_t losing = 0;
+    double largest = 0;
+    for (const SunChange& change : compared.changes) {
+        if (change.meanHours < 0) ++losing;
+        largest = std::fmax(largest, change.maxLossMin);
+    }
+    return {NM_TEXT("%1 takes sun from %2 places, at most %3 a day at one spot."),
+            {compared.sun.name, countOf(losing), Amount{largest, FigureUnit::minutes}}};
+}
+
+// Of "2026-01".
+std::chrono::year_month parseMonth(const std::string& name) {
+    int year = 0;
+    unsigned month = 0;
+    std::from_chars(name.data(), name.data() + 4, year);
+    std::from_chars(name.data() + 5, name.data() + 7, month);
+    return std::chrono::year(year) / std::chrono::month(month);
+}
+
+double monthHours(const SunByPlace& sun, std::size_t month) {
+    return meanOver(sun, [&](std::size_t i) {
+        return month < sun.sun[i].monthHours.size() ? sun.sun[i].monthHours[month] : SunOfPlace::none;
+    });
+}
+
+Bars monthBars(const SunOfCities& sun) {
+    Bars bars{.title = NM_TEXT("Hours of sun a day by month"), .series = {sun.baseline.name}};
+    for (const ComparedSun& compared : sun.compared) bars.series.push_back(compared.sun.name);
+    for (std::size_t month = 0; month < sun.baseline.months.size(); ++month) {
+        Bars::Group group{
+            parseMonth(sun.baseline.months[month]), {monthHours(sun.baseline, month)}, BarTone::sun};
+        for (const ComparedSun& compared : sun.compared)
+            group.values.push_back(monthHours(compared.sun, month));
+        bars.groups.push_back(std::move(group));
+    }
+    return bars;
+}
+
+}  // namespace
+
+AnswerPage makePage(const SunOfCities& sun) {
+    const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.front().sun;
+    AnswerPage page{countDark(shown), {describeMean(shown)}, {monthBars(sun)}};
+    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared));
+    return page;
+}
+
+}  // namespace noonmark
