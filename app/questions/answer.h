@@ -28,6 +28,7 @@ struct Question;
 /// How the files of an answer are written.
 struct AnswerFiles {
     ChangeScale scale{};                        ///< of a comparison's picture
+    LegendChoice legend{};                      ///< of maps of minutes
     int pictureWidth = noonmark::pictureWidth;  ///< pixels
     bool cells = false;                         ///< of a study, a table of all cells
     bool sheets = false;                        ///< of a comparison or score, a book of sheets

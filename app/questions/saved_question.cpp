@@ -95,7 +95,7 @@ public:
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         return writeSavedFiles(*content().result, {city, listChanges(content()), how.regions}, how.scale,
-                               folder, how.rules, how.pictureWidth);
+                               folder, how.rules, how.pictureWidth, how.legend);
     }
 };
 

@@ -14,7 +14,8 @@ namespace noonmark {
 namespace {
 
 StudyFileOptions studyOptions(const AnswerFiles& how) {
-    return {.cellsCsv = how.cells, .rules = how.rules, .pictureWidth = how.pictureWidth};
+    return {
+        .cellsCsv = how.cells, .rules = how.rules, .pictureWidth = how.pictureWidth, .legend = how.legend};
 }
 
 /// The shadow over cells of one scenario.

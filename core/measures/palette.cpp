@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace noonmark {
 
@@ -65,6 +66,44 @@ Table shadowTable() {
     return table;
 }
 
+// From bright to dark. Viridis, Cividis and Magma: samples of matplotlib's colour maps (CC0), which are safe
+// for colour-blind readers and even in grey print; the last is ColorBrewer's RdYlGn, which is neither.
+constexpr std::array viridisStops{Rgb{0xfd, 0xe7, 0x25}, Rgb{0xad, 0xdc, 0x30}, Rgb{0x5e, 0xc9, 0x62},
+                                  Rgb{0x28, 0xae, 0x80}, Rgb{0x21, 0x91, 0x8c}, Rgb{0x2c, 0x72, 0x8e},
+                                  Rgb{0x3b, 0x52, 0x8b}, Rgb{0x47, 0x2d, 0x7b}, Rgb{0x44, 0x01, 0x54}};
+constexpr std::array cividisStops{Rgb{0xff, 0xea, 0x46}, Rgb{0xbc, 0xaf, 0x6f}, Rgb{0x7c, 0x7b, 0x78},
+                                  Rgb{0x41, 0x4d, 0x6b}, Rgb{0x00, 0x20, 0x4d}};
+constexpr std::array magmaStops{Rgb{0xfc, 0xfd, 0xbf}, Rgb{0xfb, 0x88, 0x61}, Rgb{0xb6, 0x36, 0x79},
+                                Rgb{0x51, 0x12, 0x7c}, Rgb{0x00, 0x00, 0x04}};
+constexpr std::array greyStops{Rgb{0xf7, 0xf7, 0xf7}, Rgb{0x1f, 0x1f, 0x1f}};
+constexpr std::array trafficStops{Rgb{0x1a, 0x98, 0x50}, Rgb{0x91, 0xcf, 0x60}, Rgb{0xff, 0xff, 0xbf},
+                                  Rgb{0xfc, 0x8d, 0x59}, Rgb{0xd7, 0x30, 0x27}};
+
+std::span<const Rgb> stopsOf(Ramp ramp) {
+    switch (ramp) {
+        case Ramp::viridis:
+            return viridisStops;
+        case Ramp::cividis:
+            return cividisStops;
+        case Ramp::magma:
+            return magmaStops;
+        case Ramp::trafficLight:
+            return trafficStops;
+        default:
+            return greyStops;
+    }
+}
+
+Rgb mixStops(std::span<const Rgb> stops, double share) {
+    const double along = share * double(stops.size() - 1);
+    const auto from = std::min<std::size_t>(std::size_t(along), stops.size() - 2);
+    const Rgb &a = stops[from], &b = stops[from + 1];
+    const auto mix = [t = along - double(from)](std::uint8_t low, std::uint8_t high) {
+        return std::uint8_t(std::lround(std::lerp(double(low), double(high), t)));
+    };
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+}
+
 // Smaller or larger steps are not needed: a day has 1,440 minutes.
 constexpr std::array tickSteps{0.01, 0.02, 0.05, 0.1,  0.2,  0.5,   1.0,  2.0,
                                5.0,  10.0, 15.0, 30.0, 60.0, 120.0, 240.0};
@@ -76,6 +115,11 @@ Rgb shadowRgb(double share) {
     static const Table table = shadowTable();
     const double clamped = share > 0 ? std::min(share, 1.0) : 0.0;  // NaN is not above 0
     return table[std::size_t(std::lround(clamped * (tableSize - 1)))];
+}
+
+Rgb rampRgb(Ramp ramp, double share) {
+    if (ramp == Ramp::noonmark) return shadowRgb(share);
+    return mixStops(stopsOf(ramp), share > 0 ? std::min(share, 1.0) : 0.0);  // NaN is not above 0
 }
 
 Rgb impactRgb(double share) {

@@ -15,6 +15,13 @@ struct Rgb {
 /// shadow. A table look-up, for use per cell.
 Rgb shadowRgb(double share);  ///< share of the legend's range, 0 to 1, clamped; NaN counts as 0
 
+/// Colours from much sun (bright) to much shadow (dark).
+enum class Ramp { noonmark, viridis, cividis, magma, grey, trafficLight };
+/// Whether its colours are told apart by readers who see no difference of red and green.
+constexpr bool isColourBlindSafe(Ramp ramp) { return ramp != Ramp::trafficLight; }
+/// The same of any ramp: 0 is bright, 1 dark. Ramp::noonmark is shadowRgb().
+Rgb rampRgb(Ramp ramp, double share);
+
 /// Colours for a field of changes: green-blue is less shadow (-1), nearly white no change (0), red-brown more
 /// (1). Equal steps on both sides are equally dark and can be distinguished without red and green.
 Rgb impactRgb(double share);  ///< -1 to 1, clamped; NaN counts as 0

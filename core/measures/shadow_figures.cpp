@@ -1,5 +1,7 @@
 #include "core/measures/shadow_figures.h"
 
+#include <limits>
+
 #include "core/describe/text.h"
 #include "core/measures/has_runs.h"
 #include "core/measures/histogram.h"
@@ -87,6 +89,15 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .unit = FigureUnit::minutesADay,
                 .whole = Whole::sunlitTime,
                 .together = Together::max}),
+        figure(&ShadowStatistics::meanSunMin,
+               {.key = "mean_sun_min",
+                .label = NM_TEXT("Mean sun"),
+                .definition = NM_TEXT("sunlit time minus gross shadow per day, mean over days and receivers"),
+                .decimals = 3,
+                .whenMissing = std::numeric_limits<double>::quiet_NaN(),
+                .unit = FigureUnit::hoursADay,
+                .whole = Whole::sunlitTime,
+                .together = Together::mean}),
         figure(&ShadowStatistics::meanContinuousMin,
                {.key = "mean_continuous_min",
                 .label = NM_TEXT("Mean continuous"),

@@ -40,6 +40,7 @@ ShadowStatistics computeStatistics(const ShadowSums& sums, double sunlitMinutesP
     const auto count = double(sums.receivers);
     ShadowStatistics statistics{.receivers = sums.receivers, .receiverAreaM2 = count * cellAreaM2};
     statistics.meanGrossMin = sums.grossMin / count;
+    statistics.meanSunMin = std::max(sunlitMinutesPerDay - statistics.meanGrossMin, 0.0);
     statistics.meanContinuousMin = sums.continuousMin / count;
     statistics.maxGrossMin = sums.maxGrossMin;
     statistics.maxContinuousMin =

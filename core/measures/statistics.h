@@ -18,6 +18,7 @@ struct ShadowStatistics {
     double shadowAreaM2 = 0;
     double meanGrossMin = 0;
     double maxGrossMin = 0;
+    double meanSunMin = 0;  ///< sunlit time minus gross shadow; NaN in results saved before it was stated
     double meanContinuousMin = 0;  ///< NaN, like the largest, if runs were not counted
     double maxContinuousMin = 0;
     double waterM2 = 0;  ///< of the region's cells on water, which are no receivers; of whole fields only

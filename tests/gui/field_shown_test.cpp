@@ -33,27 +33,29 @@ struct FieldShown : ::testing::Test {
 };
 
 TEST_F(FieldShown, PictureHasTheReportsColours) {
-    const GroundPicture picture = fieldPicture(field, &receivers, ShadowMeasure::gross, 60);
+    const GroundPicture picture = fieldPicture(field, &receivers, ShadowMeasure::gross, plainScale(60));
     EXPECT_EQ(picture.pixels[0], pixelOf(0));
     EXPECT_EQ(picture.pixels[1], pixelOf(1));
     EXPECT_EQ(picture.pixels[2], pixelOf(1)) << "under a building: the colour of the ground beside it";
     EXPECT_EQ(picture.pixels[3].a, 0) << "outside the region the ground keeps its own colour";
-    EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::continuous, 60).pixels[1], pixelOf(0.5));
+    EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::continuous, plainScale(60)).pixels[1],
+              pixelOf(0.5));
     receivers.kind[2] = CellKind::water;
-    EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::gross, 60).pixels[2].a, 0)
+    EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::gross, plainScale(60)).pixels[2].a, 0)
         << "and so does water";
 }
 
 TEST_F(FieldShown, RoofsHaveAPictureOfTheirOwn) {
-    EXPECT_FALSE(roofPicture(field, receivers, ShadowMeasure::gross, 60)) << "no receiver is on a roof";
+    EXPECT_FALSE(roofPicture(field, receivers, ShadowMeasure::gross, plainScale(60)))
+        << "no receiver is on a roof";
     field.grossMin[2] = 30;
     receivers.kind[2] = CellKind::roof;
-    const auto roofs = roofPicture(field, receivers, ShadowMeasure::gross, 60);
+    const auto roofs = roofPicture(field, receivers, ShadowMeasure::gross, plainScale(60));
     ASSERT_TRUE(roofs);
     EXPECT_EQ(roofs->pixels[0].a, 0);
     EXPECT_EQ(roofs->pixels[1], pixelOf(0.5)) << "the roof's edge ends within this cell";
     EXPECT_EQ(roofs->pixels[2], pixelOf(0.5));
-    const GroundPicture ground = fieldPicture(field, &receivers, ShadowMeasure::gross, 60);
+    const GroundPicture ground = fieldPicture(field, &receivers, ShadowMeasure::gross, plainScale(60));
     EXPECT_EQ(ground.pixels[1], pixelOf(1));
     EXPECT_EQ(ground.pixels[2], pixelOf(1)) << "the ground beside, not the roof";
 }

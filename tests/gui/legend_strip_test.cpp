@@ -2,7 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QCoreApplication>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/gui/view/panel/legend_editor.h"
 
 namespace noonmark {
 namespace {
@@ -37,6 +45,45 @@ TEST(LegendStrip, NoteAndLegendHaveRoomOfTheirOwnAtEveryWidth) {
     strip.setNote({}, false);
     EXPECT_TRUE(strip.noteArea().isEmpty());
     EXPECT_EQ(strip.toolTip(), QString());
+}
+
+Legend legendOf(const LegendChoice& choice) {
+    return makeLegend(ShadowMeasure::gross, choice, 600, 600, std::vector<float>{0, 60, 300, 600});
+}
+
+TEST(LegendStrip, SwitchesBetweenShadowAndSunAndBack) {
+    LegendStrip strip;
+    strip.setLegend(legendOf({}));
+    strip.findChild<QToolButton*>(QStringLiteral("showSun"))->click();
+    EXPECT_EQ(strip.choice().show, ShownAs::sun);
+    EXPECT_EQ(strip.changeScale().show, ShownAs::sun) << "differences, too";
+    strip.undoChoice();
+    EXPECT_EQ(strip.choice().show, ShownAs::shadow);
+    EXPECT_TRUE(strip.findChild<QToolButton*>(QStringLiteral("showShadow"))->isChecked());
+}
+
+TEST(LegendStrip, AClickOnTheLegendOpensItsEditorAndUndoTakesChangesBack) {
+    LegendStrip strip;
+    strip.resize(1000, strip.height());
+    strip.setLegend(legendOf({}));
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, strip.legendArea().center().toPoint());
+    auto* editor = strip.findChild<LegendEditor*>();
+    ASSERT_TRUE(editor);
+    EXPECT_TRUE(editor->isVisible());
+    editor->findChild<QComboBox*>(QStringLiteral("legendRamp"))->setCurrentIndex(int(Ramp::viridis));
+    EXPECT_EQ(strip.choice().ramp, Ramp::viridis);
+    editor->findChild<QCheckBox*>(QStringLiteral("legendLocked"))->click();
+    EXPECT_EQ(strip.choice().range, (LegendRange{0, 600}));
+    editor->findChild<QComboBox*>(QStringLiteral("legendClasses"))
+        ->setCurrentIndex(int(LegendClasses::Kind::breaks));
+    EXPECT_EQ(strip.choice().classes, LegendClasses()) << "no numbers yet: the map keeps its colours";
+    auto* breaks = editor->findChild<QLineEdit*>(QStringLiteral("legendBreaks"));
+    QTest::keyClicks(breaks, QStringLiteral("120"));
+    QTest::keyClick(breaks, Qt::Key_Return);
+    EXPECT_EQ(strip.choice().classes.breaks, std::vector<double>{120});
+    for (int i = 0; i < 3; ++i) strip.undoChoice();
+    EXPECT_EQ(strip.choice(), LegendChoice());
+    EXPECT_FALSE(editor->findChild<QPushButton*>(QStringLiteral("legendUndo"))->isEnabled());
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("impact"))),
               QStringList({QStringLiteral("impact.csv"), QStringLiteral("impact.json"),
                            QStringLiteral("impact.pdf"), QStringLiteral("impact.png"),
-                           QStringLiteral("impact.tif")}))
+                           QStringLiteral("impact.qml"), QStringLiteral("impact.tif")}))
         << window->panel().messages().text().toStdString();
     session().compareWith({});
     study();
@@ -93,7 +93,7 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     EXPECT_EQ(
         exported(*window, folder.filePath(QStringLiteral("score"))),
         QStringList({QStringLiteral("score.csv"), QStringLiteral("score.json"), QStringLiteral("score.pdf"),
-                     QStringLiteral("score.png"), QStringLiteral("score.tif")}));
+                     QStringLiteral("score.png"), QStringLiteral("score.qml"), QStringLiteral("score.tif")}));
     workbench().showStudyAgain();
     EXPECT_EQ(action->text(), QStringLiteral("&Export (Study of Tower)..."));
     EXPECT_TRUE(
@@ -102,7 +102,8 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     showSaved("June");
     EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("saved"))),
               QStringList({QStringLiteral("result.json"), QStringLiteral("result.pdf"),
-                           QStringLiteral("result.png"), QStringLiteral("result.tif")}));
+                           QStringLiteral("result.png"), QStringLiteral("result.qml"),
+                           QStringLiteral("result.tif")}));
 }
 
 TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {

@@ -55,6 +55,15 @@ TEST(ViewState, ComesBack) {
     EXPECT_EQ(*back.study, *state.study);
 }
 
+TEST(ViewState, KeepsTheLegend) {
+    ViewState state;
+    EXPECT_FALSE(textsOf(state).contains("legend")) << "the usual one is not stated";
+    state.legend = {
+        ShownAs::sun, Ramp::cividis, true, LegendRange{0, 8}, {LegendClasses::Kind::equal, 4, {}}};
+    EXPECT_EQ(parseViewState(textsOf(state)).legend, state.legend);
+    EXPECT_EQ(parseViewState({{"legend", "{\"ramp\":\"plaid\"}"}}).legend, LegendChoice());
+}
+
 TEST(ViewState, OutOfRangeIsNone) {
     ViewState state;
     state.study.emplace();

@@ -113,6 +113,7 @@ Agreement agreementOf(WindowTest& test, const QImage& image, ShadowMeasure measu
     cells.resize(std::min<std::size_t>(cells.size(), 400));
     Agreement agreement;
     for (const std::size_t cell : cells) {
+        if (values[cell] == 0) continue;  // the ground keeps its own colour
         const QPointF pixel = test.pixelAt(centreOf(study->field.grid, cell));
         const auto pick = test.window.panel().navigator().pickAt(pixel);
         const QColor colour = test.colourAt(image, pixel);

@@ -28,7 +28,7 @@ QColor colourAt(const QImage& image, const Study& study, double x, double y) {
 TEST(Map, EachQuarterHasItsColourInItsPlace) {
     const Study study = tests::syntheticStudy();
     const QImage image = mapOf(study);
-    EXPECT_EQ(colourAt(image, study, 10.5, 10.5), shadowColour(0)) << "south-west";
+    EXPECT_EQ(colourAt(image, study, 10.5, 10.5), QColor(Qt::white)) << "south-west: no shadow, no colour";
     EXPECT_EQ(colourAt(image, study, 110.5, 10.5), shadowColour(0.5)) << "south-east";
     EXPECT_EQ(colourAt(image, study, 10.5, 70.5), shadowColour(60.0 / 360)) << "north-west";
     EXPECT_EQ(colourAt(image, study, 110.5, 70.5), shadowColour(1)) << "north-east";
@@ -53,7 +53,7 @@ TEST(Map, BuildingsAreGreyAndPaleOutsideTheRegion) {
 TEST(Map, EdgesOfCellsAreExact) {
     const Study study = tests::syntheticStudy();
     const QImage image = mapOf(study);
-    EXPECT_EQ(colourAt(image, study, 59.8, 20.5), shadowColour(0));
+    EXPECT_EQ(colourAt(image, study, 59.8, 20.5), QColor(Qt::white));
     EXPECT_EQ(colourAt(image, study, 60.2, 20.5), shadowColour(0.5));
     EXPECT_EQ(colourAt(image, study, 100.5, 39.8), shadowColour(0.5));
     EXPECT_EQ(colourAt(image, study, 100.5, 40.2), shadowColour(1));
@@ -61,7 +61,8 @@ TEST(Map, EdgesOfCellsAreExact) {
 
 TEST(FieldImage, LargeGridsAreReducedByMeans) {
     const Study study = tests::syntheticStudy();
-    const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 12).image;
+    const QImage image =
+        makeFieldImage(study.field, study.receivers, ShadowMeasure::gross, plainScale(360), 12).image;
     EXPECT_EQ(image.size(), QSize(12, 8));
     EXPECT_EQ(image.pixelColor(0, 7), shadowColour(0));
     EXPECT_EQ(image.pixelColor(11, 0), shadowColour(1));
@@ -70,8 +71,9 @@ TEST(FieldImage, LargeGridsAreReducedByMeans) {
 
 TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
     const Study study = tests::syntheticStudy();
-    const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::continuous, 360, 17)
-                             .image;  // squares of 7 x 7 cells
+    const QImage image =
+        makeFieldImage(study.field, study.receivers, ShadowMeasure::continuous, plainScale(360), 17)
+            .image;  // squares of 7 x 7 cells
     EXPECT_EQ(image.size(), QSize(18, 12));
     EXPECT_EQ(image.pixelColor(0, 11), shadowColour(0));
     EXPECT_EQ(image.pixelColor(17, 0), shadowColour(0.5));
@@ -88,14 +90,15 @@ TEST(Map, BlocksThatAreCutAtTheEdgeDoNotStretchTheMap) {
     const double unitsAPoint = 4 * view.rectOf(study.field.grid).width() / 16.5;
     paintMap({painter, unitsAPoint}, view, study, ShadowMeasure::gross);
     const auto colour = [&](double x, double y) { return image.pixelColor(view.at({x, y}).toPoint()); };
-    EXPECT_EQ(colour(55, 10), shadowColour(0));
+    EXPECT_EQ(colour(55, 10), QColor(Qt::white));
     EXPECT_NE(colour(62, 10), shadowColour(0.5)) << "the block from 56 to 63 lies in both quarters";
     EXPECT_EQ(colour(64, 10), shadowColour(0.5));
 }
 
 TEST(FieldImage, NoWhiteStepsUnderTheWalls) {
     const Study study = tests::syntheticStudy();
-    const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 1000).image;
+    const QImage image =
+        makeFieldImage(study.field, study.receivers, ShadowMeasure::gross, plainScale(360), 1000).image;
     EXPECT_EQ(image.pixelColor(50, 79 - 32), shadowColour(0)) << "a covered cell that touches receivers";
     EXPECT_EQ(image.pixelColor(60, 79 - 40), QColor(Qt::white)) << "one that touches none";
 }

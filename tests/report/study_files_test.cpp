@@ -117,8 +117,8 @@ TEST(StudyFiles, AreAllThere) {
         EXPECT_GT(std::filesystem::file_size(file), 100U) << file;
         names.push_back(file.filename().string());
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"shadow.tif", "shadow.png", "report.pdf", "study.json",
-                                               "region.geojson", "cells.csv"}))
+    EXPECT_EQ(names, (std::vector<std::string>{"shadow.tif", "shadow.qml", "shadow.png", "report.pdf",
+                                               "study.json", "region.geojson", "cells.csv"}))
         << "its region is a box in metres, which four numbers in degrees do not state to the last bit";
     const auto entries =
         std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator());

@@ -8,6 +8,7 @@
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
@@ -33,7 +34,9 @@ struct ImpactOptions {
 
 // The scale given by the user, otherwise that of the project.
 ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
-    return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
+    ChangeScale scale = parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
+    scale.show = options.measure.legend.show;
+    return scale;
 }
 
 void printComparison(const Answer& compared, std::ostream& out) {
@@ -82,6 +85,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
     addMeasureOptions(*command, options->measure);
     addSaveOption(*command, options->measure);
     addPictureOption(*command, options->measure.pictureWidth);
+    addFieldOptions(*command, {legendFields().rows().first(1), &options->measure.legend});
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);

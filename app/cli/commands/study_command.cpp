@@ -10,6 +10,7 @@
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/study_table.h"
 #include "app/cli/options/elevation_sheet_options.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/study/element_run.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/all_engines.h"
@@ -38,7 +39,8 @@ Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const 
     return writeStudyFiles(study, options.out,
                            {.cellsCsv = options.cellsCsv,
                             .rules = outputRulesOf(options, study.provenance.inputs),
-                            .pictureWidth = options.pictureWidth});
+                            .pictureWidth = options.pictureWidth,
+                            .legend = options.legend});
 }
 
 // As it was written: its times of writing are not known before.
@@ -71,6 +73,7 @@ void addStudyCommand(CLI::App& app, Run& run) {
     addElementOptions(*command, *options);
     addElevationSheetOptions(*command, *layout);
     addPieceOptions(*command, *options);
+    addLegendOptions(*command, options->legend);
     command->footer(
         "A first study:\n"
         "  noonmark-cli study sample:central-park-south --start 2026-03-21 --from 09:00 --hours 6 \\\n"

@@ -8,6 +8,7 @@
 #include "app/cli/options/period_options.h"
 #include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
+#include "core/measures/legend_choice.h"
 #include "core/study/study.h"
 #include "core/sun/period_fields.h"
 #include "scenarios/project/project_file.h"
@@ -24,6 +25,7 @@ struct MeasureOptions {
     std::string out;
     bool overwrite = false;
     int pictureWidth = noonmark::pictureWidth;  // of the PNG, pixels
+    LegendChoice legend;                        // of maps and pages
     std::string keep;
     bool json = false;
 };

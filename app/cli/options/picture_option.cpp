@@ -1,5 +1,6 @@
 #include "app/cli/options/picture_option.h"
 
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/report/sheets/picture_width.h"
 
@@ -12,6 +13,10 @@ void addPictureOption(CLI::App& command, int& widthPx) {
         ->capture_default_str()
         ->check(within(leastPictureWidth, mostPictureWidth))
         ->type_name("PX");
+}
+
+void addLegendOptions(CLI::App& command, LegendChoice& legend) {
+    addFieldOptions(command, legendFields().of(legend));
 }
 
 }  // namespace noonmark::cli

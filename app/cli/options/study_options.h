@@ -12,6 +12,7 @@
 #include "app/cli/options/period_options.h"
 #include "app/cli/options/read_options.h"
 #include "app/report/sheets/picture_width.h"
+#include "core/measures/legend_choice.h"
 #include "core/study/elements/element_study.h"
 
 namespace noonmark::cli {
@@ -29,6 +30,7 @@ struct StudyOptions {
     bool json = false;
     bool cellsCsv = false;
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
+    LegendChoice legend;                        ///< of maps and pages
     std::optional<ElementPlaces> points;        ///< measure points instead of cells
     ElementSettings elements;                   ///< where they are
 };

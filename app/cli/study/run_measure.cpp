@@ -57,6 +57,7 @@ Result<void> writeFiles(const Answer& answer, const City& city, const MeasureOpt
     const auto book = bookSettingsOf(sheets, project.sheets);
     if (!book) return tl::make_unexpected(book.error());
     const AnswerFiles how{.scale = measure.scale ? measure.scale(project) : ChangeScale(),
+                          .legend = options.legend,
                           .pictureWidth = options.pictureWidth,
                           .sheets = sheets.wanted,
                           .book = *book,

@@ -15,6 +15,7 @@ ProjectSaving::View WindowView::toSave() const {
                     .mode = mode_.mode(),
                     .measure = panel_.legend().measure(),
                     .changeScale = panel_.legend().changeScale(),
+                    .legend = panel_.legend().choice(),
                     .scenario = session.scenario(),
                     .baseline = session.baseline(),
                     .study = workbench_.document().settings(),
@@ -34,6 +35,7 @@ void WindowView::restore() {
     if (workbench_.session().file()) {
         mode_.setMode(view.mode);
         panel_.legend().setMeasure(view.measure);
+        panel_.legend().setChoice(view.legend);
     }
     panel_.legend().setChangeScale(view.changeScale);
     panel_.section().set(view.section);

@@ -70,7 +70,7 @@ void addMaps(Book& book, const Sheet& sheet) {
 /// Gross shadow of one scenario, on a scale that both share.
 PageMap grossMap(const ImpactAnswer& answer, const AnswerSource& source, const ShadowField& field,
                  const Legend& legend, const std::string& name) {
-    const SheetMap map{makeGrossScene(source.city, answer.settings.study.region, field, legend.scale.top),
+    const SheetMap map{makeGrossScene(source.city, answer.settings.study.region, field, coloursOf(legend)),
                        legend};
     return {std::make_shared<const SheetMap>(map), {plainText(name), legend.unit}};
 }

@@ -84,7 +84,7 @@ QString describeWhenAndWhere(const Study& study) {
 BookPage makeNumberedMapPage(const Study& study, const Contributions& all, const PageSetup& setup) {
     const QString title = QStringLiteral("Contributions of buildings");
     const Legend legend = makeLegend(study.field, ShadowMeasure::gross);
-    SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, legend.scale.top), legend};
+    SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
     map.scene.marks = all.marks;
     BookPage page{title, describeWhenAndWhere(study), QStringLiteral("Map"), 0, {}};
     page.items.push_back(

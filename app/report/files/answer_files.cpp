@@ -5,6 +5,7 @@
 #include "app/report/book/answer_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/raster_style.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/score_report.h"
@@ -45,7 +46,8 @@ std::string regionFileOf(const Region& region, const Provenance& provenance, con
 std::vector<std::string> namesOf(const std::string& answer, bool region, bool sheets) {
     std::vector<std::string> names;
     if (sheets) names.emplace_back(sheetsName);
-    for (const char* ending : {".tif", ".png", ".pdf", ".json", ".csv"}) names.push_back(answer + ending);
+    for (const char* ending : {".tif", ".qml", ".png", ".pdf", ".json", ".csv"})
+        names.push_back(answer + ending);
     if (region) names.emplace_back(regionFileName);
     return names;
 }
@@ -62,6 +64,7 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     OutputFolder files(folder, rules);
     files.add(texts.name + ".tif",
               [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
+    files.add(texts.name + ".qml", textContent(rasterStyle(sheet.map.legend)));
     files.add(texts.name + ".png",
               [&](QIODevice& device) { return writePng(makePicture(sheet, width), texts.tags, device); });
     files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });

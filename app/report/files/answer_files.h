@@ -14,7 +14,8 @@
 
 namespace noonmark {
 
-/// Writes the files of a comparison into a folder, which is created if missing: impact.tif, impact.png,
+/// Writes the files of a comparison into a folder, which is created if missing: impact.tif with
+/// its style impact.qml, impact.png,
 /// impact.pdf, impact.json, impact.csv, and region.geojson where the repeat command names it. The window and
 /// the command line write the same files. `rules`: which files may be replaced.
 /// `sheets`: also write sheets.pdf, a book so laid out. `width` of the picture in pixels: see makePicture().
@@ -25,7 +26,7 @@ Result<std::vector<std::filesystem::path>> writeImpactFiles(
     const std::filesystem::path& folder, const OutputRules& rules = {}, const BookSettings* sheets = nullptr,
     int width = pictureWidth);
 
-/// The same for a score: score.tif, score.png, score.pdf, score.json, score.csv.
+/// The same for a score: score.tif, score.qml, score.png, score.pdf, score.json, score.csv.
 Result<std::vector<std::filesystem::path>> writeScoreFiles(
     const ScoreAnswer& answer, const AnswerSource& source, const std::filesystem::path& folder,
     const OutputRules& rules = {}, const BookSettings* sheets = nullptr, int width = pictureWidth);

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/raster_style.h"
 #include "app/report/maps/write_png.h"
 #include "core/io/write_raster.h"
 #include "core/study/elements/element_gltf.h"
@@ -44,14 +45,12 @@ Result<std::vector<std::filesystem::path>> writePlaces(const SavedResult& result
 std::vector<std::string> savedFileNames(const SavedResult& result) {
     if (result.kind == "elements") return {"elements.csv", "elements.gpkg", "elements.glb", "result.json"};
     if (result.kind == "by-place") return {"places.csv", "places.gpkg", "result.json"};
-    return {"result.tif", "result.png", "result.pdf", "result.json"};
+    return {"result.tif", "result.qml", "result.png", "result.pdf", "result.json"};
 }
 
-Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& result,
-                                                           const SavedSource& source,
-                                                           const ChangeScale& scale,
-                                                           const std::filesystem::path& folder,
-                                                           const OutputRules& rules, int width) {
+Result<std::vector<std::filesystem::path>> writeSavedFiles(
+    const SavedResult& result, const SavedSource& source, const ChangeScale& scale,
+    const std::filesystem::path& folder, const OutputRules& rules, int width, const LegendChoice& legend) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
     if (auto may = checkOutputs(folder, savedFileNames(result), rules); !may)
         return tl::make_unexpected(may.error());
@@ -62,7 +61,7 @@ Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& re
     if (const auto* saved = std::get_if<SavedSunByPlace>(&answer->answer))
         return writePlaces(result, saved->sun, source.city, folder, rules);
     const Region region = makeSavedRegion(result, *answer, source.regions);
-    const Sheet sheet = makeSheet(result, *answer, region, source, scale);
+    const Sheet sheet = makeSheet(result, *answer, region, source, scale, legend);
     const FileTags tags{{"RESULT", result.name}, {"SCENARIO", result.scenario}};
     std::vector<RasterBand> bands;
     for (const SavedLayer& layer : result.layers) bands.push_back({layer.name, layer.unit, &layer.values});
@@ -70,6 +69,7 @@ Result<std::vector<std::filesystem::path>> writeSavedFiles(const SavedResult& re
     files.add("result.tif", [&](const std::filesystem::path& file) {
         return writeGeoTiff(file, source.city.frame, result.grid, bands, tags);
     });
+    files.add("result.qml", textContent(rasterStyle(sheet.map.legend)));
     files.add("result.png",
               [&](QIODevice& device) { return writePng(makePicture(sheet, width), tags, device); });
     files.add("result.pdf", [&](QIODevice& device) { return writePdf(sheet, device); });

@@ -10,7 +10,7 @@
 
 namespace noonmark {
 
-/// result.tif, result.png, result.pdf and result.json; of points elements.csv,
+/// result.tif with its style result.qml, result.png, result.pdf and result.json; of points elements.csv,
 /// elements.gpkg, elements.glb and result.json.
 std::vector<std::string> savedFileNames(const SavedResult& result);
 
@@ -21,6 +21,7 @@ std::vector<std::string> savedFileNames(const SavedResult& result);
 /// a QGuiApplication (the `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeSavedFiles(
     const SavedResult& result, const SavedSource& source, const ChangeScale& scale,
-    const std::filesystem::path& folder, const OutputRules& rules = {}, int width = pictureWidth);
+    const std::filesystem::path& folder, const OutputRules& rules = {}, int width = pictureWidth,
+    const LegendChoice& legend = {});
 
 }  // namespace noonmark

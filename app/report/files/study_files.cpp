@@ -6,6 +6,7 @@
 #include "app/report/book/print_book.h"
 #include "app/report/files/cells_csv.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/raster_style.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/study_report.h"
 #include "core/io/write_city.h"
@@ -45,8 +46,8 @@ Result<void> writeContributions(const Study& study, const std::filesystem::path&
 }  // namespace
 
 std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options) {
-    std::vector<std::string> names{"shadow.tif", "shadow.png", "report.pdf", "study.json"};
-    if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.csv"});
+    std::vector<std::string> names{"shadow.tif", "shadow.qml", "shadow.png", "report.pdf", "study.json"};
+    if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.qml", "by_month.csv"});
     if (settings.contributions)
         names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
     if (options.cellsCsv) names.emplace_back("cells.csv");
@@ -62,17 +63,20 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     if (auto may = checkOutputs(folder, names, options.rules); !may) return tl::make_unexpected(may.error());
     OutputFolder files(folder, options.rules);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
+    const std::string style = rasterStyle(makeLegend(study.field, ShadowMeasure::gross, options.legend));
+    files.add("shadow.qml", textContent(style));
     files.add("shadow.png", [&](QIODevice& device) {
-        return writePng(mapPicture(study, ShadowMeasure::gross, options.pictureWidth),
+        return writePng(mapPicture(study, ShadowMeasure::gross, options.pictureWidth, options.legend),
                         makeProvenanceTags(study.provenance), device);
     });
-    files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
+    files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device, options.legend); });
     files.addLast("study.json", [&](const FileSeconds& seconds) { return studyJson(study, seconds); });
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     if (study.breakdown && study.settings.byMonth) {
         files.add("by_month.tif",
                   [&](const std::filesystem::path& file) { return writeMonths(study, file); });
+        files.add("by_month.qml", textContent(style));
         files.add("by_month.csv", textContent(monthsCsv(study)));
     }
     if (study.breakdown && study.settings.contributions) {

@@ -18,16 +18,18 @@ struct StudyFileOptions {
     bool cellsCsv = false;                      ///< one line per receiver: see cells_csv.h
     OutputRules rules{};                        ///< which files may be replaced
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
+    LegendChoice legend{};                      ///< of pictures, pages and styles
 };
 
 /// The names of the files of writeStudyFiles(), except region.geojson; known before the computation.
 std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options);
 
-/// Writes all outputs of a study into a folder, which is created if missing: shadow.tif, shadow.png,
+/// Writes all outputs of a study into a folder, which is created if missing: shadow.tif
+/// with its style for QGIS shadow.qml, shadow.png,
 /// report.pdf, study.json; region.geojson where the region is not a lon/lat box; cells.csv on request;
-/// by_month.tif and .csv, contributions.csv, .gpkg and .pdf where the study has them. The window and the
-/// command line write the same files. Returns the paths written; a file is written completely or not at all.
-/// Needs a QGuiApplication (the `offscreen` platform suffices).
+/// by_month.tif, .qml and .csv, contributions.csv, .gpkg and .pdf where the study has them. The window and
+/// the command line write the same files. Returns the paths written; a file is written completely or not at
+/// all. Needs a QGuiApplication (the `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                                                            const std::filesystem::path& folder,
                                                            const StudyFileOptions& options);

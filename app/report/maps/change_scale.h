@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/measures/palette.h"
+#include "core/measures/shown_quantity.h"
 
 namespace noonmark {
 
@@ -24,6 +25,8 @@ struct ChangeScale {
     static constexpr double usualMin = 60;
     static constexpr double mostMin = 1440;
     std::optional<double> lockedMin = usualMin;  ///< colours run from -lockedMin to lockedMin; (0, mostMin]
+    /// Whether the difference is told as that of shadow or of sun, with the opposite sign.
+    ShownAs show = ShownAs::shadow;
     bool operator==(const ChangeScale&) const = default;
 };
 

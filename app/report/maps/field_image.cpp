@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/measures/palette.h"
-
 namespace noonmark {
 
 namespace {
@@ -14,11 +12,9 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 class Picture {
 public:
-    Picture(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure, double top)
-        : grid_(field.grid),
-          receivers_(receivers),
-          values_(getValues(field, measure)),
-          top_(top > 0 ? top : 1) {}
+    Picture(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure,
+            const ColourScale& scale)
+        : grid_(field.grid), receivers_(receivers), values_(getValues(field, measure)), scale_(scale) {}
 
     [[nodiscard]] QImage reduced(int factor) const {
         const auto pixels = [factor](int cells) { return (cells + factor - 1) / factor; };
@@ -42,9 +38,8 @@ private:
     }
 
     [[nodiscard]] QRgb colourOf(double value) const {
-        if (std::isnan(value)) return qRgb(255, 255, 255);
-        const Rgb colour = shadowRgb(value / top_);
-        return qRgb(colour.red, colour.green, colour.blue);
+        const auto colour = scale_.pick(value);
+        return colour ? qRgb(colour->red, colour->green, colour->blue) : qRgb(255, 255, 255);
     }
 
     /// Mean over the receivers in the square of `side` cells with this south-western cell.
@@ -69,7 +64,7 @@ private:
     const Grid& grid_;
     const Receivers& receivers_;
     const std::vector<float>& values_;
-    double top_;
+    const ColourScale& scale_;
 };
 
 int factorFor(const Grid& grid, int wantedPixels) {
@@ -104,9 +99,9 @@ FieldImage makeColourImage(const Grid& grid, const CellColour& colour, int wante
 }
 
 FieldImage makeFieldImage(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure,
-                          double top, int wantedPixels) {
+                          const ColourScale& scale, int wantedPixels) {
     const int factor = factorFor(field.grid, wantedPixels);
-    return {Picture(field, receivers, measure, top).reduced(factor), factor};
+    return {Picture(field, receivers, measure, scale).reduced(factor), factor};
 }
 
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/report/maps/shadow_measure.h"
+#include "core/measures/colour_scale.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
@@ -17,11 +18,11 @@ struct FieldImage {
 };
 
 /// One pixel per cell, or per k x k cells their mean over the receivers where at least `wantedPixels` remain
-/// on the longer side. `top` minutes have the last colour of the palette. Cells that are not receivers are
+/// on the longer side. Cells that are not receivers and those that the scale leaves free are
 /// white, except that at one pixel per cell a cell under a building takes the mean colour of adjacent
 /// receivers, so that no white steps appear along its walls. O(cells).
 FieldImage makeFieldImage(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure,
-                          double top, int wantedPixels);
+                          const ColourScale& scale, int wantedPixels);
 
 /// The same for arbitrary colours of the grid's cells; empty is white. Where k x k cells share a pixel it has
 /// their mean colour. O(cells).

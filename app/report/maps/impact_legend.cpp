@@ -25,6 +25,8 @@ const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure)
 Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale) {
     Legend legend{
         QStringLiteral("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
+    legend.wanted = quantityOf(measure, scale.show, impact.sunlitMinutesPerDay).isSun() && !legend.instant;
+    if (legend.wanted) legend.title = QStringLiteral("Change of sun");
     const ChangeSpread spread = changeSpreadOf(getValues(impact, measure), float(noChangeMin));
     legend.scale = legendScaleOf(scale, spread);
     legend.unit = measure == ShadowMeasure::gross ? QStringLiteral("min a day") : QStringLiteral("min");

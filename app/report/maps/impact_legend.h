@@ -18,9 +18,10 @@ const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure)
 /// True for the difference of a single moment: more or less shadow, no minutes.
 bool isInstant(const Impact& impact);
 
-/// A legend symmetric about no change. The unit states whether the scale is locked, and the largest change if
-/// it exceeds the scale. An unlocked scale contains 98 % of the cells that change, so that one dark corner
-/// does not make the rest pale. O(cells).
+/// Where the scale shows sun, the signs are those of sun: minutes of it lost are below 0. A legend symmetric
+/// about no change. The unit states whether the scale is locked, and the largest change if it exceeds the
+/// scale. An unlocked scale contains 98 % of the cells that change, so that one dark corner does not make the
+/// rest pale. O(cells).
 Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale);
 
 /// The colour of a cell; empty where the change is at most a thousandth of a minute, and where the cell is

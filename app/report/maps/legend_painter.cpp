@@ -39,7 +39,11 @@ QRectF barOf(const Canvas& canvas, const QRectF& area) {
     return {area.left(), area.top() + barTopPt * canvas.point, area.width(), barHeightPt * canvas.point};
 }
 
+QColor toColour(Rgb rgb) { return {rgb.red, rgb.green, rgb.blue}; }
+
 QColor colourAt(const Legend& legend, double share) {
+    if (const auto& colours = legend.colours)
+        return toColour(colours->colourOf(std::lerp(colours->low, colours->high, share)));
     if (!legend.change) return shadowColour(legend.wanted ? 1 - share : share);
     return impactColour(legend.wanted ? 1 - 2 * share : 2 * share - 1);
 }
@@ -56,15 +60,19 @@ void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     canvas.painter.drawRect(bar);
 }
 
-int ticksOf(const LegendScale& scale) { return std::max(1, int(std::lround(scale.top / scale.tick))); }
+double lowOf(const Legend& legend) { return legend.colours ? legend.colours->low : 0; }
+
+int ticksOf(const Legend& legend) {
+    return std::max(1, int(std::lround((legend.scale.top - lowOf(legend)) / legend.scale.tick)));
+}
 
 // Labels along the bar, from left to right.
 QStringList labelsOf(const Legend& legend) {
-    const int ticks = ticksOf(legend.scale);
+    const int ticks = ticksOf(legend);
     QStringList labels;
     for (int i = legend.change ? -ticks : 0; i <= ticks; ++i)
         labels << (legend.change && i > 0 ? QStringLiteral("+") : QString()) +
-                      QString::number(i * legend.scale.tick);
+                      QString::number(lowOf(legend) + i * legend.scale.tick);
     return labels;
 }
 
@@ -135,6 +143,20 @@ void paintClasses(const Canvas& canvas, const QRectF& bar, const std::vector<Leg
     }
 }
 
+// Equally wide fields, however unequal the classes are, with the numbers between them.
+void paintColourClasses(const Canvas& canvas, const QRectF& bar, const std::vector<ColourClass>& classes) {
+    const double width = bar.width() / double(classes.size());
+    canvas.painter.setFont(textFont(canvas, labelPt));
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const double left = bar.left() + double(i) * width;
+        canvas.painter.setBrush(toColour(classes[i].colour));
+        canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
+        canvas.painter.drawRect(QRectF(left, bar.top(), width, bar.height()));
+        canvas.painter.setPen(canvas.inks.text);
+        if (i > 0) paintLabel(canvas, bar, left, QString::number(classes[i].low));
+    }
+}
+
 // Paints the patches at the right end of the title line; returns their width.
 double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
     const QFontMetricsF metrics(textFont(canvas, labelPt));
@@ -150,9 +172,37 @@ double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vect
 
 }  // namespace
 
-Legend makeLegend(const ShadowField& field, ShadowMeasure measure) {
+ShownQuantity quantityOf(ShadowMeasure measure, ShownAs show, double sunlitMin) {
+    return {measure == ShadowMeasure::gross ? show : ShownAs::shadow, sunlitMin};
+}
+
+Legend makeLegend(ShadowMeasure measure, const LegendChoice& choice, double sunlitMin, double topMin,
+                  std::span<const float> minutes) {
+    const ShownQuantity quantity = quantityOf(measure, choice.show, sunlitMin);
+    LegendChoice own = choice;
+    if (choice.show != quantity.as) own = {quantity.as, choice.ramp, choice.reversed};
+    Legend legend{nameOf(measure), describeMeasure(measure)};
+    if (quantity.isSun()) {
+        legend.title = QString::fromUtf8(quantity.title().data(), qsizetype(quantity.title().size()));
+        legend.unit = QString::fromUtf8(quantity.unit().data(), qsizetype(quantity.unit().size()));
+    }
+    legend.wanted = quantity.isSun();
+    legend.colours = makeColourScale(own, quantity, topMin, minutes);
+    legend.scale = {legend.colours->high, legend.colours->tick};
+    return legend;
+}
+
+Legend makeLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice) {
     if (isInstant(field)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
-    return {nameOf(measure), describeMeasure(measure), legendScale(topOf(field, measure)), false};
+    return makeLegend(measure, choice, field.sunlitMinutesPerDay, topOf(field, measure),
+                      getValues(field, measure));
+}
+
+ColourScale coloursOf(const Legend& legend) { return legend.colours.value_or(plainScale(legend.scale.top)); }
+
+std::optional<QColor> pickColour(const ColourScale& scale, double minutes) {
+    const auto colour = scale.pick(minutes);
+    return colour ? std::optional(toColour(*colour)) : std::nullopt;
 }
 
 void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend) {
@@ -163,6 +213,8 @@ void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend)
     paintTitle(canvas, area.adjusted(0, 0, -patches, 0), legend);
     if (!legend.classes.empty()) {
         paintClasses(canvas, bar, legend.classes);
+    } else if (legend.colours && !legend.colours->breaks.empty()) {
+        paintColourClasses(canvas, bar, legend.colours->classes());
     } else if (legend.instant) {
         paintMoment(canvas, bar, legend.change);
     } else {

@@ -6,6 +6,7 @@
 #include "app/report/maps/palette.h"
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/maps/style.h"
+#include "core/measures/colour_scale.h"
 
 namespace noonmark {
 
@@ -27,11 +28,25 @@ struct Legend {
     /// scale.top), else shadowColour(1 - value / scale.top).
     bool wanted = false;
     std::vector<LegendPatch> classes{};  ///< if any: patches in their order instead of a scale
+    /// Of a map of minutes: the colours instead of those said above, from colours->low to colours->high.
+    std::optional<ColourScale> colours{};
+    bool isScore = false;  ///< its scale is always fitted
 };
 
-/// The legend of a map of `measure`. O(cells). The colour of a value is shadowColour(value /
-/// legend.scale.top).
-Legend makeLegend(const ShadowField& field, ShadowMeasure measure);
+/// What a map of the measure shows: continuous shadow is always minutes of shadow.
+ShownQuantity quantityOf(ShadowMeasure measure, ShownAs show, double sunlitMin);
+
+/// The legend of minutes up to `topMin`, in the choice's colours; `minutes` are those of the map's cells.
+/// O(cells log cells) with quantiles.
+Legend makeLegend(ShadowMeasure measure, const LegendChoice& choice, double sunlitMin, double topMin,
+                  std::span<const float> minutes);
+
+/// The legend of a map of `measure`. O(cells). A moment's has two patches.
+Legend makeLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice = {});
+
+/// The colours of a map with this legend; of a moment those of sun and shadow.
+ColourScale coloursOf(const Legend& legend);
+std::optional<QColor> pickColour(const ColourScale& scale, double minutes);  ///< as ColourScale::pick()
 
 /// Height of a legend, points.
 constexpr double legendHeightPt = 36;

@@ -97,19 +97,17 @@ void paintMarks(const Canvas& canvas, const MapView& view, const std::vector<Map
 
 }  // namespace
 
-MapScene makeMapScene(const Study& study, ShadowMeasure measure) {
-    const double top = makeLegend(study.field, measure).scale.top;
-    return {study.city, study.settings.region, study.field.grid, [&study, measure, top](int wantedPixels) {
-                return makeFieldImage(study.field, study.receivers, measure, top, wantedPixels);
+MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice) {
+    const ColourScale scale = coloursOf(makeLegend(study.field, measure, choice));
+    return {study.city, study.settings.region, study.field.grid, [&study, measure, scale](int wantedPixels) {
+                return makeFieldImage(study.field, study.receivers, measure, scale, wantedPixels);
             }};
 }
 
-MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field, double top) {
-    const auto image = [&field, top](int wantedPixels) {
-        const auto colour = [&](std::size_t cell) -> std::optional<QColor> {
-            const float value = field.grossMin[cell];
-            return std::isnan(value) ? std::nullopt : std::optional(shadowColour(double(value) / top));
-        };
+MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field,
+                        const ColourScale& scale) {
+    const auto image = [&field, scale](int wantedPixels) {
+        const auto colour = [&](std::size_t cell) { return pickColour(scale, double(field.grossMin[cell])); };
         return makeColourImage(field.grid, colour, wantedPixels);
     };
     return {city, region, field.grid, image};

@@ -30,9 +30,10 @@ struct MapScene {
     std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage()
     std::vector<MapMark> marks{};                       ///< the first lies on top
 };
-MapScene makeMapScene(const Study& study, ShadowMeasure measure);
-/// Gross shadow alone, where `top` minutes have the last colour: for maps that share a scale.
-MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field, double top);
+MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice = {});
+/// Gross shadow alone in given colours: for maps that share a scale.
+MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field,
+                        const ColourScale& scale);
 
 /// The view of a scene's map in a frame: grid and region with a margin, north up.
 MapView makeMapView(const MapScene& scene, const QRectF& frame);

@@ -18,6 +18,7 @@ Legend makeLegend(const Score& score) {
     Legend legend{
         QStringLiteral("Shadow score"), QStringLiteral("weight × share of time"), {}, false, true, {}};
     legend.wanted = true;
+    legend.isScore = true;
     const ChangeSpread found = changeSpreadOf(score.score, noScore);
     legend.scale = legendScale(std::max(found.usual, 0.01));
     if (found.most > legend.scale.top)

@@ -68,7 +68,7 @@ Legend commonLegend(const ScenarioStudies& scenarios) {
 BookPage mapPage(const ScenarioStudy& scenario, const Legend& legend, const PageSetup& setup) {
     const Study& study = *scenario.study;
     const QString name = plainText(scenario.name);
-    const SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, legend.scale.top),
+    const SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)),
                        legend};
     return {name,
             describePeriod(study.settings.period) + QStringLiteral(". ") + describeWhere(study),

@@ -25,15 +25,14 @@ struct SavedMaps {
     const City& city;
     const Region& region;
     const ChangeScale& scale;
+    const LegendChoice& legend;
 };
 
 SheetMap makeStudyMap(const ShadowField& field, ShadowMeasure measure, const SavedMaps& from) {
-    const Legend legend = makeLegend(field, measure);
-    const double top = legend.scale.top > 0 ? legend.scale.top : 1;
-    const auto image = [&field, measure, top](int wantedPixels) {
-        const auto colour = [&](std::size_t cell) -> std::optional<QColor> {
-            const float value = getValues(field, measure)[cell];
-            return std::isnan(value) ? std::nullopt : std::optional(shadowColour(double(value) / top));
+    const Legend legend = makeLegend(field, measure, from.legend);
+    const auto image = [&field, measure, scale = coloursOf(legend)](int wantedPixels) {
+        const auto colour = [&](std::size_t cell) {
+            return pickColour(scale, double(getValues(field, measure)[cell]));
         };
         return makeColourImage(field.grid, colour, wantedPixels);
     };
@@ -205,8 +204,8 @@ Region makeSavedRegion(const SavedResult& result, const SavedAnswer& answer,
 }
 
 Sheet makeSheet(const SavedResult& result, const SavedAnswer& answer, const Region& region,
-                const SavedSource& source, const ChangeScale& scale) {
-    const SavedMaps from{source.city, region, scale};
+                const SavedSource& source, const ChangeScale& scale, const LegendChoice& legend) {
+    const SavedMaps from{source.city, region, scale, legend};
     return std::visit(
         [&](const auto& saved) {
             Sheet sheet{.headline = headlineOf(result, answer.origin, region, source.city.frame),

@@ -25,6 +25,6 @@ Region makeSavedRegion(const SavedResult& result, const SavedAnswer& answer,
 /// when it was saved and what has changed since. `answer` was read from `result`; `region`:
 /// makeSavedRegion(). All arguments must outlive the sheet.
 Sheet makeSheet(const SavedResult& result, const SavedAnswer& answer, const Region& region,
-                const SavedSource& source, const ChangeScale& scale);
+                const SavedSource& source, const ChangeScale& scale, const LegendChoice& legend = {});
 
 }  // namespace noonmark

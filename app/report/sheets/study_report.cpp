@@ -7,8 +7,8 @@ namespace noonmark {
 
 namespace {
 
-SheetMap mapOf(const Study& study, ShadowMeasure measure) {
-    return {makeMapScene(study, measure), makeLegend(study.field, measure)};
+SheetMap mapOf(const Study& study, ShadowMeasure measure, const LegendChoice& legend) {
+    return {makeMapScene(study, measure, legend), makeLegend(study.field, measure, legend)};
 }
 
 std::vector<TextBlocks> sectionsOf(const Study& study) {
@@ -19,9 +19,9 @@ std::vector<TextBlocks> sectionsOf(const Study& study) {
 
 }  // namespace
 
-Sheet makeSheet(const Study& study) {
+Sheet makeSheet(const Study& study, const LegendChoice& legend) {
     Sheet sheet{.headline = makeHeadline(study, QStringLiteral("Shadow study")),
-                .map = mapOf(study, ShadowMeasure::gross),
+                .map = mapOf(study, ShadowMeasure::gross, legend),
                 .definitions = definitionBlocks(study),
                 .figures = computeFigures(study),
                 .sections = sectionsOf(study),
@@ -29,18 +29,19 @@ Sheet makeSheet(const Study& study) {
                 .credit = describeData(study),
                 .record = {QStringLiteral("study.json"), studyJson(study)}};
     if (!isInstant(study.field) && hasRuns(study.statistics))
-        sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous));
+        sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous, legend));
     return sheet;
 }
 
-bool writeReport(const Study& study, QIODevice& device) { return writePdf(makeSheet(study), device); }
+bool writeReport(const Study& study, QIODevice& device, const LegendChoice& legend) {
+    return writePdf(makeSheet(study, legend), device);
+}
 
-QImage mapPicture(const Study& study, ShadowMeasure measure, int width) {
-    const QString subject = isInstant(study.field) ? QStringLiteral("Shadow") : nameOf(measure);
-    return makePicture(Sheet{.headline = makeHeadline(study, subject),
-                             .map = mapOf(study, measure),
-                             .credit = describeData(study)},
-                       width);
+QImage mapPicture(const Study& study, ShadowMeasure measure, int width, const LegendChoice& legend) {
+    const SheetMap map = mapOf(study, measure, legend);
+    const QString subject = isInstant(study.field) ? QStringLiteral("Shadow") : map.legend.title;
+    return makePicture(
+        Sheet{.headline = makeHeadline(study, subject), .map = map, .credit = describeData(study)}, width);
 }
 
 }  // namespace noonmark

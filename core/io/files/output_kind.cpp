@@ -27,6 +27,7 @@ constexpr std::array kindsOfEndings{
     KindOfEnding{".json", OutputKind::json},       KindOfEnding{".dxf", OutputKind::dxf},
     KindOfEnding{".svg", OutputKind::svg},         KindOfEnding{".mp4", OutputKind::movie},
     KindOfEnding{".gif", OutputKind::movie},       KindOfEnding{".glb", OutputKind::glb},
+    KindOfEnding{".qml", OutputKind::style},
 };
 
 bool beginsWithOneOf(std::string_view head, std::initializer_list<std::string_view> magics) {
@@ -93,6 +94,8 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
                    head.find("<svg") != head.npos;
         case OutputKind::glb:
             return head.starts_with("glTF");
+        case OutputKind::style:
+            return withoutMarkAndBlanks(head).starts_with("<!DOCTYPE qgis");
         case OutputKind::movie:
             return head.starts_with("GIF8") || (head.size() >= 8 && head.substr(4, 4) == "ftyp");
     }
@@ -134,6 +137,8 @@ std::string_view describe(OutputKind kind) {
             return "an SVG picture";
         case OutputKind::glb:
             return "a binary glTF file";
+        case OutputKind::style:
+            return "a style of QGIS";
         case OutputKind::movie:
             return "a movie (MP4, GIF)";
         case OutputKind::project:

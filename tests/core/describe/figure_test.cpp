@@ -129,8 +129,8 @@ TEST(Figures, OfPiecesAreAddedUp) {
 TEST(Figures, OfShadowKeepTheirKeys) {
     EXPECT_EQ(listColumns(shadowFigures().rows()),
               (std::vector<std::string>{"receivers", "receiver_area_m2", "water_m2", "shadow_area_m2",
-                                        "mean_gross_min", "max_gross_min", "mean_continuous_min",
-                                        "max_continuous_min"}));
+                                        "mean_gross_min", "max_gross_min", "mean_sun_min",
+                                        "mean_continuous_min", "max_continuous_min"}));
 }
 
 }  // namespace

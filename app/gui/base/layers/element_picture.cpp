@@ -18,20 +18,23 @@ double minutesOf(const MeasuredElement& element, ShadowMeasure measure) {
 
 }  // namespace
 
-Legend makeLegend(const ElementMap& map, ShadowMeasure measure) {
+Legend makeLegend(const ElementMap& map, ShadowMeasure measure, const LegendChoice& choice) {
     double top = map.possibleMin;
-    for (const MeasuredElement& element : map.elements) top = std::max(top, minutesOf(element, measure));
-    return {nameOf(measure), describeMeasure(measure), legendScale(top), false};
+    std::vector<float> minutes;
+    for (const MeasuredElement& element : map.elements) {
+        minutes.push_back(float(minutesOf(element, measure)));
+        top = std::max(top, minutesOf(element, measure));
+    }
+    return makeLegend(measure, choice, map.possibleMin, top, minutes);
 }
 
-std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure, double top) {
-    const std::vector<GroundPicture::Pixel> palette = shadowPalette();
+std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure,
+                                          const ColourScale& scale) {
     std::vector<ElementTiles::Tile> tiles;
     tiles.reserve(map.elements.size());
     for (const MeasuredElement& element : map.elements) {
-        const double share = std::clamp(minutesOf(element, measure) / top, 0.0, 1.0);
-        const auto& shade = palette[std::size_t(std::lround(share * double(palette.size() - 1)))];
-        tiles.push_back({cornersOf(element), glm::vec3(shade.r, shade.g, shade.b) / 255.0F});
+        const Rgb shade = scale.colourOf(scale.quantity.of(minutesOf(element, measure)));
+        tiles.push_back({cornersOf(element), glm::vec3(shade.red, shade.green, shade.blue) / 255.0F});
     }
     return tiles;
 }

@@ -18,10 +18,12 @@ struct ElementView {
 };
 
 /// The scale of a study of cells: up to the sunlit minutes of a day, or the largest value if that is larger.
-Legend makeLegend(const ElementMap& map, ShadowMeasure measure);
+Legend makeLegend(const ElementMap& map, ShadowMeasure measure, const LegendChoice& choice = {});
 
-/// A rectangle for each element, in their order. `top` minutes get the last colour of the palette.
-std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure, double top);
+/// A rectangle for each element, in their order. Those that the scale leaves free
+/// have the colour of 0.
+std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure,
+                                          const ColourScale& scale);
 
 /// "floor 3, 4.2 h of sun a day, at most 3.1 h without a break, gross 90.0 min a day, continuous 45.0 min".
 QString describe(const MeasuredElement& element);

@@ -28,6 +28,15 @@ QString describeError(const std::optional<SampledError>& error, ShadowMeasure me
         .arg(groupDigits(error->areaPct, 2), groupDigits(gross.percent(gross.meanMin), 2));
 }
 
+QString describeCellError(const SampledError& error, double sunlitMin, ShownAs show) {
+    const ShownQuantity quantity{show, sunlitMin};
+    const std::string_view unit = quantity.shortUnit();
+    return QObject::tr("A cell: %1 %3 in the mean, 99 of 100 within %2 %3")
+        .arg(groupDigits(quantity.ofError(error.gross.meanMin), 3),
+             groupDigits(quantity.ofError(error.gross.p99Min), 2),
+             QString::fromUtf8(unit.data(), qsizetype(unit.size())));
+}
+
 QString describeError(const ElementStudy& study, ShadowMeasure measure) {
     if (!study.error) return {};
     const QuantityError& runs = study.error->continuous;

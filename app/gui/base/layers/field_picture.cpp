@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/maps/palette.h"
-
 namespace noonmark {
 
 namespace {
@@ -43,18 +41,17 @@ private:
     }
 };
 
-GroundPicture makePicture(const ShownCells& cells, double top) {
-    const std::vector<Pixel> palette = shadowPalette();
+Pixel toPixel(const Rgb& colour) { return {colour.red, colour.green, colour.blue, 255}; }
+
+GroundPicture makePicture(const ShownCells& cells, const ColourScale& scale) {
     const Grid& grid = cells.grid;
     GroundPicture picture;
     picture.grid = grid;
     picture.pixels.resize(grid.size());
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {
-            const float value = cells.at(column, row);
-            if (std::isnan(value)) continue;
-            const double share = std::clamp(double(value) / top, 0.0, 1.0);
-            picture.pixels[grid.index(column, row)] = palette[std::size_t(std::lround(share * (shades - 1)))];
+            const auto colour = scale.pick(double(cells.at(column, row)));
+            if (colour) picture.pixels[grid.index(column, row)] = toPixel(*colour);
         }
     return picture;
 }
@@ -65,21 +62,22 @@ Pixel pixelOf(const QColor& colour) {
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue()), 255};
 }
 
-std::vector<Pixel> shadowPalette() {
+std::vector<Pixel> paletteOf(const ColourScale& scale, double topMin) {
     std::vector<Pixel> palette;
-    for (int i = 0; i < shades; ++i) palette.push_back(pixelOf(shadowColour(double(i) / (shades - 1))));
+    for (int i = 0; i < shades; ++i)
+        palette.push_back(toPixel(scale.colourOf(scale.quantity.of(topMin * i / (shades - 1)))));
     return palette;
 }
 
 GroundPicture fieldPicture(const ShadowField& field, const Receivers* receivers, ShadowMeasure measure,
-                           double top) {
-    return makePicture({getValues(field, measure), field.grid, receivers, CellKind::ground}, top);
+                           const ColourScale& scale) {
+    return makePicture({getValues(field, measure), field.grid, receivers, CellKind::ground}, scale);
 }
 
 std::optional<GroundPicture> roofPicture(const ShadowField& field, const Receivers& receivers,
-                                         ShadowMeasure measure, double top) {
+                                         ShadowMeasure measure, const ColourScale& scale) {
     if (std::ranges::find(receivers.kind, CellKind::roof) == receivers.kind.end()) return std::nullopt;
-    return makePicture({getValues(field, measure), field.grid, &receivers, CellKind::roof}, top);
+    return makePicture({getValues(field, measure), field.grid, &receivers, CellKind::roof}, scale);
 }
 
 }  // namespace noonmark

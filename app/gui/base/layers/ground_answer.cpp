@@ -34,6 +34,17 @@ ShadowMeasure chooseShownMeasure(const GroundAnswer& answer, ShadowMeasure wante
 
 QString nameOf(const std::string& name) { return QString::fromStdString(name); }
 
+double sunlitMinOf(const GroundAnswer::Map& map) {
+    return over(
+        map, [](const Score&) { return 0.0; },
+        [](const auto& minutes) { return minutes.sunlitMinutesPerDay; });
+}
+
+// A moment has no minutes.
+std::optional<SampledError> errorOfMinutes(const Study& study) {
+    return isInstant(study.field) ? std::nullopt : study.error;
+}
+
 QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }
 
 }  // namespace
@@ -42,7 +53,8 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
     return markMissingRuns({.map = std::shared_ptr<const ShadowField>(study, &study->field),
                             .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
                             .note = describeError(study->error, ShadowMeasure::gross),
-                            .runNote = describeError(study->error, ShadowMeasure::continuous)});
+                            .runNote = describeError(study->error, ShadowMeasure::continuous),
+                            .error = errorOfMinutes(*study)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
@@ -68,7 +80,8 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
     };
     return markMissingRuns({.map = std::shared_ptr<const Impact>(comparison, &comparison->study.total),
                             .note = noteOf(ShadowMeasure::gross),
-                            .runNote = noteOf(ShadowMeasure::continuous)});
+                            .runNote = noteOf(ShadowMeasure::continuous),
+                            .error = comparison->study.error});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
@@ -76,33 +89,42 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
             QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
 }
 
-QString makeNote(const GroundAnswer& answer, ShadowMeasure measure) {
+QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show) {
     const ShadowMeasure shown = chooseShownMeasure(answer, measure);
     if (shown == ShadowMeasure::continuous && !answer.runNote.isEmpty()) return answer.runNote;
-    if (shown == measure || answer.whyGross.isEmpty()) return answer.note;
-    return answer.note.isEmpty() ? answer.whyGross : QObject::tr("%1. %2").arg(answer.note, answer.whyGross);
+    QStringList parts{answer.note};
+    if (answer.error) parts << describeCellError(*answer.error, sunlitMinOf(answer.map), show);
+    if (shown != measure) parts << answer.whyGross;
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(". "));
 }
 
-Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale) {
+Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale,
+                  const LegendChoice& choice) {
     return over(
         answer.map, [&](const Score& score) { return makeLegend(score); },
         [&](const Impact& impact) { return makeLegend(impact, chooseShownMeasure(answer, measure), scale); },
-        [&](const ShadowField& field) { return makeLegend(field, chooseShownMeasure(answer, measure)); });
+        [&](const ShadowField& field) {
+            return makeLegend(field, chooseShownMeasure(answer, measure), choice);
+        });
 }
 
-GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, double top) {
+GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, const Legend& legend) {
+    const double top = legend.scale.top;
     return over(
         answer.map, [&](const Score& score) { return scorePicture(score, top); },
         [&](const Impact& impact) { return impactPicture(impact, chooseShownMeasure(answer, measure), top); },
         [&](const ShadowField& field) {
-            return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure), top);
+            return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure),
+                                coloursOf(legend));
         });
 }
 
-std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {
+std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure,
+                                           const Legend& legend) {
     const auto* field = std::get_if<std::shared_ptr<const ShadowField>>(&answer.map);
     if (!field || !answer.receivers) return std::nullopt;
-    return roofPicture(**field, *answer.receivers, chooseShownMeasure(answer, measure), top);
+    return roofPicture(**field, *answer.receivers, chooseShownMeasure(answer, measure), coloursOf(legend));
 }
 
 bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point) {
@@ -111,11 +133,11 @@ bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point) {
     return cell && answer.receivers->kind[*cell] == CellKind::roof;
 }
 
-QString textAt(const GroundAnswer& answer, glm::dvec2 point) {
+QString textAt(const GroundAnswer& answer, glm::dvec2 point, ShownAs show) {
     return over(
         answer.map, [&](const Score& score) { return formatScore(score, point); },
-        [&](const Impact& impact) { return formatChange(impact, point); },
-        [&](const ShadowField& field) { return formatMinutes(field, point); });
+        [&](const Impact& impact) { return formatChange(impact, point, show); },
+        [&](const ShadowField& field) { return formatMinutes(field, point, show); });
 }
 
 }  // namespace noonmark

@@ -28,6 +28,8 @@ struct GroundAnswer {
     QString whyGross{};
     /// Instead of the note while continuous shadow is shown; empty: the note holds for both measures.
     QString runNote{};
+    /// Of gross shadow, stated in the unit shown before the note; none: not measured.
+    std::optional<SampledError> error{};
 };
 
 /// Each shares the data of the answer that it is made from.
@@ -40,20 +42,23 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
 /// continuous shadow.
 GroundAnswer markMissingRuns(GroundAnswer answer);
 
-/// The note, with the reason if the measure is not the one shown.
-QString makeNote(const GroundAnswer& answer, ShadowMeasure measure);
+/// The note, with the error of what is shown and the reason if the measure is not the one shown.
+QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show = ShownAs::shadow);
 
 /// A score is the same for both measures. `scale`: of a difference.
-Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale);
-GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, double top);
+Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale,
+                  const LegendChoice& choice = {});
+/// In the colours of such a legend, of this answer or of another.
+GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, const Legend& legend);
 
 /// The picture of receivers on roofs; nothing if there are none, or if receivers are not known.
-std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top);
+std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure,
+                                           const Legend& legend);
 
 /// Whether the point is at a receiver on a roof; then textAt() describes it.
 bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point);
 
-/// Describes the cell that contains a point; empty outside.
-QString textAt(const GroundAnswer& answer, glm::dvec2 point);
+/// Describes the cell that contains a point, by its shadow or its sun; empty outside.
+QString textAt(const GroundAnswer& answer, glm::dvec2 point, ShownAs show = ShownAs::shadow);
 
 }  // namespace noonmark

@@ -56,10 +56,24 @@ QString formatMinutes(float gross, float continuous, bool instant) {
     return text + QObject::tr(", continuous %1 min").arg(groupDigits(double(continuous), 1));
 }
 
-QString formatMinutes(const ShadowField& field, glm::dvec2 point) {
+QString formatShown(float gross, float continuous, const ShownQuantity& quantity) {
+    if (!quantity.isSun() || std::isnan(gross)) return formatMinutes(gross, continuous, false);
+    const auto told = [&](ShownAs as) {
+        return groupDigits(ShownQuantity{as, quantity.sunlitMin}.of(double(gross)),
+                           as == ShownAs::sun ? 2 : 1);
+    };
+    const QString text = QObject::tr("%1 h of sun a day (%2 % of the sunlit time)")
+                             .arg(told(ShownAs::sun), told(ShownAs::share));
+    if (std::isnan(continuous)) return text;
+    return text + QObject::tr(", continuous shadow %1 min").arg(groupDigits(double(continuous), 1));
+}
+
+QString formatMinutes(const ShadowField& field, glm::dvec2 point, ShownAs show) {
     const auto cell = cellAt(field.grid, point);
     if (!cell) return {};
-    return formatMinutes(field.grossMin[*cell], field.continuousMin[*cell], isInstant(field));
+    const float gross = field.grossMin[*cell], continuous = field.continuousMin[*cell];
+    if (isInstant(field)) return formatMinutes(gross, continuous, true);
+    return formatShown(gross, continuous, {show, field.sunlitMinutesPerDay});
 }
 
 QString hoverText(const Pick& pick, const City& city, const QString& minutes) {

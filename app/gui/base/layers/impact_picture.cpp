@@ -31,7 +31,7 @@ GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double 
     return picture;
 }
 
-QString formatChange(const Impact& impact, glm::dvec2 point) {
+QString formatChange(const Impact& impact, glm::dvec2 point, ShownAs show) {
     const auto cell = cellAt(impact.grid, point);
     if (!cell) return {};
     if (impact.change[*cell] == CellChange::becameBuilding)
@@ -43,8 +43,13 @@ QString formatChange(const Impact& impact, glm::dvec2 point) {
         return gross > 0   ? QObject::tr("now in shadow")
                : gross < 0 ? QObject::tr("now in the sun")
                            : QObject::tr("no change");
-    const QString text = QObject::tr("change: gross %1 min a day").arg(signedMinutes(gross));
+    const ShownQuantity quantity{show, impact.sunlitMinutesPerDay};
+    const QString words = quantity.isSun() ? QObject::tr("change: sun %1 min a day")
+                                           : QObject::tr("change: gross %1 min a day");
+    const QString text = words.arg(signedMinutes(float(quantity.ofChange(double(gross)))));
     if (std::isnan(continuous)) return text;
+    if (quantity.isSun())
+        return text + QObject::tr(", continuous shadow %1 min").arg(signedMinutes(continuous));
     return text + QObject::tr(", continuous %1 min").arg(signedMinutes(continuous));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/report/maps/shadow_measure.h"
+#include "core/measures/shown_quantity.h"
 #include "render/scene/ground_picture.h"
 #include "scenarios/impact/impact.h"
 
@@ -12,7 +13,7 @@ namespace noonmark {
 GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double top);
 
 /// The change in the cell that contains a point, such as "change: gross +12.0 min a day" or "no change";
-/// empty outside the grid.
-QString formatChange(const Impact& impact, glm::dvec2 point);
+/// empty outside the grid. As sun: "change: sun -12.0 min a day".
+QString formatChange(const Impact& impact, glm::dvec2 point, ShownAs show = ShownAs::shadow);
 
 }  // namespace noonmark

@@ -99,6 +99,7 @@ void ResultActions::askForExport() {
         subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
     if (subjects.empty()) return workbench_.exportShown({}, {});
     last_.scale = panel_.legend().changeScale();
+    last_.legend = panel_.legend().choice();
     auto* dialog = new ExportDialog(
         subjects, last_, lastFolder_,
         [this](const ExportChoice& choice) { return workbench_.filesOf(choice); }, &window_);

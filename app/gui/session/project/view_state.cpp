@@ -142,6 +142,7 @@ Texts textsOf(const ViewState& state) {
         texts["answer"] = state.answer;
         texts["answer_seconds"] = Json(state.answerSeconds).dump();
     }
+    if (state.legend != LegendChoice()) texts["legend"] = formatText(state.legend);
     if (!state.review.empty()) texts["review"] = state.review;
     if (state.camera) texts["camera"] = cameraText(*state.camera);
     if (state.section) texts["section"] = sectionText(*state.section);
@@ -157,6 +158,7 @@ ViewState parseViewState(const Texts& texts) {
     state.mode = modeFrom(found(texts, "mode"));
     if (found(texts, "measure") == "continuous") state.measure = ShadowMeasure::continuous;
     state.changeScale = changeScaleIn(texts);
+    state.legend = parseLegendChoice(found(texts, "legend"));
     if (const std::string name = found(texts, "scenario"); !name.empty()) state.scenario = name;
     state.baseline = found(texts, "baseline");
     state.answer = found(texts, "answer");

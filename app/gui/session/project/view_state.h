@@ -7,6 +7,7 @@
 #include "app/gui/session/project/view_mode.h"
 #include "app/report/maps/change_scale.h"
 #include "app/report/maps/shadow_measure.h"
+#include "core/measures/legend_choice.h"
 #include "core/study/elements/place_elements.h"
 #include "render/view/camera_pose.h"
 #include "render/view/section_box.h"
@@ -21,6 +22,7 @@ struct ViewState {
     ViewMode mode = ViewMode::exploration;
     ShadowMeasure measure = ShadowMeasure::gross;
     ChangeScale changeScale;
+    LegendChoice legend;
     std::string scenario = existingCity;
     std::string baseline;                     ///< empty: none
     std::string answer;                       ///< "study" or "comparison" was displayed; empty: neither
@@ -30,9 +32,9 @@ struct ViewState {
     std::string review;                       ///< what is reviewed: JSON, as review_choice.h writes it
 };
 
-/// Keys: "camera", "section", "mode", "measure", "change_scale", "scenario", "baseline", "answer",
-/// "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights", the
-/// chosen table, and "figures" (saved_figures.h).
+/// Keys: "camera", "section", "mode", "measure", "change_scale", "legend" (JSON), "scenario", "baseline",
+/// "answer", "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights",
+/// the chosen table, and "figures" (saved_figures.h).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from

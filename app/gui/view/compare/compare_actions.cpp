@@ -120,9 +120,9 @@ void CompareActions::showPicture() {
     strip_->setNote(describe(study != nullptr));
     if (study) {
         const GroundAnswer answer = makeGroundAnswer(study);
-        const double top = panel_.results().studyTop();
-        other.showPicture(makePicture(answer, panel_.legend().measure(), top), false);
-        if (const auto roofs = roofPictureOf(answer, panel_.legend().measure(), top))
+        const Legend legend = panel_.results().studyLegend();
+        other.showPicture(makePicture(answer, panel_.legend().measure(), legend), false);
+        if (const auto roofs = roofPictureOf(answer, panel_.legend().measure(), legend))
             other.showRoofPicture(*roofs);
     }
 }

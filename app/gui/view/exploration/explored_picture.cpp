@@ -22,14 +22,14 @@ bool isInstant(const ExploredView& view) { return view.days == 1 && view.shadow.
 
 }  // namespace
 
-Legend makeLegend(const ExploredView& view, ShadowMeasure measure) {
+Legend makeLegend(const ExploredView& view, ShadowMeasure measure, const LegendChoice& choice) {
     if (isInstant(view)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
     const std::vector<float>& minutes = minutesOf(view, measure);
     float most = 0;
     for (const float value : minutes)
         if (value > most) most = value;  // NaN never compares greater
     const double top = std::max(view.shadow.sunlitMinutesPerDay, double(most));
-    return {nameOf(measure), describeMeasure(measure), legendScale(top), false};
+    return makeLegend(measure, choice, view.shadow.sunlitMinutesPerDay, top, minutes);
 }
 
 bool isSoFar(const ExploredView& view) { return !view.running.empty() || view.daysShown < view.days; }

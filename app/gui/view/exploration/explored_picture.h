@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-Legend makeLegend(const ExploredView& view, ShadowMeasure measure);
+Legend makeLegend(const ExploredView& view, ShadowMeasure measure, const LegendChoice& choice = {});
 
 /// Whether the view covers only a part of the period so far.
 bool isSoFar(const ExploredView& view);

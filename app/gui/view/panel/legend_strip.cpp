@@ -2,13 +2,17 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/view/panel/legend_editor.h"
 #include "app/gui/view/panel/legend_words.h"
 #include "app/report/maps/map_furniture.h"
 
@@ -66,11 +70,22 @@ QSpinBox* changeScaleField() {
     field->setKeyboardTracking(false);
     field->setPrefix(QStringLiteral("±"));
     field->setSuffix(LegendStrip::tr(" min"));
-    field->setSpecialValueText(LegendStrip::tr("Scale: automatic"));
+    field->setSpecialValueText(LegendStrip::tr("Automatic"));
     field->setToolTip(
         LegendStrip::tr("The ends of the colour scale of a difference.\nLock it to compare pictures of "
                         "several proposals; 0: automatic, fitted to each difference."));
     return field;
+}
+
+QToolButton* shownButton(const char* name, const QString& text, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setAutoExclusive(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    return button;
 }
 
 // The note, shortened to its first words if it does not fit.
@@ -89,7 +104,15 @@ QString elideNote(const QString& note, const QFont& font, const QSizeF& room) {
 }  // namespace
 
 LegendStrip::LegendStrip(QWidget* parent)
-    : QWidget(parent), measure_(new QComboBox), scale_(changeScaleField()) {
+    : QWidget(parent),
+      measure_(new QComboBox),
+      scale_(changeScaleField()),
+      shadow_(shownButton("showShadow", tr("Shadow"), tr("Show minutes in shadow"))),
+      sun_(shownButton(
+          "showSun", tr("Sun"),
+          tr("Show hours of sun a day: the sunlit time minus gross shadow, on maps, legends and what "
+             "is exported.\nContinuous shadow stays as it is: the longest run in the sun does not "
+             "follow from it."))) {
     setFixedHeight(stripHeight);
     measure_->setObjectName(QStringLiteral("measure"));
     measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::gross)));
@@ -99,7 +122,8 @@ LegendStrip::LegendStrip(QWidget* parent)
            "shadow: longest unbroken run in shadow on any day, minutes."));
     measure_->setFixedWidth(measureWidth - 24);
     connect(measure_, &QComboBox::currentIndexChanged, this, &LegendStrip::measureChanged);
-    scale_->setFixedWidth(measureWidth - 24);
+    setFocusPolicy(Qt::TabFocus);
+    setMouseTracking(true);
     scale_->hide();
     setChangeScale({});
     connect(scale_, &QSpinBox::valueChanged, this, [this](int minutes) {
@@ -111,25 +135,100 @@ LegendStrip::LegendStrip(QWidget* parent)
     auto* column = new QVBoxLayout(fields);
     column->setContentsMargins(0, 3, 0, 1);
     column->setSpacing(1);
-    for (QWidget* field : std::initializer_list<QWidget*>{measure_, scale_}) column->addWidget(field);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(1);
+    for (QWidget* field : std::initializer_list<QWidget*>{shadow_, sun_, scale_}) below->addWidget(field);
+    column->addWidget(measure_);
+    column->addLayout(below);
+    fields->setFixedWidth(measureWidth - 24);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 0, 12, 0);
     row->addWidget(fields, 0, Qt::AlignTop);
     row->addStretch(1);
+    connectShown();
+    setChoice({});
+}
+
+void LegendStrip::connectShown() {
+    const auto show = [this](ShownAs as) {
+        const auto& colours = legend_ ? legend_->colours : std::nullopt;
+        if (choice_.show != as) choose(showAs(choice_, as, colours ? colours->quantity.sunlitMin : 0));
+    };
+    connect(shadow_, &QToolButton::clicked, this, [show] { show(ShownAs::shadow); });
+    connect(sun_, &QToolButton::clicked, this, [show] { show(ShownAs::sun); });
+}
+
+void LegendStrip::setChoice(const LegendChoice& choice) {
+    before_.clear();
+    takeChoice(choice);
+}
+
+void LegendStrip::choose(const LegendChoice& choice) {
+    before_.push_back(choice_);
+    takeChoice(choice);
+}
+
+void LegendStrip::undoChoice() {
+    if (before_.empty()) return;
+    const LegendChoice last = before_.back();
+    before_.pop_back();
+    takeChoice(last);
+}
+
+void LegendStrip::takeChoice(const LegendChoice& choice) {
+    choice_ = choice;
+    changeScale_.show = choice.show;
+    (choice.show == ShownAs::shadow ? shadow_ : sun_)->setChecked(true);
+    Q_EMIT choiceChanged();
+    tellEditor();
+}
+
+void LegendStrip::edit() {
+    if (!editor_) {
+        editor_ = new LegendEditor(this);
+        connect(editor_, &LegendEditor::chosen, this, &LegendStrip::choose);
+        connect(editor_, &LegendEditor::undoRequested, this, &LegendStrip::undoChoice);
+    }
+    tellEditor();
+    editor_->adjustSize();
+    editor_->move(mapToGlobal(QPoint(int(legendArea().left()), -editor_->height() - legendRowHeight)));
+    editor_->show();
+    editor_->raise();
+    editor_->activateWindow();
+}
+
+void LegendStrip::tellEditor() {
+    if (!editor_) return;
+    editor_->setChoice(choice_, legend_ ? legend_->colours : std::nullopt);
+    editor_->setCanUndo(!before_.empty());
+}
+
+void LegendStrip::mousePressEvent(QMouseEvent* event) {
+    if (legend_ && event->button() == Qt::LeftButton && legendArea().contains(event->position()))
+        return edit();
+    QWidget::mousePressEvent(event);
+}
+
+void LegendStrip::keyPressEvent(QKeyEvent* event) {
+    const bool opens = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (legend_ && opens) return edit();
+    QWidget::keyPressEvent(event);
 }
 
 // A fractional scale from the command line is rounded in the field only; the value itself stays.
 void LegendStrip::setChangeScale(const ChangeScale& scale) {
     const QSignalBlocker block(scale_);
     scale_->setValue(scale.lockedMin ? std::max(1, int(std::lround(*scale.lockedMin))) : 0);
-    if (changeScale_ == scale) return;
-    changeScale_ = scale;
+    if (changeScale_.lockedMin == scale.lockedMin) return;
+    changeScale_.lockedMin = scale.lockedMin;
     Q_EMIT changeScaleChanged();
 }
 
 void LegendStrip::setLegend(std::optional<Legend> legend) {
     legend_ = std::move(legend);
-    scale_->setVisible(legend_ && legend_->change && !legend_->wanted && !legend_->instant);
+    scale_->setVisible(legend_ && legend_->change && !legend_->isScore && !legend_->instant &&
+                       legend_->classes.empty());
+    tellEditor();
     update();
 }
 

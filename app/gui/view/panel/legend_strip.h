@@ -13,11 +13,15 @@
 
 class QComboBox;
 class QSpinBox;
+class QToolButton;
 
 namespace noonmark {
 
-/// The strip below the view: choice of the measure, its legend, a scale bar and a compass. In a narrow window
-/// the legend has its own row.
+class LegendEditor;
+
+/// The strip below the view: choice of the measure, a switch between shadow and sun, the legend, a scale bar
+/// and a compass. A click on the legend, or Enter, opens its editor. In a narrow window the legend has its
+/// own row.
 class LegendStrip final : public QWidget {
     Q_OBJECT
 public:
@@ -39,7 +43,12 @@ public:
 
     /// The scale of differences; its field is visible while a difference is shown.
     [[nodiscard]] const ChangeScale& changeScale() const { return changeScale_; }
-    void setChangeScale(const ChangeScale& scale);
+    void setChangeScale(const ChangeScale& scale);  ///< except for what it shows, which setChoice() says
+
+    [[nodiscard]] const LegendChoice& choice() const { return choice_; }
+    void setChoice(const LegendChoice& choice);  ///< cannot be undone
+    void edit();                                 ///< opens the editor of the legend
+    void undoChoice();                           ///< does nothing if there is none to undo
 
     [[nodiscard]] QRectF noteArea() const;      ///< the note's place; empty: no note
     [[nodiscard]] QRectF legendArea() const;    ///< beside the note
@@ -48,22 +57,34 @@ public:
 Q_SIGNALS:
     void measureChanged();
     void changeScaleChanged();
+    void choiceChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     [[nodiscard]] bool narrow() const;
     [[nodiscard]] QFont noteFont() const;
     [[nodiscard]] QSizeF noteRoom() const;
     void placeNote();
+    void connectShown();
+    void choose(const LegendChoice& choice);
+    void takeChoice(const LegendChoice& choice);
+    void tellEditor();
     void paintNote(const Canvas& canvas) const;
     void paintScale(const Canvas& canvas) const;
 
     QComboBox* measure_;
     QSpinBox* scale_;  ///< 0: fitted to each
+    QToolButton* shadow_;
+    QToolButton* sun_;
+    LegendEditor* editor_ = nullptr;  ///< null until it is first opened
     ChangeScale changeScale_;
+    LegendChoice choice_;
+    std::vector<LegendChoice> before_;  ///< to be undone, the latest last
     QString hint_;
     QString note_;
     bool partial_ = false;

@@ -1,5 +1,6 @@
 #include "app/gui/view/panel/result_layer.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -24,6 +25,12 @@ QString makeNote(const ViewAnswer& answer, double distanceM) {
     return !isFinest(answer) ? QObject::tr("Refining: %1").arg(words) : words;
 }
 
+// Minutes of the last colour: those of the sunlit time, which no gross shadow exceeds, or the scale's end.
+double topMinOf(const Legend& legend) {
+    const ColourScale scale = coloursOf(legend);
+    return std::max(scale.quantity.isSun() ? scale.quantity.sunlitMin : scale.high, 1e-9);
+}
+
 QString hintOf(ViewMode mode) {
     if (mode == ViewMode::exploration) return QObject::tr("Computing the shadow in the view...");
     return QObject::tr("No study yet: choose a period and a region, then press Run (Ctrl+R)");
@@ -31,10 +38,7 @@ QString hintOf(ViewMode mode) {
 
 }  // namespace
 
-ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), strip_(legend) {
-    view_.surfaces().setPalette(shadowPalette());
-    showNothing();
-}
+ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), strip_(legend) { showNothing(); }
 
 void ResultLayer::forget() {
     study_.reset();
@@ -126,8 +130,8 @@ bool ResultLayer::showsStudy() const {
     return ground && !showsElements() && study_ && this->ground() == &*study_;
 }
 
-double ResultLayer::studyTop() const {
-    return makeLegend(*study_, strip_.measure(), strip_.changeScale()).scale.top;
+Legend ResultLayer::studyLegend() const {
+    return makeLegend(*study_, strip_.measure(), strip_.changeScale(), strip_.choice());
 }
 
 void ResultLayer::show() {
@@ -163,8 +167,8 @@ bool ResultLayer::showsElements() const {
 
 void ResultLayer::showElements() {
     view_.clearPicture();
-    const Legend legend = makeLegend(*elements_->map, strip_.measure());
-    view_.tiles().show(makeTiles(*elements_->map, strip_.measure(), legend.scale.top));
+    const Legend legend = makeLegend(*elements_->map, strip_.measure(), strip_.choice());
+    view_.tiles().show(makeTiles(*elements_->map, strip_.measure(), coloursOf(legend)));
     strip_.setLegend(legend);
     const bool ofRuns = strip_.measure() == ShadowMeasure::continuous && !elements_->runNote.isEmpty();
     strip_.setNote(ofRuns ? elements_->runNote : elements_->note, elements_->marked);
@@ -224,8 +228,10 @@ const GroundAnswer* ResultLayer::ground() const {
 }
 
 void ResultLayer::showExplored() {
-    const Legend legend = makeLegend(explored_->view, strip_.measure());
-    view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), legend.scale.top));
+    const Legend legend = makeLegend(explored_->view, strip_.measure(), strip_.choice());
+    const double topMin = topMinOf(legend);
+    view_.surfaces().setPalette(paletteOf(coloursOf(legend), topMin));
+    view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), topMin));
     strip_.setLegend(legend);
     const double distance = glm::length(explored_->view.camera.eye - view_.pose().target);
     strip_.setNote(makeNote(*explored_, distance), isSoFar(explored_->view));
@@ -233,21 +239,19 @@ void ResultLayer::showExplored() {
 
 void ResultLayer::showGround() {
     const GroundAnswer& answer = *ground();
-    const Legend legend = makeLegend(answer, strip_.measure(), strip_.changeScale());
-    view_.showPicture(makePicture(answer, strip_.measure(), legend.scale.top),
-                      !live_ && partial_.has_value());
-    if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
-        view_.showRoofPicture(*roofs);
+    const Legend legend = makeLegend(answer, strip_.measure(), strip_.changeScale(), strip_.choice());
+    view_.showPicture(makePicture(answer, strip_.measure(), legend), !live_ && partial_.has_value());
+    if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend)) view_.showRoofPicture(*roofs);
     strip_.setLegend(legend);
-    strip_.setNote(makeNote(answer, strip_.measure()), answer.marked);
+    strip_.setNote(makeNote(answer, strip_.measure(), strip_.choice().show), answer.marked);
     if (live_ && facades_) showFacades();
 }
 
 // One legend for ground and facades, since both are minutes of shadow.
 void ResultLayer::showFacades() {
     const ShadowMeasure measure = live_->grossOnly ? ShadowMeasure::gross : strip_.measure();
-    const Legend legend = makeLegend(*live_, measure, strip_.changeScale());
-    view_.tiles().show(makeTiles(*facades_->map, measure, legend.scale.top));
+    const Legend legend = makeLegend(*live_, measure, strip_.changeScale(), strip_.choice());
+    view_.tiles().show(makeTiles(*facades_->map, measure, coloursOf(legend)));
     strip_.setNote(QObject::tr("%1. %2").arg(makeNote(*live_, strip_.measure()), facades_->note),
                    live_->marked);
 }
@@ -278,8 +282,10 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
         const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
         if (!point) return {};
         const SurfaceShadow& shadow = explored_->view.shadow;
-        return formatMinutes(shadow.grossMin[*point], shadow.continuousMin[*point],
-                             makeLegend(explored_->view, ShadowMeasure::gross).instant);
+        const float gross = shadow.grossMin[*point], continuous = shadow.continuousMin[*point];
+        if (makeLegend(explored_->view, ShadowMeasure::gross).instant)
+            return formatMinutes(gross, continuous, true);
+        return formatShown(gross, continuous, {strip_.choice().show, shadow.sunlitMinutesPerDay});
     }
     if (const ElementMap* map = shownElements()) {
         const auto element = elementAt(pick.position);
@@ -289,7 +295,7 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
     const glm::dvec2 place{pick.position.x, pick.position.y};
     if (showsPlaces()) return pick.building ? QString() : places_->describe(place);
     if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
-    return textAt(*ground(), place);
+    return textAt(*ground(), place, strip_.choice().show);
 }
 
 }  // namespace noonmark

@@ -62,7 +62,7 @@ public:
     [[nodiscard]] bool showsExplored() const;
     /// Whether the ground shows a study of one scenario.
     [[nodiscard]] bool showsStudy() const;
-    [[nodiscard]] double studyTop() const;  ///< minutes of its last colour; only while showsStudy()
+    [[nodiscard]] Legend studyLegend() const;  ///< only while showsStudy()
     /// Called after something else is shown.
     void whenShown(std::function<void()> called) { whenShown_ = std::move(called); }
 

@@ -62,7 +62,8 @@ ViewPanel::ViewPanel(QWidget* parent)
         legend_->setHeading(view_->pose().headingDeg);
         legend_->setScale(1 / metresPerPixel(view_->pose(), view_->lens()));
     });
-    for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
+    for (auto signal :
+         {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged, &LegendStrip::choiceChanged})
         connect(legend_, signal, this, [this] { results_->show(); });
     connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
     connect(navigator_, &ViewNavigator::left, this, [this] {

@@ -1,0 +1,209 @@
+#include "app/gui/view/panel/legend_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include "app/gui/base/widgets/translated.h"
+
+namespace noonmark {
+
+namespace {
+
+using Kind = LegendClasses::Kind;
+
+constexpr QSize swatch{96, 12};
+
+QIcon rampIcon(Ramp ramp) {
+    QPixmap picture(swatch);
+    QPainter painter(&picture);
+    for (int x = 0; x < swatch.width(); ++x) {
+        const Rgb colour = rampRgb(ramp, double(x) / (swatch.width() - 1));
+        painter.fillRect(x, 0, 1, swatch.height(), QColor(colour.red, colour.green, colour.blue));
+    }
+    return picture;
+}
+
+QComboBox* rampField() {
+    auto* field = new QComboBox;
+    field->setIconSize(swatch);
+    for (const Choice<Ramp>& one : rampChoices()) {
+        const QString name = translated(one.label);
+        field->addItem(rampIcon(one.value),
+                       isColourBlindSafe(one.value)
+                           ? name
+                           : LegendEditor::tr("%1 (not for colour-blind readers)").arg(name));
+    }
+    field->setToolTip(LegendEditor::tr(
+        "Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.\n"
+        "Differences and scores keep two colours of their own."));
+    return field;
+}
+
+QComboBox* shownField() {
+    auto* field = new QComboBox;
+    for (const Choice<ShownAs>& one : shownChoices()) field->addItem(translated(one.label));
+    field->setToolTip(
+        LegendEditor::tr("Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share "
+                         "of the sunlit time "
+                         "in the sun.\nContinuous shadow stays in minutes: the longest run in the sun does "
+                         "not follow from it."));
+    return field;
+}
+
+QComboBox* kindField() {
+    auto* field = new QComboBox;
+    field->addItems({LegendEditor::tr("Continuous"), LegendEditor::tr("Equal classes"),
+                     LegendEditor::tr("Quantiles: as many cells in each"),
+                     LegendEditor::tr("Typed numbers, or one threshold")});
+    return field;
+}
+
+QLineEdit* textField(const QString& hint, const QString& tip) {
+    auto* field = new QLineEdit;
+    field->setPlaceholderText(hint);
+    field->setToolTip(tip);
+    return field;
+}
+
+std::string withoutSpaces(const QLineEdit& field) {
+    return field.text().simplified().remove(QLatin1Char(' ')).toStdString();
+}
+
+}  // namespace
+
+LegendEditor::LegendEditor(QWidget* parent)
+    : QFrame(parent, Qt::Tool),
+      show_(shownField()),
+      ramp_(rampField()),
+      reversed_(new QCheckBox(tr("Re&versed"))),
+      locked_(new QCheckBox(tr("&Locked"))),
+      range_(textField(tr("fitted"), tr("Values at the ends, in the unit shown, such as 0:8"))),
+      kind_(kindField()),
+      count_(new QSpinBox),
+      breaks_(textField(QStringLiteral("2,4,6"),
+                        tr("Numbers between the classes, ascending, in the unit shown. One number is a "
+                           "threshold: two colours"))),
+      problem_(new QLabel),
+      undo_(new QPushButton(tr("&Undo"))) {
+    setObjectName(QStringLiteral("legendEditor"));
+    setWindowTitle(tr("Legend"));
+    locked_->setToolTip(tr("Keep the range of this map for all others; unlocked, each map has its own."));
+    count_->setRange(LegendClasses::minCount, LegendClasses::maxCount);
+    problem_->setWordWrap(true);
+    undo_->setShortcut(QKeySequence::Undo);
+    undo_->setEnabled(false);
+    for (const auto& [field, name] :
+         std::initializer_list<std::pair<QWidget*, const char*>>{{show_, "legendShow"},
+                                                                 {ramp_, "legendRamp"},
+                                                                 {reversed_, "legendReversed"},
+                                                                 {locked_, "legendLocked"},
+                                                                 {range_, "legendRange"},
+                                                                 {kind_, "legendClasses"},
+                                                                 {count_, "legendCount"},
+                                                                 {breaks_, "legendBreaks"},
+                                                                 {undo_, "legendUndo"}})
+        field->setObjectName(QLatin1String(name));
+    addRows();
+    connectRows();
+}
+
+void LegendEditor::addRows() {
+    auto* form = new QFormLayout(this);
+    const auto beside = [](QWidget* first, QWidget* second) {
+        auto* row = new QHBoxLayout;
+        row->addWidget(first, 1);
+        row->addWidget(second);
+        return row;
+    };
+    form->addRow(tr("&Show"), show_);
+    form->addRow(tr("&Colours"), ramp_);
+    form->addRow(QString(), reversed_);
+    form->addRow(tr("&Range"), beside(range_, locked_));
+    form->addRow(tr("Cla&sses"), beside(kind_, count_));
+    form->addRow(tr("&Numbers"), breaks_);
+    form->addRow(problem_);
+    form->addRow(QString(), undo_);
+}
+
+void LegendEditor::connectRows() {
+    for (QComboBox* field : {show_, ramp_, kind_})
+        connect(field, &QComboBox::currentIndexChanged, this, &LegendEditor::take);
+    connect(reversed_, &QCheckBox::toggled, this, &LegendEditor::take);
+    connect(count_, &QSpinBox::valueChanged, this, &LegendEditor::take);
+    for (QLineEdit* field : {range_, breaks_})
+        connect(field, &QLineEdit::editingFinished, this, &LegendEditor::take);
+    connect(locked_, &QCheckBox::toggled, this, [this](bool locked) {
+        range_->setText(locked && fitted_
+                            ? QString::fromStdString(formatText(LegendRange{fitted_->low, fitted_->high}))
+                            : QString());
+        take();
+    });
+    connect(undo_, &QPushButton::clicked, this, &LegendEditor::undoRequested);
+}
+
+void LegendEditor::setChoice(const LegendChoice& choice, const std::optional<ColourScale>& fitted) {
+    choice_ = choice;
+    fitted_ = fitted;
+    const QSignalBlocker blocks[]{QSignalBlocker(show_),   QSignalBlocker(ramp_), QSignalBlocker(reversed_),
+                                  QSignalBlocker(locked_), QSignalBlocker(kind_), QSignalBlocker(count_)};
+    show_->setCurrentIndex(int(choice.show));
+    ramp_->setCurrentIndex(int(choice.ramp));
+    reversed_->setChecked(choice.reversed);
+    locked_->setChecked(choice.range.has_value());
+    range_->setText(choice.range ? QString::fromStdString(formatText(*choice.range)) : QString());
+    kind_->setCurrentIndex(int(choice.classes.kind));
+    count_->setValue(choice.classes.count);
+    breaks_->setText(choice.classes.kind == Kind::breaks ? QString::fromStdString(formatText(choice.classes))
+                                                         : QString());
+    problem_->clear();
+    showEnabled();
+}
+
+void LegendEditor::setCanUndo(bool can) { undo_->setEnabled(can); }
+
+void LegendEditor::showEnabled() {
+    const auto kind = Kind(kind_->currentIndex());
+    for (QWidget* field : std::initializer_list<QWidget*>{ramp_, reversed_, range_, locked_, kind_})
+        field->setEnabled(fitted_.has_value());
+    count_->setEnabled(fitted_ && (kind == Kind::equal || kind == Kind::quantiles));
+    breaks_->setEnabled(fitted_ && kind == Kind::breaks);
+}
+
+std::optional<LegendClasses> LegendEditor::readClasses() const {
+    const auto kind = Kind(kind_->currentIndex());
+    if (kind != Kind::breaks) return LegendClasses{kind, count_->value(), {}};
+    const auto breaks = parseLegendClasses(withoutSpaces(*breaks_));
+    if (!breaks || breaks->kind != Kind::breaks) return std::nullopt;
+    return *breaks;
+}
+
+std::optional<LegendChoice> LegendEditor::readRows() const {
+    const auto classes = readClasses();
+    const auto range =
+        range_->text().isEmpty() ? Result<LegendRange>() : parseLegendRange(withoutSpaces(*range_));
+    if (!classes || !range) return std::nullopt;
+    LegendChoice choice{choice_.show, Ramp(ramp_->currentIndex()), reversed_->isChecked(), std::nullopt,
+                        *classes};
+    if (!range_->text().isEmpty()) choice.range = *range;
+    const auto as = ShownAs(show_->currentIndex());
+    return as == choice.show ? choice : showAs(choice, as, fitted_ ? fitted_->quantity.sunlitMin : 0);
+}
+
+// What cannot be read yet stays in its field; the map keeps the colours it has.
+void LegendEditor::take() {
+    showEnabled();
+    const auto choice = readRows();
+    problem_->setText(choice ? QString()
+                             : tr("Not two numbers like 0:8, or not ascending numbers like 2,4,6"));
+    if (choice && *choice != choice_) Q_EMIT chosen(*choice);
+}
+
+}  // namespace noonmark

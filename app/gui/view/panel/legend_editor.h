@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QFrame>
+
+#include "core/measures/colour_scale.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace noonmark {
+
+/// A small window beside the legend in which it is changed: what is shown, colours, range, classes. Each
+/// change shows at once; the window stays open beside the others.
+class LegendEditor final : public QFrame {
+    Q_OBJECT
+public:
+    explicit LegendEditor(QWidget* parent);
+
+    /// The choice to be edited. `fitted`: the scale of the map on display, whose range a click locks; none:
+    /// the map is one of differences or of a moment, whose colours are their own.
+    void setChoice(const LegendChoice& choice, const std::optional<ColourScale>& fitted);
+    void setCanUndo(bool can);
+
+Q_SIGNALS:
+    void chosen(const LegendChoice& choice);
+    void undoRequested();
+
+private:
+    void addRows();
+    void connectRows();
+    void take();
+    [[nodiscard]] std::optional<LegendChoice> readRows() const;
+    [[nodiscard]] std::optional<LegendClasses> readClasses() const;
+    void showEnabled();
+
+    LegendChoice choice_;
+    std::optional<ColourScale> fitted_;
+    QComboBox* show_;
+    QComboBox* ramp_;
+    QCheckBox* reversed_;
+    QCheckBox* locked_;
+    QLineEdit* range_;
+    QComboBox* kind_;
+    QSpinBox* count_;
+    QLineEdit* breaks_;
+    QLabel* problem_;
+    QPushButton* undo_;
+};
+
+}  // namespace noonmark

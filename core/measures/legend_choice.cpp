@@ -1,0 +1,175 @@
+#include "core/measures/legend_choice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/describe/field_json.h"
+#include "core/describe/text.h"
+
+namespace noonmark {
+
+namespace {
+
+using Kind = LegendClasses::Kind;
+
+constexpr std::array rampList{
+    Choice<Ramp>{Ramp::noonmark, "noonmark", NM_TEXT("Sun to indigo")},
+    Choice<Ramp>{Ramp::viridis, "viridis", NM_TEXT("Viridis")},
+    Choice<Ramp>{Ramp::cividis, "cividis", NM_TEXT("Cividis")},
+    Choice<Ramp>{Ramp::magma, "magma", NM_TEXT("Magma")},
+    Choice<Ramp>{Ramp::grey, "grey", NM_TEXT("Grey")},
+    Choice<Ramp>{Ramp::trafficLight, "traffic-light", NM_TEXT("Green to red")},
+};
+
+// Independent of the locale; nothing may follow the number.
+std::optional<double> finiteNumberIn(std::string_view text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+std::optional<int> classCountIn(std::string_view text) {
+    const auto number = finiteNumberIn(text);
+    if (!number || *number != std::floor(*number) || *number < LegendClasses::minCount ||
+        *number > LegendClasses::maxCount)
+        return std::nullopt;
+    return int(*number);
+}
+
+std::optional<std::vector<double>> ascendingNumbersIn(std::string_view text) {
+    std::vector<double> numbers;
+    while (true) {
+        const auto comma = text.find(',');
+        const auto number = finiteNumberIn(text.substr(0, comma));
+        if (!number || (!numbers.empty() && *number <= numbers.back())) return std::nullopt;
+        numbers.push_back(*number);
+        if (comma == std::string_view::npos) break;
+        text.remove_prefix(comma + 1);
+    }
+    return numbers.size() < std::size_t(LegendClasses::maxCount) ? std::optional(numbers) : std::nullopt;
+}
+
+}  // namespace
+
+std::span<const Choice<Ramp>> rampChoices() { return rampList; }
+
+std::string formatText(LegendRange range) { return fmt::format("{}:{}", range.low, range.high); }
+
+Result<LegendRange> parseLegendRange(std::string_view text) {
+    const auto colon = text.find(':');
+    if (colon != std::string_view::npos) {
+        const auto low = finiteNumberIn(text.substr(0, colon)), high = finiteNumberIn(text.substr(colon + 1));
+        if (low && high && *low < *high) return LegendRange{*low, *high};
+    }
+    return failure("The range of the legend is not two numbers, the smaller one first", std::string(text),
+                   "Write it like 0:8, in the unit that is shown");
+}
+
+std::string formatText(LegendClasses classes) {
+    switch (classes.kind) {
+        case Kind::continuous:
+            return "continuous";
+        case Kind::equal:
+            return fmt::format("equal:{}", classes.count);
+        case Kind::quantiles:
+            return fmt::format("quantiles:{}", classes.count);
+        case Kind::breaks:
+            return fmt::format("{}", fmt::join(classes.breaks, ","));
+    }
+    return {};
+}
+
+Result<LegendClasses> parseLegendClasses(std::string_view text) {
+    if (text == "continuous") return LegendClasses{};
+    const auto colon = text.find(':');
+    if (colon == std::string_view::npos) {
+        if (auto breaks = ascendingNumbersIn(text)) return LegendClasses{Kind::breaks, 5, *std::move(breaks)};
+    } else if (const auto count = classCountIn(text.substr(colon + 1))) {
+        if (text.substr(0, colon) == "equal") return LegendClasses{Kind::equal, *count, {}};
+        if (text.substr(0, colon) == "quantiles") return LegendClasses{Kind::quantiles, *count, {}};
+    }
+    return failure("The classes of the legend are not known", std::string(text),
+                   "Write continuous, equal:5, quantiles:5 (2 to 12 classes), or ascending numbers between "
+                   "the classes like 2,4,6");
+}
+
+const Fields<LegendChoice>& legendFields() {
+    static const Fields<LegendChoice> fields{
+        choiceField(&LegendChoice::show, shownChoices(),
+                    {.key = "show",
+                     .flag = "--show",
+                     .label = NM_TEXT("Show"),
+                     .help = NM_TEXT("What maps and sheets show: minutes of shadow, hours of sun, or the "
+                                     "share of the sunlit time in the sun"),
+                     .role = SettingRole::none}),
+        choiceField(
+            &LegendChoice::ramp, rampChoices(),
+            {.key = "ramp",
+             .flag = "--ramp",
+             .label = NM_TEXT("Colours"),
+             .help = NM_TEXT("Colours of maps; all but traffic-light are safe for colour-blind readers"),
+             .role = SettingRole::none}),
+        field(&LegendChoice::reversed,
+              {.key = "reversed",
+               .flag = "--reverse-ramp",
+               .label = NM_TEXT("Reversed"),
+               .help = NM_TEXT("Turn the colours round: bright where there is much shadow"),
+               .role = SettingRole::none}),
+        textField(&LegendChoice::range, +[](const LegendRange& range) { return formatText(range); },
+                  &parseLegendRange,
+                  {.key = "range",
+                   .flag = "--range",
+                   .label = NM_TEXT("Range"),
+                   .help = NM_TEXT("Values at the ends of the legend, in the unit shown: 0:8; without it "
+                                   "fitted to each map"),
+                   .hint = "LOW:HIGH",
+                   .whenEmpty = NM_TEXT("fitted"),
+                   .role = SettingRole::none}),
+        textField(&LegendChoice::classes,
+                  +[](LegendClasses classes) { return formatText(std::move(classes)); }, &parseLegendClasses,
+                  {.key = "classes",
+                   .flag = "--classes",
+                   .label = NM_TEXT("Classes"),
+                   .help = NM_TEXT("Classes of the legend: continuous, equal:5, quantiles:5, or the numbers "
+                                   "between them: 2,4,6; one number is a threshold"),
+                   .hint = "CLASSES",
+                   .role = SettingRole::none}),
+    };
+    return fields;
+}
+
+std::string formatText(const LegendChoice& choice) {
+    return fieldsJson(legendFields().of(choice), {.which = FieldJson::Which::changed}).dump();
+}
+
+LegendChoice parseLegendChoice(const std::string& text) {
+    LegendChoice choice;
+    const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+    if (!json.is_object() || !readFieldsJson(legendFields().of(choice), json)) return {};
+    return choice;
+}
+
+LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin) {
+    LegendChoice shown = choice;
+    shown.show = as;
+    const ShownQuantity from{choice.show, sunlitMin}, to{as, sunlitMin};
+    const auto convert = [&](double value) { return to.of(from.minutesOf(value)); };
+    if (choice.range) {
+        const auto [low, high] = std::minmax({convert(choice.range->low), convert(choice.range->high)});
+        shown.range = low < high ? std::optional(LegendRange{low, high}) : std::nullopt;
+    }
+    for (double& value : shown.classes.breaks) value = convert(value);
+    std::ranges::sort(shown.classes.breaks);
+    const auto equal = std::ranges::unique(shown.classes.breaks);
+    shown.classes.breaks.erase(equal.begin(), equal.end());
+    return shown;
+}
+
+}  // namespace noonmark

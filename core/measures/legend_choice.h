@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/describe/field.h"
+#include "core/measures/palette.h"
+#include "core/measures/shown_quantity.h"
+
+namespace noonmark {
+
+std::span<const Choice<Ramp>> rampChoices();
+
+/// The values of the two ends of a scale, in the unit shown.
+struct LegendRange {
+    double low = 0;
+    double high = 0;
+    bool operator==(const LegendRange&) const = default;
+};
+std::string formatText(LegendRange range);  ///< "0:8"
+/// Error: no two numbers of which the second is larger.
+Result<LegendRange> parseLegendRange(std::string_view text);
+
+/// How values become colours.
+struct LegendClasses {
+    static constexpr int minCount = 2;
+    static constexpr int maxCount = 12;
+    enum class Kind {
+        continuous,
+        equal,      ///< `count` classes of equal width
+        quantiles,  ///< `count` classes of about as many cells each
+        breaks,     ///< classes between the numbers that the user typed; one number: two colours
+    };
+    Kind kind = Kind::continuous;
+    int count = 5;
+    std::vector<double> breaks{};  ///< ascending, in the unit shown; only of Kind::breaks
+    bool operator==(const LegendClasses&) const = default;
+};
+std::string formatText(LegendClasses classes);  ///< "continuous", "equal:5", "quantiles:4", "2,4,6"
+/// Error: neither of these.
+Result<LegendClasses> parseLegendClasses(std::string_view text);
+
+/// What a user chose for the legend of maps. The ramp and classes of a map of minutes; differences and scores
+/// have colours of their own and take `show` alone.
+struct LegendChoice {
+    ShownAs show = ShownAs::shadow;
+    Ramp ramp = Ramp::noonmark;
+    bool reversed = false;               ///< dark where the ramp is bright
+    std::optional<LegendRange> range{};  ///< unset: fitted to each map
+    LegendClasses classes{};
+    bool operator==(const LegendChoice&) const = default;
+};
+
+/// Flags --show, --ramp, --reverse-ramp, --range, --classes. No result depends on them.
+const Fields<LegendChoice>& legendFields();
+
+/// The choice as the JSON of its fields that differ from their default, and back: what is not valid there
+/// stays as it is in LegendChoice{}.
+std::string formatText(const LegendChoice& choice);
+LegendChoice parseLegendChoice(const std::string& text);
+
+/// The choice with range and breaks in the unit of `as`, so that each cell keeps its class.
+LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin);
+
+}  // namespace noonmark

@@ -1,0 +1,63 @@
+#include "core/measures/shown_quantity.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/describe/text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double minutesAnHour = 60;
+constexpr double wholePct = 100;
+
+constexpr std::array shownList{
+    Choice<ShownAs>{ShownAs::shadow, "shadow", NM_TEXT("Shadow")},
+    Choice<ShownAs>{ShownAs::sun, "sun", NM_TEXT("Sun")},
+    Choice<ShownAs>{ShownAs::share, "share", NM_TEXT("Share of the sunlit time")},
+};
+
+double pctOf(double minutes, double sunlitMin) { return sunlitMin > 0 ? wholePct * minutes / sunlitMin : 0; }
+
+}  // namespace
+
+std::span<const Choice<ShownAs>> shownChoices() { return shownList; }
+
+double ShownQuantity::of(double grossMin) const {
+    const double sunMin = std::max(sunlitMin - grossMin, 0.0);  // NaN stays NaN
+    if (as == ShownAs::sun) return sunMin / minutesAnHour;
+    if (as == ShownAs::share) return pctOf(sunMin, sunlitMin);
+    return grossMin;
+}
+
+double ShownQuantity::minutesOf(double value) const {
+    if (as == ShownAs::sun) return sunlitMin - value * minutesAnHour;
+    if (as == ShownAs::share) return sunlitMin * (1 - value / wholePct);
+    return value;
+}
+
+double ShownQuantity::ofChange(double grossMin) const { return isSun() ? -grossMin : grossMin; }
+
+double ShownQuantity::ofError(double grossMin) const {
+    if (as == ShownAs::sun) return grossMin / minutesAnHour;
+    if (as == ShownAs::share) return pctOf(grossMin, sunlitMin);
+    return grossMin;
+}
+
+std::string_view ShownQuantity::title() const {
+    if (as == ShownAs::sun) return "Hours of sun";
+    return as == ShownAs::share ? "Share of the sunlit time" : "Gross shadow";
+}
+
+std::string_view ShownQuantity::unit() const {
+    if (as == ShownAs::sun) return "hours of sun a day";
+    return as == ShownAs::share ? "% in the sun" : "minutes in shadow a day";
+}
+
+std::string_view ShownQuantity::shortUnit() const {
+    if (as == ShownAs::sun) return "h";
+    return as == ShownAs::share ? "%" : "min";
+}
+
+}  // namespace noonmark

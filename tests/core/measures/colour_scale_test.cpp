@@ -1,0 +1,111 @@
+#include "core/measures/colour_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace noonmark {
+namespace {
+
+constexpr double sunlitMin = 600;
+constexpr std::array<float, 5> cells{0, 60, 120, 360, 600};
+
+LegendChoice choiceOf(ShownAs show, const LegendClasses& classes = {}) {
+    return {show, Ramp::noonmark, false, std::nullopt, classes};
+}
+
+ColourScale scaleOf(const LegendChoice& choice) {
+    return makeColourScale(choice, {choice.show, sunlitMin}, sunlitMin, cells);
+}
+
+TEST(ShownQuantity, SunIsTheSunlitTimeWithoutShadow) {
+    const ShownQuantity shadow{ShownAs::shadow, sunlitMin}, sun{ShownAs::sun, sunlitMin},
+        share{ShownAs::share, sunlitMin};
+    EXPECT_EQ(shadow.of(150), 150);
+    EXPECT_EQ(sun.of(150), 7.5);
+    EXPECT_EQ(share.of(150), 75);
+    EXPECT_EQ(sun.of(600.001), 0) << "never below none";
+    EXPECT_TRUE(std::isnan(sun.of(std::nan(""))));
+    for (const ShownQuantity& one : {shadow, sun, share}) EXPECT_DOUBLE_EQ(one.minutesOf(one.of(150)), 150);
+    EXPECT_EQ(share.of(0), 100);
+}
+
+TEST(ShownQuantity, MoreShadowIsLessSun) {
+    EXPECT_EQ((ShownQuantity{ShownAs::shadow, sunlitMin}.ofChange(12)), 12);
+    EXPECT_EQ((ShownQuantity{ShownAs::sun, sunlitMin}.ofChange(12)), -12);
+    EXPECT_EQ((ShownQuantity{ShownAs::sun, sunlitMin}.ofError(12)), 0.2) << "an error has no sign";
+}
+
+TEST(LegendChoice, IsTheSameAfterItsText) {
+    for (const char* classes : {"continuous", "equal:4", "quantiles:3", "2,4.5,6", "2"}) {
+        const auto read = parseLegendClasses(classes);
+        ASSERT_TRUE(read) << classes;
+        EXPECT_EQ(formatText(*read), classes);
+        const LegendChoice choice{ShownAs::share, Ramp::magma, true, LegendRange{10, 90.5}, *read};
+        EXPECT_EQ(parseLegendChoice(formatText(choice)), choice) << classes;
+    }
+    EXPECT_EQ(formatText(LegendChoice()), "{}");
+    EXPECT_EQ(parseLegendChoice("no JSON"), LegendChoice());
+}
+
+TEST(LegendChoice, RefusesWhatIsNoRangeAndNoClasses) {
+    for (const char* range : {"", "8", "8:0", "3:3", "a:b", "0:8x", "nan:1", "0:inf"})
+        EXPECT_FALSE(parseLegendRange(range)) << range;
+    for (const char* classes :
+         {"", "equal", "equal:1", "equal:13", "equal:2.5", "4,2", "2,2", "2,", "some:3"})
+        EXPECT_FALSE(parseLegendClasses(classes)) << classes;
+}
+
+TEST(LegendChoice, KeepsItsClassesWhenSunIsShownInstead) {
+    const LegendChoice shadow{ShownAs::shadow,
+                              Ramp::noonmark,
+                              false,
+                              LegendRange{0, 480},
+                              {LegendClasses::Kind::breaks, 5, {120, 360}}};
+    const LegendChoice sun = showAs(shadow, ShownAs::sun, sunlitMin);
+    EXPECT_EQ(sun.range, (LegendRange{2, 10}));
+    EXPECT_EQ(sun.classes.breaks, (std::vector<double>{4, 8}));
+    EXPECT_EQ(showAs(sun, ShownAs::shadow, sunlitMin), shadow);
+}
+
+TEST(ColourScale, PaintsNothingWhereThereIsNoShadow) {
+    EXPECT_FALSE(scaleOf(choiceOf(ShownAs::shadow)).pick(0));
+    EXPECT_TRUE(scaleOf(choiceOf(ShownAs::shadow)).pick(0.01));
+    EXPECT_TRUE(scaleOf(choiceOf(ShownAs::sun)).pick(0)) << "full sun is what such a map shows";
+    EXPECT_FALSE(scaleOf(choiceOf(ShownAs::sun)).pick(std::nan("")));
+}
+
+TEST(ColourScale, ACellHasTheSameColourAsShadowAndAsSun) {
+    const ColourScale shadow = scaleOf(choiceOf(ShownAs::shadow)), sun = scaleOf(choiceOf(ShownAs::sun));
+    EXPECT_EQ(shadow.high, 600);
+    EXPECT_EQ(sun.high, 10) << "hours";
+    EXPECT_EQ(shadow.pick(150), shadowRgb(0.25));
+    EXPECT_EQ(sun.pick(150), shadowRgb(0.25));
+    EXPECT_EQ(sun.pick(600), shadowRgb(1)) << "no sun is dark";
+}
+
+TEST(ColourScale, ClassesHaveTheirBreaks) {
+    EXPECT_EQ(scaleOf(choiceOf(ShownAs::shadow, {LegendClasses::Kind::equal, 3, {}})).breaks,
+              (std::vector<double>{200, 400}));
+    EXPECT_EQ(scaleOf(choiceOf(ShownAs::shadow, {LegendClasses::Kind::quantiles, 2, {}})).breaks,
+              std::vector<double>{360})
+        << "of the four cells that are painted";
+    const ColourScale threshold = scaleOf(choiceOf(ShownAs::sun, {LegendClasses::Kind::breaks, 5, {4}}));
+    const auto classes = threshold.classes();
+    ASSERT_EQ(classes.size(), 2U);
+    EXPECT_EQ(classes[0].label, "below 4 h");
+    EXPECT_EQ(classes[1].label, "4 h and more");
+    EXPECT_EQ(threshold.pick(600 - 4 * 60), classes[1].colour) << "the threshold itself is reached";
+    EXPECT_EQ(threshold.pick(600 - 3.99 * 60), classes[0].colour);
+}
+
+TEST(ColourScale, ReversedColoursAreTheOthersFromTheEnd) {
+    LegendChoice choice = choiceOf(ShownAs::shadow);
+    const auto before = scaleOf(choice).pick(150);
+    choice.reversed = true;
+    EXPECT_EQ(scaleOf(choice).pick(450), before);
+}
+
+}  // namespace
+}  // namespace noonmark
