@@ -8,20 +8,20 @@
 namespace noonmark {
 namespace {
 
-constexpr double sunlitMin = 600;
-constexpr std::array<float, 5> cells{0, 60, 120, 360, 600};
+constexpr double tenHoursMin = 600;
+constexpr std::array<float, 5> fiveCells{0, 60, 120, 360, 600};
 
 LegendChoice choiceOf(ShownAs show, const LegendClasses& classes = {}) {
     return {show, Ramp::noonmark, false, std::nullopt, classes};
 }
 
 ColourScale scaleOf(const LegendChoice& choice) {
-    return makeColourScale(choice, {choice.show, sunlitMin}, sunlitMin, cells);
+    return makeColourScale(choice, {choice.show, tenHoursMin}, tenHoursMin, fiveCells);
 }
 
 TEST(ShownQuantity, SunIsTheSunlitTimeWithoutShadow) {
-    const ShownQuantity shadow{ShownAs::shadow, sunlitMin}, sun{ShownAs::sun, sunlitMin},
-        share{ShownAs::share, sunlitMin};
+    const ShownQuantity shadow{ShownAs::shadow, tenHoursMin}, sun{ShownAs::sun, tenHoursMin},
+        share{ShownAs::share, tenHoursMin};
     EXPECT_EQ(shadow.of(150), 150);
     EXPECT_EQ(sun.of(150), 7.5);
     EXPECT_EQ(share.of(150), 75);
@@ -32,9 +32,9 @@ TEST(ShownQuantity, SunIsTheSunlitTimeWithoutShadow) {
 }
 
 TEST(ShownQuantity, MoreShadowIsLessSun) {
-    EXPECT_EQ((ShownQuantity{ShownAs::shadow, sunlitMin}.ofChange(12)), 12);
-    EXPECT_EQ((ShownQuantity{ShownAs::sun, sunlitMin}.ofChange(12)), -12);
-    EXPECT_EQ((ShownQuantity{ShownAs::sun, sunlitMin}.ofError(12)), 0.2) << "an error has no sign";
+    EXPECT_EQ((ShownQuantity{ShownAs::shadow, tenHoursMin}.ofChange(12)), 12);
+    EXPECT_EQ((ShownQuantity{ShownAs::sun, tenHoursMin}.ofChange(12)), -12);
+    EXPECT_EQ((ShownQuantity{ShownAs::sun, tenHoursMin}.ofError(12)), 0.2) << "an error has no sign";
 }
 
 TEST(LegendChoice, IsTheSameAfterItsText) {
@@ -63,10 +63,10 @@ TEST(LegendChoice, KeepsItsClassesWhenSunIsShownInstead) {
                               false,
                               LegendRange{0, 480},
                               {LegendClasses::Kind::breaks, 5, {120, 360}}};
-    const LegendChoice sun = showAs(shadow, ShownAs::sun, sunlitMin);
+    const LegendChoice sun = showAs(shadow, ShownAs::sun, tenHoursMin);
     EXPECT_EQ(sun.range, (LegendRange{2, 10}));
     EXPECT_EQ(sun.classes.breaks, (std::vector<double>{4, 8}));
-    EXPECT_EQ(showAs(sun, ShownAs::shadow, sunlitMin), shadow);
+    EXPECT_EQ(showAs(sun, ShownAs::shadow, tenHoursMin), shadow);
 }
 
 TEST(ColourScale, PaintsNothingWhereThereIsNoShadow) {
