@@ -36,8 +36,8 @@ Result<std::vector<const Scenario*>> lineage(const std::vector<Scenario>& scenar
         if (std::ranges::find(line, scenario->second) != line.end())
             return failure("The scenario starts from itself", fmt::format("scenario '{}'", name),
                            "Let one of its bases start from the existing city");
-        if (line.size() > mostBases)
-            return failure(fmt::format("The scenario has more than {} bases", mostBases),
+        if (line.size() > maxBases)
+            return failure(fmt::format("The scenario has more than {} bases", maxBases),
                            fmt::format("scenario '{}'", line.front()->name),
                            "Let it start from the existing city, or from a scenario nearer to it");
         line.push_back(scenario->second);
@@ -73,8 +73,8 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
 }
 
 Result<void> validate(const std::vector<Scenario>& scenarios) {
-    if (scenarios.size() > mostScenarios)
-        return failure(fmt::format("There are more than {} scenarios", mostScenarios), "scenarios",
+    if (scenarios.size() > maxScenarios)
+        return failure(fmt::format("There are more than {} scenarios", maxScenarios), "scenarios",
                        "Move some to another project");
     const ByName named = byName(scenarios);
     for (const Scenario& scenario : scenarios) {

@@ -20,8 +20,8 @@ namespace noonmark {
 inline constexpr const char* existingCity = "Existing";
 
 /// Far above any real project. A file that exceeds them was made to stall the program.
-inline constexpr std::size_t mostBases = 100;  ///< in the chain from one scenario down to the existing city
-inline constexpr std::size_t mostScenarios = 10000;  ///< in a project
+inline constexpr std::size_t maxBases = 100;  ///< in the chain from one scenario down to the existing city
+inline constexpr std::size_t maxScenarios = 10000;  ///< in a project
 
 /// A named list of edits to the existing city or to the city of another scenario, its base.
 struct Scenario {

@@ -7,7 +7,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostTicks = 6;
+constexpr double maxTicks = 6;
 constexpr double edge = 0.06;  // share of the span of a logarithmic axis left free at each end
 
 QString powerText(int exponent) {
@@ -24,11 +24,11 @@ QString numberText(double value) {
     return QString::number(value, 'g', 6);
 }
 
-/// 1, 2 or 5 times a power of ten, such that at most `mostTicks` steps fill the span.
+/// 1, 2 or 5 times a power of ten, such that at most `maxTicks` steps fill the span.
 double roundStep(double span) {
-    double step = std::pow(10, std::floor(std::log10(span / mostTicks)));
+    double step = std::pow(10, std::floor(std::log10(span / maxTicks)));
     for (const double factor : {2.0, 2.5, 2.0})
-        if (span / step > mostTicks) step *= factor;
+        if (span / step > maxTicks) step *= factor;
     return step;
 }
 
@@ -72,7 +72,7 @@ void AxisScale::setLogarithmic(double least, double most) {
     const double decades = std::max(0.3, std::log10(most / least));
     low_ = std::log10(least) - edge * decades;
     high_ = std::max(std::log10(most), std::log10(least) + decades) + edge * decades;
-    const int every = std::max(1, int(std::ceil(decades / mostTicks)));
+    const int every = std::max(1, int(std::ceil(decades / maxTicks)));
     for (int decade = int(std::floor(low_)); decade <= int(std::ceil(high_)); ++decade)
         for (const double factor : marksOfDecade(decades)) {
             const double place = decade + std::log10(factor);

@@ -19,7 +19,7 @@ constexpr double bottomPt = 40;
 constexpr double summaryPt = 7.8;
 constexpr double extentPt = 7;
 constexpr double gapPt = 18;  // between the blocks of a page
-constexpr double highestChartPt = 330;
+constexpr double maxChartPt = 330;
 
 /// The pages of one report.
 class BenchPages {
@@ -71,7 +71,7 @@ private:
             rows += blocks.back().chartRows();
         }
         const double room = (pageHeightPt - bottomPt - topPoints) * canvas_.point - fixed;
-        const double chart = std::min(highestChartPt * canvas_.point, room / std::max(1, rows));
+        const double chart = std::min(maxChartPt * canvas_.point, room / std::max(1, rows));
         double y = topPoints * canvas_.point;
         for (const FindingBlock& block : blocks)
             y = block.paint({sidePt * canvas_.point, y}, chart) + gapPt * canvas_.point;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double rowHeight = 1.62;  // times the font size
 constexpr double columnGap = 1.1;
-constexpr double mostSpare = 3;
+constexpr double maxSpare = 3;
 
 using Row = std::vector<std::string>;
 
@@ -38,7 +38,7 @@ std::vector<double> columnWidths(const Canvas& canvas, const bench::Comparison& 
         spare -= widths.back();
     }
     if (widths.empty()) return widths;
-    const double share = std::min(spare / double(widths.size()), mostSpare * points * canvas.point);
+    const double share = std::min(spare / double(widths.size()), maxSpare * points * canvas.point);
     if (share < 0)
         widths[0] = std::max(0.0, widths[0] + spare);
     else

@@ -16,7 +16,7 @@ constexpr double tablePt = 7;
 constexpr double gapPt = 7;         // between the parts of a block
 constexpr double gutterPt = 16;     // between columns
 constexpr double chartShare = 0.6;  // share of the width where tables stand beside the chart
-constexpr std::size_t mostRemarks = 4;
+constexpr std::size_t maxRemarks = 4;
 
 }  // namespace
 
@@ -28,11 +28,11 @@ TextBlocks FindingBlock::title() const { return {heading(QString::fromStdString(
 
 TextBlocks FindingBlock::words() const {
     TextBlocks blocks{body(QString::fromStdString(finding_.text))};
-    for (std::size_t i = 0; i < std::min(finding_.remarks.size(), mostRemarks); ++i)
+    for (std::size_t i = 0; i < std::min(finding_.remarks.size(), maxRemarks); ++i)
         blocks.push_back(body(QStringLiteral("Left out: ") + QString::fromStdString(finding_.remarks[i])));
-    if (finding_.remarks.size() > mostRemarks)
+    if (finding_.remarks.size() > maxRemarks)
         blocks.push_back(body(
-            QStringLiteral("Left out: %1 more, see the tables").arg(finding_.remarks.size() - mostRemarks)));
+            QStringLiteral("Left out: %1 more, see the tables").arg(finding_.remarks.size() - maxRemarks)));
     return blocks;
 }
 

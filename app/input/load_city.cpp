@@ -105,15 +105,15 @@ Result<Region> cityRegion(const City& city) {
     return region;
 }
 
-Region firstRegion(const LoadedCity& loaded, float mostM) {
+Region firstRegion(const LoadedCity& loaded, float maxM) {
     if (loaded.files.size() == 1 && loaded.files.front() == parkSample)
         return centralParkRegion(loaded.read.city);
     Box2 box = mainBounds(loaded.read.city);
-    if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
+    if (box.empty()) box = {{-maxM / 2, -maxM / 2}, {maxM / 2, maxM / 2}};
     const glm::vec2 centre = (box.low + box.high) / 2.0F;
     // The border leaves some open ground even around a single building.
     constexpr float borderM = 50;
-    const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(mostM / 2));
+    const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(maxM / 2));
     Region region = makeRegionFromLocalBox({centre - half, centre + half});
     region.name = "the middle of the city";
     return region;

@@ -41,7 +41,7 @@ Result<City> sampleCity(const std::string& name);
 Result<Region> cityRegion(const City& city);
 
 /// A default region: the park for Central Park South, otherwise the centre of the city with a border of 50 m,
-/// up to `mostM` metres per side.
-Region firstRegion(const LoadedCity& loaded, float mostM = 800);
+/// up to `maxM` metres per side.
+Region firstRegion(const LoadedCity& loaded, float maxM = 800);
 
 }  // namespace noonmark

@@ -58,7 +58,7 @@ private:
 };
 
 // Described before the run, so that the hash is that of what was read.
-Result<std::optional<InputFile>> describeWindows(const ElementSettings& points) {
+Result<std::optional<InputFile>> describeGlazing(const ElementSettings& points) {
     if (points.places != ElementPlaces::windows) return std::nullopt;
     if (points.windows.empty())
         return failure("The windows are missing", "windows", "Choose a file of windows");
@@ -75,11 +75,11 @@ void addReadingOf(ElementStudy& study, const LoadedCity& loaded) {
 
 Result<std::shared_ptr<const Answer>> computePoints(const Asked& asked, Progress& progress,
                                                     const std::stop_token& stop) {
-    auto windows = describeWindows(*asked.points);
+    auto windows = describeGlazing(*asked.points);
     if (!windows) return tl::make_unexpected(windows.error());
     auto study = runElementStudy(asked.loaded.read.city, asked.settings, *asked.points, progress, stop);
     if (!study) return tl::make_unexpected(study.error());
-    study->windowsFile = *std::move(windows);
+    study->glazingInput = *std::move(windows);
     addReadingOf(*study, asked.loaded);
     ElementMap map = makeElementMap(*study);
     return std::make_shared<PointsAnswer>(

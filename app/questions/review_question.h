@@ -1,7 +1,7 @@
 #pragma once
 
 // The reviews by the rules of boards, which command line and window only ask and show: of places (this file),
-// and of windows (window_question.h).
+// and of windows (glazing_question.h).
 
 #include <filesystem>
 #include <memory>

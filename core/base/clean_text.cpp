@@ -46,10 +46,10 @@ void takeCharacter(std::string_view& text, std::string& clean) {
 
 }  // namespace
 
-std::string cleanText(std::string_view text, std::size_t mostLetters) {
-    if (text.size() <= mostLetters && std::ranges::all_of(text, isPlain)) return std::string(text);
+std::string cleanText(std::string_view text, std::size_t maxLetters) {
+    if (text.size() <= maxLetters && std::ranges::all_of(text, isPlain)) return std::string(text);
     std::string clean;
-    for (std::size_t letters = 0; !text.empty() && letters < mostLetters; ++letters)
+    for (std::size_t letters = 0; !text.empty() && letters < maxLetters; ++letters)
         takeCharacter(text, clean);
     return clean;
 }

@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostDigits = 400;  // the largest double has 309 before its point
+constexpr std::size_t maxDigits = 400;  // the largest double has 309 before its point
 
 }  // namespace
 
@@ -25,14 +25,14 @@ CsvText& CsvText::text(const std::string& value) { return field(csvField(value))
 
 CsvText& CsvText::number(double value, int decimals) {
     if (!std::isfinite(value)) return nothing();
-    std::array<char, mostDigits> digits{};
+    std::array<char, maxDigits> digits{};
     const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed, decimals);
     return field({digits.begin(), end.ptr});
 }
 
 CsvText& CsvText::number(double value) {
     if (!std::isfinite(value)) return nothing();
-    std::array<char, mostDigits> digits{};
+    std::array<char, maxDigits> digits{};
     return field({digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr});
 }
 

@@ -14,7 +14,7 @@ namespace noonmark {
 /// for a value that is not a number.
 template <std::integral Integer, class Json>
 Integer wholeNumberFrom(const Json& json) {
-    constexpr double mostExact = 9007199254740992;  // 2^53; above it double cannot hold every whole number
+    constexpr double maxExact = 9007199254740992;  // 2^53; above it double cannot hold every whole number
     if (json.is_number_unsigned()) {
         if (const auto number = json.template get<std::uint64_t>(); std::in_range<Integer>(number))
             return Integer(number);
@@ -22,7 +22,7 @@ Integer wholeNumberFrom(const Json& json) {
         if (const auto number = json.template get<std::int64_t>(); std::in_range<Integer>(number))
             return Integer(number);
     } else if (const auto number = json.template get<double>();
-               std::abs(number) <= mostExact && number == std::floor(number)) {
+               std::abs(number) <= maxExact && number == std::floor(number)) {
         if (std::in_range<Integer>(std::int64_t(number))) return Integer(number);
     }
     throw std::out_of_range("a number that is not whole, or out of range");

@@ -43,9 +43,9 @@ public:
 private:
     // Another thread may be adding files until the process ends.
     static void removeFiles(const fs::path& folder) {
-        constexpr int mostTries = 20;
+        constexpr int maxTries = 20;
         std::error_code error;
-        for (int i = 0; i < mostTries; ++i)
+        for (int i = 0; i < maxTries; ++i)
             if (fs::remove_all(folder, error); !error) return;
     }
 

@@ -22,7 +22,7 @@ struct Extent {
     std::vector<int> dayCounts{1, 2, 5, 10, 30, 90, 180, 365};
     /// Bin widths for the error curve of the horizon sweep
     std::vector<double> binsDeg{0.125, 0.25, 0.5, 0.7, 1, 2};
-    /// Every option of an engine is tried at these multiples of its usual value.
+    /// Every option of an engine is tried at these multiples of its default.
     std::vector<double> factors{0.25, 0.5, 1, 2, 4};
     /// Times are medians of this many runs; all contestants of a comparison run in turn.
     int runs = 5;

@@ -24,6 +24,6 @@ HeightCounts countHeights(const City& city);
 
 /// Above this share of assumed heights a result depends on guesses; it is then reported as a headline, not as
 /// a note.
-inline constexpr double mostAssumedShare = 0.1;
+inline constexpr double maxAssumedShare = 0.1;
 
 }  // namespace noonmark

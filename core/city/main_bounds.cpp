@@ -14,14 +14,14 @@ struct Span {
 
 // What the nine tenths in the middle span, with the same width on either side; at least 100 m.
 Span mainSpan(std::vector<float> values) {
-    constexpr float leastM = 100;
+    constexpr float minM = 100;
     const auto at = [&](std::size_t twentieths) {
         const auto place = values.begin() + std::ptrdiff_t(twentieths * (values.size() - 1) / 20);
         std::ranges::nth_element(values, place);
         return *place;
     };
     const float low = at(1), high = at(19);
-    const float width = std::max(high - low, leastM);
+    const float width = std::max(high - low, minM);
     return {low - width, high + width};
 }
 

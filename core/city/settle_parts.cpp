@@ -33,8 +33,8 @@ bool isCarried(const Part& part, const Parts& carriers) {
     constexpr double roundingM2 = 1e-4;
     const double openM2 = std::max(0.5, 0.05 * area(part.footprint));
     const OutsideArea outside = boundAreaOutside({part.footprint}, footprints);
-    if (outside.mostM2 < openM2 - roundingM2) return true;
-    if (outside.leastM2 > openM2 + roundingM2) return false;
+    if (outside.maxM2 < openM2 - roundingM2) return true;
+    if (outside.minM2 > openM2 + roundingM2) return false;
     return computeAreaOutside(part.footprint, footprints) <= openM2;
 }
 

@@ -47,8 +47,8 @@ EngineOption nearestHitOption() {
     return {"nearest",
             "Nearest hit",
             "m",
-            InverseAccrualSettings::lowestNearestHitM,
-            InverseAccrualSettings::highestNearestHitM,
+            InverseAccrualSettings::minNearestHitM,
+            InverseAccrualSettings::maxNearestHitM,
             double(InverseAccrualSettings{}.nearestHitM),
             OptionKind::number,
             "Occluders nearer to a cell than this are left out (the paper: 1 m)"};

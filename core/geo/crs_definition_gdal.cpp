@@ -15,7 +15,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostCharacters = 65536;
+constexpr std::size_t maxCharacters = 65536;
 constexpr const char* codeAdvice = "State it as EPSG:number";
 
 std::string folded(std::string_view text) {
@@ -113,7 +113,7 @@ std::string wktOf(const OGRSpatialReference* system) {
 }
 
 Result<OGRSpatialReference> parseCrs(const std::string& text) {
-    if (text.size() > mostCharacters)
+    if (text.size() > maxCharacters)
         return failure("The definition of the coordinate reference system has more than 65,536 characters",
                        {}, codeAdvice);
     const std::string name = shortName(text);

@@ -20,7 +20,7 @@
 #include "core/io/osm/read_osm_buildings.h"
 #include "core/io/pieces/implausible_buildings.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/read_window.h"
+#include "core/io/read_extent.h"
 #include "core/io/settings/place_advice.h"
 #include "core/io/terrain/ground_choice.h"
 #include "core/io/terrain/late_heights.h"
@@ -42,12 +42,12 @@ struct InputFile {
     [[nodiscard]] bool is(FileKind kind) const { return format->reader.kind == kind; }
 };
 
-bool isOutside(std::size_t file, const ReadWindow* window) {
+bool isOutside(std::size_t file, const ReadExtent* window) {
     return window != nullptr && file < window->fileBoxes.size() &&
            !window->fileBoxes[file].touches(window->box);
 }
 
-Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, const ReadWindow* window,
+Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, const ReadExtent* window,
                                               Formats formats) {
     if (paths.empty()) return failure("No file is named", {}, "Name at least one file with buildings");
     std::vector<InputFile> files;
@@ -68,7 +68,7 @@ int turnOf(const InputFile& file, const ReadSettings& settings) {
 }
 
 Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings, Progress& progress,
-                            const std::stop_token& stop, const ReadWindow* window) {
+                            const std::stop_token& stop, const ReadExtent* window) {
     if (window != nullptr && window->terrain && file.is(FileKind::terrain)) return FilePiece{};
     return file.format->reader.read(file.path, settings, progress, stop,
                                     window == nullptr ? nullptr : &window->box);
@@ -86,7 +86,7 @@ bool holdsNothing(const InputFile& file) { return file.piece.buildings.empty() &
 
 // Reads every file into its piece; the first reader that chooses a frame fixes it for the others.
 Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, Progress& progress,
-                         const std::stop_token& stop, const ReadWindow* window) {
+                         const std::stop_token& stop, const ReadExtent* window) {
     std::vector<InputFile*> turns;
     for (InputFile& file : files) turns.push_back(&file);
     std::ranges::stable_sort(turns, {}, [&](const InputFile* file) { return turnOf(*file, settings); });
@@ -285,7 +285,7 @@ void readWater(CityRead& all, const std::vector<Path>& files, const std::stop_to
 }
 
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
-                         const ReadWindow* window, Progress& progress, const std::stop_token& stop,
+                         const ReadExtent* window, Progress& progress, const std::stop_token& stop,
                          Formats formats) {
     const GdalCalls calls(stop);  // recognising a file may read all of it
     auto files = recogniseFiles(paths, window, formats);
@@ -331,8 +331,8 @@ Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& se
     return all;
 }
 
-Result<CityRead> readCityWindow(const std::vector<Path>& paths, const ReadSettings& settings,
-                                const ReadWindow& window, Progress& progress, std::stop_token stop) {
+Result<CityRead> readCityExtent(const std::vector<Path>& paths, const ReadSettings& settings,
+                                const ReadExtent& window, Progress& progress, std::stop_token stop) {
     auto all = readAll(paths, settings, &window, progress, stop, coreFormats());
     if (stop.stop_requested()) return cancelled();
     return all;

@@ -39,9 +39,9 @@ glm::ivec2 cellAt(const Grid& grid, glm::dvec2 share) {
 }  // namespace
 
 std::size_t sampleSize(const ErrorSampleSettings& settings, std::size_t steps) {
-    const auto wanted = std::uint64_t(std::clamp(settings.receivers, 0, ErrorSampleSettings::mostReceivers));
-    const std::uint64_t affordable = ErrorSampleSettings::mostRays / std::max<std::size_t>(1, steps);
-    return std::min(wanted, std::max<std::uint64_t>(affordable, ErrorSampleSettings::leastReceivers));
+    const auto wanted = std::uint64_t(std::clamp(settings.receivers, 0, ErrorSampleSettings::maxReceivers));
+    const std::uint64_t affordable = ErrorSampleSettings::maxRays / std::max<std::size_t>(1, steps);
+    return std::min(wanted, std::max<std::uint64_t>(affordable, ErrorSampleSettings::minReceivers));
 }
 
 std::vector<std::uint32_t> spreadReceivers(const Receivers& receivers, std::size_t count,

@@ -15,13 +15,13 @@
 namespace noonmark {
 
 struct ErrorSampleSettings {
-    static constexpr int mostReceivers = 10'000;
+    static constexpr int maxReceivers = 10'000;
     /// Maximum number of rays: one or two seconds on two cores. If `receivers` would take more over the
-    /// period's steps, fewer are compared, but at least `leastReceivers`.
-    static constexpr std::uint64_t mostRays = 60'000'000;
-    static constexpr int leastReceivers = 30;
+    /// period's steps, fewer are compared, but at least `minReceivers`.
+    static constexpr std::uint64_t maxRays = 60'000'000;
+    static constexpr int minReceivers = 30;
 
-    /// Number of receivers to compare with the ray reference, 0 to mostReceivers; 0: do not measure the error
+    /// Number of receivers to compare with the ray reference, 0 to maxReceivers; 0: do not measure the error
     int receivers = 300;
     std::uint32_t seed = 1;  ///< selects the receivers; the same seed gives the same receivers
     bool operator==(const ErrorSampleSettings&) const = default;

@@ -107,7 +107,7 @@ Rgb mixStops(std::span<const Rgb> stops, double share) {
 // Smaller or larger steps are not needed: a day has 1,440 minutes.
 constexpr std::array tickSteps{0.01, 0.02, 0.05, 0.1,  0.2,  0.5,   1.0,  2.0,
                                5.0,  10.0, 15.0, 30.0, 60.0, 120.0, 240.0};
-constexpr double mostTicks = 8;
+constexpr double maxTicks = 8;
 
 }  // namespace
 
@@ -136,9 +136,9 @@ LegendScale legendScale(double largestValue) {
     double tick = tickSteps.front();
     for (const double step : tickSteps) {
         tick = step;
-        if ((largestValue - slack) / step <= mostTicks) break;
+        if ((largestValue - slack) / step <= maxTicks) break;
     }
-    while ((largestValue - slack) / tick > mostTicks) tick *= 2;
+    while ((largestValue - slack) / tick > maxTicks) tick *= 2;
     return {std::ceil((largestValue - slack) / tick) * tick, tick};
 }
 

@@ -132,7 +132,7 @@ std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const>
 }
 
 std::vector<Footprint> findOpenGround(const Place& place, const std::vector<Footprint>& built) {
-    constexpr LeastPiece any{1e-6, 0};
+    constexpr MinPiece any{1e-6, 0};
     if (built.empty()) return place.polygons;
     const std::vector<Footprint> within = keepMeeting(place.polygons, built);
     if (within.empty()) return place.polygons;

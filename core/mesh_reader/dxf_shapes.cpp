@@ -10,7 +10,7 @@ namespace noonmark {
 namespace {
 
 constexpr double arcStep = 10 * std::numbers::pi / 180;
-constexpr std::size_t mostMeshSide = 32767;  // points along one side of a polygon mesh, as in the format
+constexpr std::size_t maxMeshSide = 32767;  // points along one side of a polygon mesh, as in the format
 
 // A corner of an outline and the bulge of the edge after it: the tangent of a quarter of its arc's angle.
 struct OutlinePoint {
@@ -95,7 +95,7 @@ DxfShape makePolyface(const std::vector<DxfEntity>& vertices) {
 DxfShape makeGridMesh(const DxfEntity& polyline, const std::vector<DxfEntity>& vertices) {
     const auto rows = std::size_t(std::max(0, polyline.whole(71)));
     const auto columns = std::size_t(std::max(0, polyline.whole(72)));
-    if (rows > mostMeshSide || columns > mostMeshSide || rows < 2 || columns < 2 ||
+    if (rows > maxMeshSide || columns > maxMeshSide || rows < 2 || columns < 2 ||
         rows * columns != vertices.size())
         return {{}, "polygon meshes that are smoothed or incomplete"};
     const std::size_t lastRow = (polyline.whole(70) & 1) != 0 ? rows : rows - 1;

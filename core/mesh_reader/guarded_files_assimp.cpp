@@ -11,8 +11,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostReadsAtEnd = 100;
-constexpr std::size_t mostTimesOver =
+constexpr std::size_t maxReadsAtEnd = 100;
+constexpr std::size_t maxTimesOver =
     100;  // a reader may read a file a few times, to find its format and then its content
 
 class GuardedStream final : public Assimp::IOStream {
@@ -51,7 +51,7 @@ private:
     void countRead(std::size_t got) {
         readInAll_ += got;
         readsAtEnd_ += got == 0 ? 1 : 0;
-        const bool roundAndRound = readsAtEnd_ > mostReadsAtEnd || readInAll_ / mostTimesOver > size_ + 65536;
+        const bool roundAndRound = readsAtEnd_ > maxReadsAtEnd || readInAll_ / maxTimesOver > size_ + 65536;
         if (roundAndRound) throw std::runtime_error("the file ends early");
     }
 

@@ -14,9 +14,9 @@ namespace noonmark {
 
 namespace {
 
-constexpr int deepestInsert = 16;                // blocks in blocks
-constexpr std::size_t mostPolygons = 5'000'000;  // blocks can repeat each other without end
-constexpr std::size_t mostInserts = 1'000'000;
+constexpr int deepestInsert = 16;               // blocks in blocks
+constexpr std::size_t maxPolygons = 5'000'000;  // blocks can repeat each other without end
+constexpr std::size_t maxInserts = 1'000'000;
 
 struct LayeredShape {
     std::string layer;
@@ -127,11 +127,11 @@ public:
     // False: there are too many.
     bool add(const DxfBlock& block, const glm::dmat4& place, const std::string& layer, int depth) {
         for (const LayeredShape& shape : block.shapes) addShape(shape, place, layer);
-        if (depth >= deepestInsert || count_ > mostPolygons) return false;
+        if (depth >= deepestInsert || count_ > maxPolygons) return false;
         for (const Insert& insert : block.inserts) {
             const DxfBlock* inserted = document_.block(insert.block);
             if (!inserted) continue;
-            if (++inserts_ > mostInserts) return false;
+            if (++inserts_ > maxInserts) return false;
             const glm::dmat4 there = glm::translate(place * insert.place, -inserted->base);
             // In a block, layer 0 means the layer of what inserts it.
             if (!add(*inserted, there, insert.layer == "0" ? layer : insert.layer, depth + 1)) return false;

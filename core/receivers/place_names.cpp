@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostLetters = 120;
+constexpr std::size_t maxLetters = 120;
 
 std::string lowered(std::string_view text) {
     std::string low(text);
@@ -38,7 +38,7 @@ std::vector<std::string> namesLike(const std::vector<Place>& places, std::string
 }  // namespace
 
 std::string cleanName(std::string_view text) {
-    const std::string name = cleanText(text, mostLetters);
+    const std::string name = cleanText(text, maxLetters);
     const auto first = name.find_first_not_of(' ');
     if (first == name.npos) return {};
     return name.substr(first, name.find_last_not_of(' ') - first + 1);

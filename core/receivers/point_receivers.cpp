@@ -86,7 +86,7 @@ private:
 
 Result<void> checkFacades(const FacadeSettings& settings) {
     const auto inRange = [](double metres) {
-        return metres >= FacadeSettings::leastM && metres <= FacadeSettings::mostM;
+        return metres >= FacadeSettings::minM && metres <= FacadeSettings::maxM;
     };
     if (!inRange(settings.bayM) || !inRange(settings.storeyM))
         return failure("The bays or storeys of facades are out of range", "facades", "Give 0.25 to 50 m");
@@ -128,7 +128,7 @@ Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uin
             return failure(fmt::format("There is no building {}", building), "facades",
                            "Choose buildings of the city");
         placer.addBuilding(building);
-        if (placer.placed().size() > mostReceivers)
+        if (placer.placed().size() > maxReceivers)
             return failure("There are too many receivers on facades", "facades",
                            "Choose fewer buildings, or wider bays and higher storeys");
     }

@@ -11,7 +11,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/city/storeys.h"
-#include "core/receivers/points/window_pane.h"
+#include "core/receivers/points/glazing_pane.h"
 #include "core/receivers/region.h"
 #include "core/receivers/surface_points.h"
 
@@ -43,7 +43,7 @@ struct PointReceivers {
 
 /// Receivers on walls: one for each storey and bay.
 struct FacadeSettings {
-    static constexpr double leastM = 0.25, mostM = 50;  ///< of a bay and of a storey
+    static constexpr double minM = 0.25, maxM = 50;  ///< of a bay and of a storey
     double bayM = 3;                  ///< width of a bay: a wall has as many equal bays as come nearest to it
     double storeyM = defaultStoreyM;  ///< height of a storey, of buildings that state none (OwnStoreys)
     double aboveFloorM = 1.5;  ///< height of the receivers above the floor of their storey, 0 to storeyM
@@ -60,11 +60,11 @@ double findStoreyM(const Building& building, const FacadeSettings& settings, con
 /// from the building's lowest wall. There are none where the wall touches another part or building (5 cm in
 /// front of it is solid), nor where the ground covers it. Walls of meshes are their faces within 6 degrees of
 /// vertical; faces of one plane make one wall. Error: a setting out of range, an index that does not exist,
-/// more than `mostReceivers`, cancelled(). Some 1 us a receiver.
+/// more than `maxReceivers`, cancelled(). Some 1 us a receiver.
 Result<PointReceivers> placeOnFacades(const City& city, std::span<const std::uint32_t> buildings,
                                       const FacadeSettings& settings, const std::stop_token& stop = {},
                                       const OwnStoreys& own = {});
-inline constexpr std::size_t mostReceivers = 20'000'000;
+inline constexpr std::size_t maxReceivers = 20'000'000;
 
 /// The buildings whose outline's middle lies in the region, ascending.
 std::vector<std::uint32_t> findBuildingsIn(const City& city, const Region& region);

@@ -7,7 +7,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostSlender = 9;  // height over width
+constexpr double maxSlender = 9;  // height over width
 
 std::vector<Lot> freeLots(const StreetBox& block, const BlockSettings& settings, SampleRandom& random) {
     std::vector<Lot> lots = cutIntoLots(block, settings.widths, random);
@@ -21,7 +21,7 @@ std::vector<Lot> freeLots(const StreetBox& block, const BlockSettings& settings,
 
 double heightOn(const Lot& lot, const BlockSettings& settings, SampleRandom& random) {
     const double height = random.logNormal(settings.medianHeightM(lot.box.middle()), settings.heightSigma);
-    const double highest = std::min(settings.highestM, mostSlender * lot.box.width());
+    const double highest = std::min(settings.highestM, maxSlender * lot.box.width());
     return std::clamp(height, settings.lowestM, std::max(settings.lowestM, highest));
 }
 

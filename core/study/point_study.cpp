@@ -170,7 +170,7 @@ Period yearOf(const PointQuestion& question) {
     return {.start = year / std::chrono::January / 1,
             .days = year.is_leap() ? 366 : 365,
             .stepMinutes = question.stepMinutes,
-            .window = SolarWindow{},
+            .window = SolarHours{},
             .zone = question.zone};
 }
 
@@ -188,7 +188,7 @@ Result<SunOfDay> computeSunOfDay(const PointQuestion& question, const Zone& zone
     const Period day{.start = question.day,
                      .days = 1,
                      .stepMinutes = std::min(1.0, question.stepMinutes),
-                     .window = SolarWindow{},
+                     .window = SolarHours{},
                      .zone = question.zone};
     auto steps = computeSunSteps(day, observer, stop);
     if (!steps) return tl::make_unexpected(steps.error());

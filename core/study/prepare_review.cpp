@@ -24,7 +24,7 @@ double highestM(const City& city) {
 }
 
 /// The least limit of the rule's criteria beyond the outer line, minutes.
-double leastLimitBeyond(const Rule& rule) {
+double minLimitBeyond(const Rule& rule) {
     double least = 1440;
     for (const Criterion& criterion : rule.criteria)
         for (const Limit& limit : criterion.limits)
@@ -39,7 +39,7 @@ double reachOfLimitM(const Rule& rule, const SunSteps& sun, double heightM) {
     std::vector<float> altitudes;
     for (const SunStep& step : sun.steps) altitudes.push_back(step.altitudeDeg);
     std::ranges::sort(altitudes);
-    const auto skipped = std::size_t(leastLimitBeyond(rule) / sun.stepMinutes);
+    const auto skipped = std::size_t(minLimitBeyond(rule) / sun.stepMinutes);
     if (skipped >= altitudes.size()) return 0;
     const double tangent = std::tan(Degrees{altitudes[skipped]}.radians().value);
     constexpr double farthestM = 2000;
@@ -141,7 +141,7 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
     if (rule.receivers.surface == RuleSurface::windows)
         return unsupported("The rule is about windows, not about places", rule.key,
                            fmt::format("Review windows with noonmark-cli review run {} FILE or {} NAMES",
-                                       flagOf(windowsFields().rows(), "windows"),
+                                       flagOf(glazingFields().rows(), "windows"),
                                        flagOf(facadesOfFields().rows(), "facades_of")));
     CastingCities casting = chooseCasters(rule, baseline, scenario);
     auto days = computeRuleSun(rule, {observerOfPlaces(baseline), settings.zone, settings.year}, stop);

@@ -20,10 +20,10 @@ namespace {
 
 /// Thins the steps of a day, so that a year of them stays small.
 DayTimeline thinned(DayTimeline day, double stepMinutes, std::size_t days) {
-    constexpr std::size_t mostDays = 31;
-    constexpr double leastMinutes = 10;
-    if (days <= mostDays) return day;
-    const auto every = std::max(std::size_t{1}, std::size_t(std::ceil(leastMinutes / stepMinutes)));
+    constexpr std::size_t maxDays = 31;
+    constexpr double minMinutes = 10;
+    if (days <= maxDays) return day;
+    const auto every = std::max(std::size_t{1}, std::size_t(std::ceil(minMinutes / stepMinutes)));
     std::vector<PlaceStep> steps;
     for (std::size_t i = 0; i < day.steps.size(); i += every) steps.push_back(day.steps[i]);
     day.steps = std::move(steps);
@@ -64,10 +64,10 @@ Result<void> addContributions(const PreparedReview& prepared, const Engine& engi
                               const std::stop_token& stop, ReviewStudy& study) {
     const City fresh = keepOwnBuildings(prepared.scene.after, prepared.scene.before);
     if (fresh.buildings.size() < 2) return {};
-    if (fresh.buildings.size() > mostContributors) {
+    if (fresh.buildings.size() > maxContributors) {
         study.warnings.push_back({WarningKind::leftOut, "contributions of single new buildings",
                                   fmt::format("{} new buildings; at most {} are computed one by one",
-                                              fresh.buildings.size(), mostContributors)});
+                                              fresh.buildings.size(), maxContributors)});
         return {};
     }
     for (std::size_t i = 0; i < fresh.buildings.size(); ++i) {

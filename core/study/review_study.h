@@ -23,12 +23,12 @@ struct ReviewSettings {
     /// Hold the areas in shadow step by step, for charts. Of more than a month of days, steps that are at
     /// least ten minutes apart.
     bool timelines = false;
-    bool contributions = false;  ///< of each new building, where there are 2 to mostContributors
+    bool contributions = false;  ///< of each new building, where there are 2 to maxContributors
     bool refinesSpots = true;    ///< look for the worst spots between the centres of cells too
 };
 
 /// More new buildings are not measured one by one: each costs as much as the review.
-inline constexpr std::size_t mostContributors = 20;
+inline constexpr std::size_t maxContributors = 20;
 
 /// The incremental shadow of one new building alone: in shadow in the scenario, lit in the baseline and in
 /// the scenario without it. What a demolished building shaded before is nobody's.

@@ -112,7 +112,7 @@ Result<void> addIsochrones(const ReviewStudy& study, const City& after, const Ob
     const auto days = computeRuleSun(rule, {observer, study.settings.zone, study.year}, stop);
     if (!days) return tl::make_unexpected(days.error());
     const IsochroneSettings settings{drawing.area, listIsochroneMinutes(rule), planeOf(rule)};
-    for (std::size_t day = 0; day < std::min(mostIsochroneDays, days->sun.days.size()); ++day) {
+    for (std::size_t day = 0; day < std::min(maxIsochroneDays, days->sun.days.size()); ++day) {
         auto lines =
             traceDayIsochrones(after, chooseDays(days->sun, std::array{day}), settings, progress, stop);
         if (!lines) return tl::make_unexpected(lines.error());
@@ -183,9 +183,9 @@ Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
 }
 
 Result<std::vector<RuleMoment>> computeReviewMoments(const ReviewStudy& study, const City& baseline,
-                                                     int mostHoursADay, const std::stop_token& stop) {
+                                                     int maxHoursADay, const std::stop_token& stop) {
     return computeRuleMoments(study.rule, {observerOfPlaces(baseline), study.settings.zone, study.year},
-                              {.moreDays = worstDay(study), .mostHoursADay = mostHoursADay}, stop);
+                              {.moreDays = worstDay(study), .maxHoursADay = maxHoursADay}, stop);
 }
 
 Result<ShadowDrawing> drawReviewShadows(const ReviewStudy& study, const City& baseline, const City& scenario,

@@ -33,7 +33,7 @@ Result<ShadowDrawing> drawShadows(const City& baseline, const City* scenario,
 /// The moments of a review to draw: computeRuleMoments(), and of a rule about a range of days also the day of
 /// most incremental shadow on any place. Sheets and drawings show the same days.
 Result<std::vector<RuleMoment>> computeReviewMoments(const ReviewStudy& study, const City& baseline,
-                                                     int mostHoursADay, const std::stop_token& stop);
+                                                     int maxHoursADay, const std::stop_token& stop);
 
 /// The moments of computeReviewMoments() at all full hours, with the casters that it counts.
 /// Shadows are on the rule's plane, where it has one. Lines of equal hours and distances from the places come

@@ -30,7 +30,7 @@ struct StudySettings {
     ReceiverSettings receivers;
     Period period;
     std::string engine = "auto";
-    EngineSettings engineSettings;  ///< settings that differ from the engine's usual ones
+    EngineSettings engineSettings;  ///< settings that differ from the engine's defaults
     bool byMonth = false;  ///< also compute the shadow of each month; horizon sweep or projected shadows only
     bool contributions = false;  ///< also compute the contribution of each building; horizon sweep only
     ErrorSampleSettings errorSample;

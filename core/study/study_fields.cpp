@@ -68,7 +68,7 @@ const Fields<ErrorSampleSettings>& sampleFields() {
                .label = "Receivers compared with rays",
                .help = "Receivers that the ray reference recomputes to measure the error; 0: none",
                .hint = "N",
-               .range = ValueRange{0, ErrorSampleSettings::mostReceivers},
+               .range = ValueRange{0, ErrorSampleSettings::maxReceivers},
                .role = SettingRole::extra}),
         field(&ErrorSampleSettings::seed, {.key = "error_sample_seed", .role = SettingRole::extra}),
     };

@@ -81,8 +81,8 @@ TerrainCoverage computeTerrainCoverage(const City& city, const Region& region, c
     if (!city.terrain) return {};
     TerrainCoverage coverage{.casters = placeCasters(city, cells, sun)};
     Counter counter(*city.terrain, coverage.receivers);
-    constexpr double mostCells = 1e6;
-    const int step = std::max(1, int(std::ceil(std::sqrt(double(cells.size()) / mostCells))));
+    constexpr double maxCells = 1e6;
+    const int step = std::max(1, int(std::ceil(std::sqrt(double(cells.size()) / maxCells))));
     for (const Footprint& polygon : region.polygons)
         forEachRun(polygon, cells, [&](int row, int first, int end) {
             if (row % step != 0) return;

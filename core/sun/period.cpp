@@ -31,15 +31,15 @@ std::optional<Error> troubleWithHours(const Period& period) {
         return Error{"The time of day at which the hours begin is out of range", "from",
                      "Give 00:00 to 24:00"};
     }
-    constexpr double leastHours = 1.0 / 3600;
-    if (period.hours > 0 && period.hours < leastHours) {
+    constexpr double minHours = 1.0 / 3600;
+    if (period.hours > 0 && period.hours < minHours) {
         return Error{fmt::format("{:g} hours per day are less than a second", period.hours), "hours",
                      "Give 0 (one instant), or 0.00028 to 24"};
     }
     return std::nullopt;
 }
 
-std::optional<Error> troubleWithWindow(const SolarWindow& window) {
+std::optional<Error> troubleWithSolarHours(const SolarHours& window) {
     if (abs(window.afterSunrise) <= 12h && abs(window.beforeSunset) <= 12h) return std::nullopt;
     return Error{"The hours after sunrise or before sunset are out of range", "window",
                  "Give at most 12 hours on either side"};
@@ -68,13 +68,13 @@ Result<Period> validate(const Period& period) {
         if (trouble) return tl::make_unexpected(*trouble);
     }
     if (period.window) {
-        if (const auto trouble = troubleWithWindow(*period.window)) return tl::make_unexpected(*trouble);
+        if (const auto trouble = troubleWithSolarHours(*period.window)) return tl::make_unexpected(*trouble);
     }
     if (const auto zone = Zone::named(period.zone); !zone) return tl::make_unexpected(zone.error());
     return period;
 }
 
-std::string formatText(const SolarWindow& window) {
+std::string formatText(const SolarHours& window) {
     return fmt::format("sunrise{}..sunset{}{}", offsetText(window.afterSunrise),
                        offsetText(-window.beforeSunset),
                        window.rule == SunriseRule::centre ? " (sun's centre)" : "");

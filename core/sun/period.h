@@ -13,11 +13,11 @@ namespace noonmark {
 
 /// A daily window relative to the sun: from sunrise + afterSunrise to sunset - beforeSunset. The whole window
 /// counts, whatever the step.
-struct SolarWindow {
+struct SolarHours {
     std::chrono::minutes afterSunrise{0};
     std::chrono::minutes beforeSunset{0};
     SunriseRule rule = SunriseRule::upperLimb;
-    bool operator==(const SolarWindow&) const = default;
+    bool operator==(const SolarHours&) const = default;
 };
 
 /// The days and hours of a study. validate() checks the ranges.
@@ -29,7 +29,7 @@ struct Period {
     /// Requested step, 1/60 to 240. The hours of a day are divided into whole steps of nearly this length
     /// (SunSteps).
     double stepMinutes = 1;
-    std::optional<SolarWindow> window;
+    std::optional<SolarHours> window;
     std::string zone = "UTC";  ///< IANA name
     bool refraction = true;    ///< true: the apparent sun; false: the geometric sun
     bool operator==(const Period&) const = default;
@@ -42,11 +42,11 @@ Result<Period> validate(const Period& period);
 std::string formatText(const Period& period);
 
 /// "sunrise+1.5h..sunset-1.5h"
-std::string formatText(const SolarWindow& window);
+std::string formatText(const SolarHours& window);
 
 /// Parses "sunrise+1.5h..sunset-1.5h", "sunrise-30m..sunset", "+1h..-1h"; whole minutes, at most 12 h. A
 /// value without a sign shortens the window: "90m..90m" begins after sunrise and ends before sunset. The
 /// sunrise rule is upperLimb.
-Result<SolarWindow> parseSolarWindow(std::string_view text);
+Result<SolarHours> parseSolarHours(std::string_view text);
 
 }  // namespace noonmark

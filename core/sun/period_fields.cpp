@@ -10,8 +10,8 @@ bool byClock(const Period& period) { return !period.window; }
 bool bySun(const Period& period) { return period.window.has_value(); }
 
 // Without the sunrise rule, which is a field of its own.
-std::string formatOffsets(const SolarWindow& window) {
-    SolarWindow offsets = window;
+std::string formatOffsets(const SolarHours& window) {
+    SolarHours offsets = window;
     offsets.rule = SunriseRule::upperLimb;
     return formatText(offsets);
 }
@@ -42,7 +42,7 @@ const Fields<Period>& periodFields() {
                               .hint = "N",
                               .range = ValueRange{1, 3660},
                               .restated = true}),
-        textField(&Period::window, &formatOffsets, &parseSolarWindow,
+        textField(&Period::window, &formatOffsets, &parseSolarHours,
                   {.key = "window",
                    .flag = "--window",
                    .label = "From sunrise to sunset",

@@ -46,10 +46,10 @@ public:
     }
 
     /// "5", "-10:30", "+1:00:00"
-    seconds time(unsigned mostHours) {
+    seconds time(unsigned maxHours) {
         const bool negative = takeIf('-');
         if (!negative) takeIf('+');
-        seconds value = hours{number(mostHours)};
+        seconds value = hours{number(maxHours)};
         if (takeIf(':')) value += minutes{number(59)};
         if (takeIf(':')) value += seconds{number(59)};
         return negative ? -value : value;
@@ -63,8 +63,8 @@ private:
 };
 
 // POSIX; a change of the clocks may lie up to a week from its day (RFC 8536).
-constexpr unsigned mostHoursOfOffset = 24;
-constexpr unsigned mostHoursOfChange = 167;
+constexpr unsigned maxHoursOfOffset = 24;
+constexpr unsigned maxHoursOfChange = 167;
 
 PosixRule::Change takeChange(Scanner& scanner) {
     using Kind = PosixRule::Change::Kind;
@@ -80,7 +80,7 @@ PosixRule::Change takeChange(Scanner& scanner) {
         change.kind = scanner.takeIf('J') ? Kind::dayWithoutLeap : Kind::dayOfYear;
         change.day = scanner.number(365);
     }
-    change.time = scanner.takeIf('/') ? scanner.time(mostHoursOfChange) : hours{2};
+    change.time = scanner.takeIf('/') ? scanner.time(maxHoursOfChange) : hours{2};
     return change;
 }
 
@@ -108,11 +108,11 @@ std::optional<PosixRule> PosixRule::parsed(std::string_view text) {
     PosixRule rule;
     Scanner scanner(text);
     scanner.name();
-    rule.standard_ = -scanner.time(mostHoursOfOffset);  // POSIX counts west as positive
+    rule.standard_ = -scanner.time(maxHoursOfOffset);  // POSIX counts west as positive
     if (scanner.good() && !scanner.atEnd()) {
         Summer summer;
         scanner.name();
-        summer.offset = scanner.atTime() ? -scanner.time(mostHoursOfOffset) : rule.standard_ + hours{1};
+        summer.offset = scanner.atTime() ? -scanner.time(maxHoursOfOffset) : rule.standard_ + hours{1};
         summer.start = takeChange(scanner);
         summer.end = takeChange(scanner);
         if (!isCalendar(summer.start) || !isCalendar(summer.end)) return std::nullopt;

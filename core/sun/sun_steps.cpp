@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "core/sun/window_steps.h"
+#include "core/sun/day_hours.h"
 
 namespace noonmark {
 
@@ -17,7 +17,7 @@ namespace {
 using namespace std::chrono;
 
 constexpr double millisecondsPerMinute = 60000;
-constexpr double mostSteps = 50'000'000;  // 1.6 GB
+constexpr double maxSteps = 50'000'000;  // 1.6 GB
 
 /// The window of one day and its whole steps, before the horizon is considered.
 struct Window {
@@ -34,7 +34,7 @@ double stepMinutesOf(const Period& period) {
 
 /// Divides a window into equal steps as near to the requested step as possible; at least one if the window is
 /// not empty. A window that the step divides, apart from rounding, gets exactly that step.
-Window fillWindow(Instant from, double minutes, double stepMinutes) {
+Window fillHours(Instant from, double minutes, double stepMinutes) {
     constexpr double rounding = 1e-6;  // as a share of a step: 6 h of 0.1 min are 3600 steps
     if (!(minutes > rounding * stepMinutes)) return {from};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(minutes / stepMinutes));
@@ -43,12 +43,12 @@ Window fillWindow(Instant from, double minutes, double stepMinutes) {
 }
 
 /// If there is no sunrise or sunset because the sun stays up, the civil day bounds the window.
-Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant midnight, Instant nextMidnight,
-                   double stepMinutes) {
+Window solarHours(const SunEvents& events, const SolarHours& window, Instant midnight, Instant nextMidnight,
+                  double stepMinutes) {
     if (events.kind == DayKind::polarNight) return {midnight};
     const Instant from = events.sunrise ? *events.sunrise + window.afterSunrise : midnight;
     const Instant to = events.sunset ? *events.sunset - window.beforeSunset : nextMidnight;
-    return fillWindow(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
+    return fillHours(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
 }
 
 /// The direction of a sun above the observer's horizon, in the frame of the geometry. Far from the frame's
@@ -60,10 +60,10 @@ struct FramedSun {
 };
 
 FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees altitude) {
-    constexpr double leastZ = 1e-6;  // 0.00006 degrees
+    constexpr double minZ = 1e-6;  // 0.00006 degrees
     glm::dvec3 towards = frameFromPlace * toDirection(azimuth, altitude);
     const bool levelled = towards.z <= 0;
-    if (levelled) towards.z = leastZ;
+    if (levelled) towards.z = minZ;
     return {glm::vec3(glm::normalize(towards)), levelled};
 }
 
@@ -76,9 +76,9 @@ struct DaySteps {
 };
 
 /// Computes the steps of windows independently of each other.
-class WindowSteps {
+class HoursSteps {
 public:
-    WindowSteps(const Ephemeris& sun, const glm::dmat3& frameFromPlace, const StepRule& rule)
+    HoursSteps(const Ephemeris& sun, const glm::dmat3& frameFromPlace, const StepRule& rule)
         : sun_(sun), frameFromPlace_(frameFromPlace), rule_(rule) {}
 
     [[nodiscard]] DaySteps in(const Window& window, CivilDate date) const {
@@ -101,7 +101,7 @@ private:
         const Instant at = window.from + milliseconds{std::llround(sinceFrom)};
         const SolarPosition position = sun_.at(at);
         const Degrees altitude = rule_.refraction ? position.altitudeApparent : position.altitude;
-        if (!(float(altitude.value) > rule_.lowestAltitude.value)) return std::nullopt;
+        if (!(float(altitude.value) > rule_.minAltitude.value)) return std::nullopt;
         const float azimuth = float(position.azimuth.value);  // 359.99999 rounds to 360
         const FramedSun sun = inFrame(frameFromPlace_, position.azimuth, altitude);
         levelled += sun.levelled ? 1 : 0;
@@ -115,19 +115,19 @@ private:
 };
 
 /// The windows of a period's days.
-class PeriodWindows {
+class PeriodHours {
 public:
-    PeriodWindows(const Period& period, const Zone& zone, const Ephemeris& sun)
+    PeriodHours(const Period& period, const Zone& zone, const Ephemeris& sun)
         : period_(period), zone_(zone), sun_(sun), step_(stepMinutesOf(period)) {}
 
     [[nodiscard]] Window on(CivilDate date) const {
         if (period_.window) {
             const Instant midnight = zone_.instantAt(date, 0min);
             const SunEvents events = computeSunEvents(sun_, midnight, period_.window->rule);
-            return solarWindow(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
+            return solarHours(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
         }
         const Instant from = zone_.instantAt(date, period_.from);
-        return fillWindow(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
+        return fillHours(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
     }
 
 private:
@@ -151,15 +151,15 @@ std::vector<DaySteps> allDays(std::size_t count, const std::stop_token& stop, co
 void weigh(SunSteps& sun, std::span<const DaySteps> days, double stepMinutes) {
     std::int64_t steps = 0;
     for (const auto& day : days) {
-        sun.windowMinutes += day.window.minutes;
+        sun.countedMinutes += day.window.minutes;
         steps += day.window.steps;
     }
-    const double mean = steps == 0 ? stepMinutes : sun.windowMinutes / double(steps);
+    const double mean = steps == 0 ? stepMinutes : sun.countedMinutes / double(steps);
     const bool asChosen = std::abs(mean - stepMinutes) <= 1e-12 * stepMinutes;
     sun.stepMinutes = asChosen ? stepMinutes : mean;
     for (const auto& day : days) {
         const double off = double(day.window.steps) * sun.stepMinutes - day.window.minutes;
-        sun.mostOffADayMin = std::max(sun.mostOffADayMin, std::abs(off));
+        sun.maxOffADayMin = std::max(sun.maxOffADayMin, std::abs(off));
     }
 }
 
@@ -181,13 +181,13 @@ SunSteps joinDays(std::vector<DaySteps> days, double stepMinutes) {
 }
 
 std::optional<Error> tooManySteps(double steps) {
-    if (steps <= mostSteps) return std::nullopt;
+    if (steps <= maxSteps) return std::nullopt;
     return Error{fmt::format("The period has up to {:.0f} million steps, which need {:.1f} GB", steps / 1e6,
                              steps * sizeof(SunStep) / 1e9),
                  "step", "Choose a longer step or fewer days; the limit is 50 million steps"};
 }
 
-double mostStepsOf(const Period& period) {
+double maxStepsOf(const Period& period) {
     const double hours = period.window ? 24 : period.hours;
     return period.days * hours * 60 / period.stepMinutes;
 }
@@ -197,15 +197,15 @@ double mostStepsOf(const Period& period) {
 Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
                                  const std::stop_token& stop) {
     if (const auto good = validate(period); !good) return tl::make_unexpected(good.error());
-    if (const auto trouble = tooManySteps(mostStepsOf(period))) return tl::make_unexpected(*trouble);
+    if (const auto trouble = tooManySteps(maxStepsOf(period))) return tl::make_unexpected(*trouble);
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     const Instant first = zone->instantAt(period.start, 0min) - days{2};
     const Instant last = zone->instantAt(period.start, days{period.days}) + days{2};
     auto sun = Ephemeris::over(observer, first, last);
     if (!sun) return tl::make_unexpected(sun.error());
-    const PeriodWindows windows(period, *zone, *sun);
-    const WindowSteps steps(*sun, observer.frameFromPlace, {stepMinutesOf(period), period.refraction, {0}});
+    const PeriodHours windows(period, *zone, *sun);
+    const HoursSteps steps(*sun, observer.frameFromPlace, {stepMinutesOf(period), period.refraction, {0}});
     auto days = allDays(std::size_t(period.days), stop, [&](std::size_t i) {
         const CivilDate date{sys_days{period.start} + std::chrono::days{i}};
         return steps.in(windows.on(date), date);
@@ -214,19 +214,19 @@ Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
     return joinDays(std::move(days), stepMinutesOf(period));
 }
 
-Result<SunSteps> computeSunSteps(std::span<const DayWindow> windows, const StepRule& rule,
+Result<SunSteps> computeSunSteps(std::span<const DayHours> windows, const StepRule& rule,
                                  const Observer& observer, const std::stop_token& stop) {
     double minutes = 0;
-    for (const DayWindow& window : windows) minutes += std::max(0.0, window.minutes);
+    for (const DayHours& window : windows) minutes += std::max(0.0, window.minutes);
     if (auto trouble = tooManySteps(minutes / rule.stepMinutes)) return tl::make_unexpected(*trouble);
     if (windows.empty()) return SunSteps{.stepMinutes = rule.stepMinutes};
     const Instant first = windows.front().from - days{2};
     const Instant last = windows.back().from + days{4};
     auto sun = Ephemeris::over(observer, first, last);
     if (!sun) return tl::make_unexpected(sun.error());
-    const WindowSteps steps(*sun, observer.frameFromPlace, rule);
+    const HoursSteps steps(*sun, observer.frameFromPlace, rule);
     auto days = allDays(windows.size(), stop, [&](std::size_t i) {
-        return steps.in(fillWindow(windows[i].from, windows[i].minutes, rule.stepMinutes), windows[i].date);
+        return steps.in(fillHours(windows[i].from, windows[i].minutes, rule.stepMinutes), windows[i].date);
     });
     if (stop.stop_requested()) return cancelled();
     return joinDays(std::move(days), rule.stepMinutes);

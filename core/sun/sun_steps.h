@@ -42,7 +42,7 @@ struct SunDay {
 /// steps of 59.98 s at a step of 1 min, and 6 of 62.65 min at 60. Every step counts `stepMinutes`, the mean
 /// over all days, so that the steps of the period add up to its hours and no time is dropped. Hours that the
 /// requested step divides have exactly that step, and a single day is exact; over days of several lengths a
-/// day's steps may add up to half a step more or less than its hours (`mostOffADayMin`). A day with hours = 0
+/// day's steps may add up to half a step more or less than its hours (`maxOffADayMin`). A day with hours = 0
 /// has one step of 1 min.
 struct SunSteps {
     double stepMinutes = 1;  ///< minutes that each step counts
@@ -53,8 +53,9 @@ struct SunSteps {
     /// horizontal plane of the geometry's frame: far from the origin the terrain's drop tilts that plane
     /// against the horizon. Their direction is moved into the plane.
     std::size_t levelled = 0;
-    double windowMinutes = 0;  ///< hours of all days together, including times with the sun below the horizon
-    double mostOffADayMin = 0;  ///< largest difference between a day's hours and the sum of its steps
+    double countedMinutes =
+        0;                     ///< hours of all days together, including times with the sun below the horizon
+    double maxOffADayMin = 0;  ///< largest difference between a day's hours and the sum of its steps
 
     [[nodiscard]] std::size_t dayCount() const { return days.size(); }
     /// Minutes of the whole period with the sun above the horizon: the denominator of every share of time.

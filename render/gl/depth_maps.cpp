@@ -15,8 +15,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t groupSize = 64;      // as in look_up.comp
-constexpr std::size_t mostGroups = 65535;  // per dimension, guaranteed by the standard
+constexpr std::size_t groupSize = 64;     // as in look_up.comp
+constexpr std::size_t maxGroups = 65535;  // per dimension, guaranteed by the standard
 
 /// A receiver in the layout of look_up.comp.
 struct PackedReceiver {
@@ -206,7 +206,7 @@ void DepthMaps::lookUp(int first, int count) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, p.receivers);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, p.masks);
     const std::size_t groups = (p.receiverCount + groupSize - 1) / groupSize;
-    const std::size_t across = std::min(groups, mostGroups);
+    const std::size_t across = std::min(groups, maxGroups);
     if (groups > 0) glDispatchCompute(GLuint(across), GLuint((groups + across - 1) / across), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     p.work.lookups += std::uint64_t(p.receiverCount) * std::uint64_t(count);

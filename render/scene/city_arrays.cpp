@@ -29,7 +29,7 @@ std::vector<const Building*> sortedAddresses(const std::vector<Shared>& building
     return addresses;
 }
 
-void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTriangles) {
+void addBuildings(CityArrays& arrays, const City& city, std::size_t maxEdgeTriangles) {
     const CityMesh mesh = meshOf(city);
     arrays.buildings = city.buildings;
     arrays.points = mesh.mesh.vertices;
@@ -41,7 +41,7 @@ void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTria
             arrays.triangles.push_back(point);
             arrays.buildingOfPoint[point] = float(mesh.buildingOfTriangle[i]);
         }
-    if (mesh.mesh.triangles.size() <= mostEdgeTriangles) arrays.edges = findFeatureEdges(mesh.mesh);
+    if (mesh.mesh.triangles.size() <= maxEdgeTriangles) arrays.edges = findFeatureEdges(mesh.mesh);
     arrays.triangleStart = startsOf(arrays, arrays.triangles);
     arrays.edgeStart = startsOf(arrays, arrays.edges);
 }
@@ -72,9 +72,9 @@ void addTerrain(CityArrays& arrays, const Terrain& terrain) {
 
 }  // namespace
 
-CityArrays makeBuildingArrays(const City& city, std::size_t mostEdgeTriangles) {
+CityArrays makeBuildingArrays(const City& city, std::size_t maxEdgeTriangles) {
     CityArrays arrays;
-    addBuildings(arrays, city, mostEdgeTriangles);
+    addBuildings(arrays, city, maxEdgeTriangles);
     return arrays;
 }
 
@@ -91,8 +91,8 @@ ArrayDifference computeDifference(const CityArrays& drawn, const City& city) {
     return difference;
 }
 
-CityArrays makeArrays(const City& city, std::size_t mostEdgeTriangles) {
-    CityArrays arrays = makeBuildingArrays(city, mostEdgeTriangles);
+CityArrays makeArrays(const City& city, std::size_t maxEdgeTriangles) {
+    CityArrays arrays = makeBuildingArrays(city, maxEdgeTriangles);
     arrays.bounds = computeViewBounds(city);
     arrays.mainBox = mainBounds(city);
     if (city.terrain) addTerrain(arrays, *city.terrain);

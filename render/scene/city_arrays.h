@@ -33,12 +33,12 @@ struct CityArrays {
 };
 
 /// Merges the buildings into one array. The ground is the terrain, or a level square that extends far beyond
-/// the city. Above `mostEdgeTriangles` there are no edges: they would cost more than they show. About 0.5 s
+/// the city. Above `maxEdgeTriangles` there are no edges: they would cost more than they show. About 0.5 s
 /// for 1 M triangles.
-CityArrays makeArrays(const City& city, std::size_t mostEdgeTriangles = 3'000'000);
+CityArrays makeArrays(const City& city, std::size_t maxEdgeTriangles = 3'000'000);
 
 /// Only the buildings, without ground and bounds.
-CityArrays makeBuildingArrays(const City& city, std::size_t mostEdgeTriangles = 3'000'000);
+CityArrays makeBuildingArrays(const City& city, std::size_t maxEdgeTriangles = 3'000'000);
 
 /// How a city differs from another city whose arrays are drawn. Buildings compare by pointer.
 struct ArrayDifference {

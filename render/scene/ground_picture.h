@@ -19,10 +19,10 @@ struct GroundPicture {
     std::vector<Pixel> pixels;  ///< grid order
 
     /// Texture size per side that every graphics card supports.
-    static constexpr int mostPixels = 8192;
+    static constexpr int maxPixels = 8192;
 };
 
 /// The picture itself, or one in which k x k pixels are averaged where a side is longer than `most`.
-GroundPicture fitPicture(GroundPicture picture, int most = GroundPicture::mostPixels);
+GroundPicture fitPicture(GroundPicture picture, int most = GroundPicture::maxPixels);
 
 }  // namespace noonmark

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int letterPx = 12;
 constexpr int borderPx = 3;  // the light rim around the letters
-constexpr double mostLetterWidths = 30;
+constexpr double maxLetterWidths = 30;
 constexpr QColor nameColour{0x0d, 0x3d, 0x5e};
 constexpr QColor boldColour{0x00, 0x2f, 0x86};
 constexpr QColor rimColour{0xff, 0xff, 0xff, 225};
@@ -34,7 +34,7 @@ QFont fontOf(bool bold) {
 }
 
 QString shortened(const QString& name) {
-    return QFontMetricsF(fontOf(true)).elidedText(name, Qt::ElideRight, mostLetterWidths * letterPx / 2);
+    return QFontMetricsF(fontOf(true)).elidedText(name, Qt::ElideRight, maxLetterWidths * letterPx / 2);
 }
 
 // The rim lets a name be read over dark shadow.

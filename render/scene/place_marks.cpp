@@ -21,7 +21,7 @@ namespace {
 constexpr QColor outlineColour{0x17, 0x5c, 0x8a, 200};
 constexpr QColor thinColour{0x17, 0x5c, 0x8a, 120};
 constexpr QColor highlightColour{0x00, 0x3f, 0x9e, 255};
-constexpr double leastNamedPx = 14;  // side of a square as large as a place that still has its name
+constexpr double minNamedPx = 14;  // side of a square as large as a place that still has its name
 constexpr double labelGapPx = 4;
 
 ShaderMaterial* makeLine(const QColor& c, float widthPx, Qt3DCore::QNode* parent) {
@@ -108,10 +108,10 @@ void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
     std::vector<QRectF> taken;
     const QRectF screen(0, 0, lens.widthPx, lens.heightPx);
     for (const std::size_t i : ranked()) {
-        if (chosen.size() == mostNames) break;
+        if (chosen.size() == maxNames) break;
         const Mark& mark = marks_[i];
         const double side = std::sqrt(mark.areaM2) * pixelsPerMetre(pose, lens, mark.at);
-        if (i != highlighted_ && (side < leastNamedPx || !mark.named)) continue;
+        if (i != highlighted_ && (side < minNamedPx || !mark.named)) continue;
         const auto pixel = pixelOf(pose, lens, mark.at);
         if (!pixel || !screen.contains(pixel->x, pixel->y)) continue;
         QRectF box(QPointF(), NameLabels::sizeOf(mark.name));

@@ -49,7 +49,7 @@ public:
     void setShown(bool shown);
     [[nodiscard]] bool shown() const { return shown_; }
 
-    /// Chooses the names for this camera: at most mostNames, the highlighted one first, then by area. A place
+    /// Chooses the names for this camera: at most maxNames, the highlighted one first, then by area. A place
     /// that is small on the screen has none. Some ms.
     void layNames(const CameraPose& pose, const ViewLens& lens);
     /// The marks whose names are shown, in the order of their choice.
@@ -57,7 +57,7 @@ public:
 
     void setLens(const ViewLens& lens);  ///< device-independent pixels
 
-    static constexpr std::size_t mostNames = 60;
+    static constexpr std::size_t maxNames = 60;
 
 private:
     void draw();

@@ -47,7 +47,7 @@ CameraPose framePoints(const CameraPose& pose, const std::array<glm::dvec3, 8>& 
     return zoom(middle, middle.target, std::clamp(margin * std::max(share.x, share.y), 0.5, 2.0));
 }
 
-double lowestPitchDeg(const CameraPose& pose) { return pose.isParallel() ? 0 : CameraLimits::lowestPitchDeg; }
+double minPitchDeg(const CameraPose& pose) { return pose.isParallel() ? 0 : CameraLimits::minPitchDeg; }
 
 // The target of a view that is not nearly level moves along the line of sight down or up to the ground: in a
 // parallel projection the picture stays the same.
@@ -108,7 +108,7 @@ CameraPose orbit(const CameraPose& pose, glm::dvec2 dragPx, const ViewLens& lens
     CameraPose turned = pose;
     turned.headingDeg = wrapped(pose.headingDeg + dragPx.x * degreesPerWidth / lens.widthPx);
     turned.pitchDeg =
-        std::clamp(pose.pitchDeg + dragPx.y * degreesPerWidth / lens.widthPx, lowestPitchDeg(pose), 90.0);
+        std::clamp(pose.pitchDeg + dragPx.y * degreesPerWidth / lens.widthPx, minPitchDeg(pose), 90.0);
     return turned;
 }
 
@@ -166,7 +166,7 @@ CameraPose project(CameraPose pose, Projection projection, const GroundHeight& g
 
 CameraPose keepAboveGround(CameraPose pose, const CameraLimits& limits, const GroundHeight& ground) {
     pose.distanceM = std::clamp(pose.distanceM, limits.nearestM, limits.furthestM);
-    pose.pitchDeg = std::clamp(pose.pitchDeg, lowestPitchDeg(pose), 90.0);
+    pose.pitchDeg = std::clamp(pose.pitchDeg, minPitchDeg(pose), 90.0);
     if (pose.isParallel()) return keepParallelWithin(pose, limits, ground);
     pose.target.x = std::clamp(pose.target.x, double(limits.box.low.x), double(limits.box.high.x));
     pose.target.y = std::clamp(pose.target.y, double(limits.box.low.y), double(limits.box.high.y));

@@ -6,7 +6,7 @@ namespace noonmark {
 
 /// Limits of the camera.
 struct CameraLimits {
-    static constexpr double lowestPitchDeg = 2;
+    static constexpr double minPitchDeg = 2;
     static constexpr double clearanceM = 1.7;  ///< minimum height of the eye above the ground
     double nearestM = 5;                       ///< shortest distance to the target
     double furthestM = 50000;

@@ -20,8 +20,8 @@ constexpr QColor groundColour{0xd8, 0xdb, 0xdf};
 constexpr QColor buildingColour{0xf7, 0xf5, 0xf1};
 constexpr QColor edgeColour{0x3a, 0x40, 0x4a};
 // More edges are hidden while the camera moves.
-constexpr std::size_t mostEdgesInMotion = 150'000;
-constexpr std::size_t mostEdgesBySoftware = 20'000;
+constexpr std::size_t maxEdgesInMotion = 150'000;
+constexpr std::size_t maxEdgesBySoftware = 20'000;
 
 ShaderMaterial* makeMaterial(const char* name, Qt3DCore::QNode* parent) {
     return new ShaderMaterial(QString::fromLatin1(name), parent);
@@ -118,7 +118,7 @@ void DrawnCity::showCity(std::shared_ptr<const CityArrays> arrays) {
     traced_.clear();
     bounds_ = arrays->bounds;
     showGround(*arrays);
-    manyEdges_ = arrays->edges.size() > (drawsInSoftware() ? mostEdgesBySoftware : mostEdgesInMotion);
+    manyEdges_ = arrays->edges.size() > (drawsInSoftware() ? maxEdgesBySoftware : maxEdgesInMotion);
     city_ = makeBodies(std::move(arrays));
     showBodies();
 }

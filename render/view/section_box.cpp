@@ -26,7 +26,7 @@ std::optional<SectionBox> repairSection(SectionBox box) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(box.lowM[axis]) <= farthestM && std::abs(box.highM[axis]) <= farthestM))
             return std::nullopt;
-        box.highM[axis] = std::max(box.highM[axis], box.lowM[axis] + leastSectionM);
+        box.highM[axis] = std::max(box.highM[axis], box.lowM[axis] + minSectionM);
     }
     return box;
 }
@@ -43,8 +43,7 @@ glm::dvec3 centreOf(const SectionBox& box, SectionSide side) {
 
 SectionBox moveSide(SectionBox box, SectionSide side, double toM) {
     const double other = positionOf(box, {side.axis, !side.high});
-    const double clear =
-        side.high ? std::max(toM, other + leastSectionM) : std::min(toM, other - leastSectionM);
+    const double clear = side.high ? std::max(toM, other + minSectionM) : std::min(toM, other - minSectionM);
     coordinate(box, side) = std::clamp(clear, -farthestM, farthestM);
     return box;
 }

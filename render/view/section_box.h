@@ -23,19 +23,19 @@ inline constexpr SectionSide sectionSides[] = {{0, false}, {0, true},  {1, false
                                                {1, true},  {2, false}, {2, true}};
 
 /// No side of a section box is shorter, metres.
-inline constexpr double leastSectionM = 1;
+inline constexpr double minSectionM = 1;
 
 /// A box that contains all of `bounds`, with a margin.
 SectionBox makeSectionAround(const ViewBounds& bounds);
 
-/// `box` with numbers that are finite, within 1e7 m, and sides of leastSectionM or more; nothing if a number
+/// `box` with numbers that are finite, within 1e7 m, and sides of minSectionM or more; nothing if a number
 /// is not.
 std::optional<SectionBox> repairSection(SectionBox box);
 
 double positionOf(const SectionBox& box, SectionSide side);  ///< along the side's axis
 glm::dvec3 centreOf(const SectionBox& box, SectionSide side);
 
-/// Moves a side to `toM` along its axis, but not past the opposite side: leastSectionM remain.
+/// Moves a side to `toM` along its axis, but not past the opposite side: minSectionM remain.
 SectionBox moveSide(SectionBox box, SectionSide side, double toM);
 
 /// The part of a ray inside the box, as distances along it; empty if the ray misses the box.

@@ -7500,7 +7500,7 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowForm</name>
+    <name>noonmark::GlazingForm</name>
     <message>
         <source>Facades, bay by bay</source>
         <translation>Fassaden, Achse für Achse</translation>
@@ -7519,7 +7519,7 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowPanel</name>
+    <name>noonmark::GlazingPanel</name>
     <message>
         <source>Verdicts after</source>
         <translation>Urteile nachher</translation>
@@ -7548,7 +7548,7 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     </message>
 </context>
 <context>
-    <name>noonmark::WindowSession</name>
+    <name>noonmark::GlazingSession</name>
     <message>
         <source>Review</source>
         <translation>Prüfung</translation>
@@ -7575,7 +7575,7 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     </message>
 </context>
 <context>
-    <name>noonmark::WindowTable</name>
+    <name>noonmark::GlazingTable</name>
     <message>
         <source>Window</source>
         <translation>Fenster</translation>

@@ -7500,7 +7500,7 @@ Haga clic antes en un edificio.</translation>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowForm</name>
+    <name>noonmark::GlazingForm</name>
     <message>
         <source>Facades, bay by bay</source>
         <translation>Fachadas, vano por vano</translation>
@@ -7519,7 +7519,7 @@ Haga clic antes en un edificio.</translation>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowPanel</name>
+    <name>noonmark::GlazingPanel</name>
     <message>
         <source>Verdicts after</source>
         <translation>Veredictos después</translation>
@@ -7548,7 +7548,7 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     </message>
 </context>
 <context>
-    <name>noonmark::WindowSession</name>
+    <name>noonmark::GlazingSession</name>
     <message>
         <source>Review</source>
         <translation>Revisión</translation>
@@ -7575,7 +7575,7 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     </message>
 </context>
 <context>
-    <name>noonmark::WindowTable</name>
+    <name>noonmark::GlazingTable</name>
     <message>
         <source>Window</source>
         <translation>Ventana</translation>

@@ -7467,7 +7467,7 @@ Click a building first.</source>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowForm</name>
+    <name>noonmark::GlazingForm</name>
     <message>
         <source>Facades, bay by bay</source>
         <translation>ファサード(スパンごと)</translation>
@@ -7486,7 +7486,7 @@ Click a building first.</source>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowPanel</name>
+    <name>noonmark::GlazingPanel</name>
     <message>
         <source>Verdicts after</source>
         <translation>後の判定</translation>
@@ -7515,7 +7515,7 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowSession</name>
+    <name>noonmark::GlazingSession</name>
     <message>
         <source>Review</source>
         <translation>審査</translation>
@@ -7542,7 +7542,7 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     </message>
 </context>
 <context>
-    <name>noonmark::WindowTable</name>
+    <name>noonmark::GlazingTable</name>
     <message>
         <source>Window</source>
         <translation>窓</translation>

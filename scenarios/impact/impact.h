@@ -31,7 +31,7 @@ CellChange compareKinds(CellKind before, CellKind after);
 inline constexpr double noChangeMin = 1e-3;
 /// Minutes of more or less shadow above which area counts, where no others are asked for: that of the paper's
 /// case study, and that of Boston's rules.
-inline constexpr std::array usualThresholdsMin{30.0, 60.0};
+inline constexpr std::array defaultThresholdsMin{30.0, 60.0};
 
 /// The change that a scenario causes: after minus before, on cells that are receivers in both cities.
 struct Impact {

@@ -14,7 +14,7 @@ struct ImpactAnswer {
     std::string from;  ///< scenario of the city before
     std::string to;
     ImpactSettings settings;
-    std::vector<double> thresholdsMin{usualThresholdsMin.begin(), usualThresholdsMin.end()};
+    std::vector<double> thresholdsMin{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
     ImpactStudy study;
     Provenance provenance{};
 };

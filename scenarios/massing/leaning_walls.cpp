@@ -111,7 +111,7 @@ std::vector<double> levelsOf(const Tier& tier, double storeyHeightM) {
     const auto climbTo = [&](double heightM) {
         const double fromM = levels.back();
         const double turnDeg = std::abs(tier.walls.twistDeg) * (heightM - fromM) / (tier.topM - tier.bottomM);
-        const int steps = std::max(1, int(std::ceil(turnDeg / mostTurnBetweenLevelsDeg - 1e-9)));
+        const int steps = std::max(1, int(std::ceil(turnDeg / maxTurnBetweenLevelsDeg - 1e-9)));
         for (int i = 1; i <= steps; ++i) levels.push_back(fromM + (heightM - fromM) * i / steps);
     };
     if (tier.walls.twistDeg != 0)

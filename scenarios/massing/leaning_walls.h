@@ -13,10 +13,10 @@ Plate topPlateOf(const Tier& tier);
 
 /// Largest turn between two levels of points on a twisted wall. Between levels, each wall is four triangles
 /// around its middle; on a wall 40 m long they differ from the ideal surface by at most 0.09 m.
-inline constexpr double mostTurnBetweenLevelsDeg = 2;
+inline constexpr double maxTurnBetweenLevelsDeg = 2;
 
 /// Heights above the ground at which a volume has points: bottom and top; where it is twisted also the floor
-/// of each storey, and levels between them so that none is turned by more than mostTurnBetweenLevelsDeg
+/// of each storey, and levels between them so that none is turned by more than maxTurnBetweenLevelsDeg
 /// against the next.
 std::vector<double> levelsOf(const Tier& tier, double storeyHeightM);
 

@@ -11,7 +11,7 @@
 namespace noonmark {
 
 std::vector<Footprint> computeOutline(const Building& building) {
-    constexpr LeastPiece least{.areaM2 = 1, .widthM = 0};
+    constexpr MinPiece least{.areaM2 = 1, .widthM = 0};
     const auto lowest = std::ranges::min_element(building.parts, {}, &Part::bottomM);
     std::vector<Footprint> standing, all;
     for (const Part& part : building.parts) {

@@ -117,10 +117,10 @@ Result<void> checkTwists(const std::vector<Tier>& tiers, const Footprint& lot) {
 }
 
 Result<Footprint> usable(const Footprint& lot) {
-    constexpr double leastM2 = 10;
-    if (lot.outer.size() >= 3 && area(lot) >= leastM2) return lot;
+    constexpr double minM2 = 10;
+    if (lot.outer.size() >= 3 && area(lot) >= minM2) return lot;
     return failure("The lot is too small to build on", "massing",
-                   fmt::format("Draw a lot of {:g} m2 or more", leastM2));
+                   fmt::format("Draw a lot of {:g} m2 or more", minM2));
 }
 
 // A twisted wall of triangles differs a little from the ideal one.

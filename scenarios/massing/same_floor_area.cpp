@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int mostStoreys = 500;
+constexpr int maxStoreys = 500;
 
 Result<void> validate(const Footprint& lot, const GivenMass& given, double plateFactor) {
     if (!(plateFactor > 0))
@@ -69,7 +69,7 @@ Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, 
     const bool wider = plateFactor > 1;
     const double wanted = std::min(area(lot), computeArea(given.plate) * plateFactor);
     const int storeys = storeysFor(given.grossFloorM2, wanted, wider);
-    const int most = std::min(mostStoreys, int(tallestBuildingM / given.storeyHeightM));
+    const int most = std::min(maxStoreys, int(tallestBuildingM / given.storeyHeightM));
     if (storeys > most)
         return failure(fmt::format("The tower would have {} storeys", storeys), "variant",
                        fmt::format("Give a floor plate of {:.0f} m2 or more: {} storeys",

@@ -14,10 +14,10 @@ namespace noonmark {
 class StraightSkeleton {
 public:
     /// More points than real lots have. Above it CGAL takes seconds and cannot be cancelled.
-    static constexpr std::size_t mostPoints = 300;
+    static constexpr std::size_t maxPoints = 300;
 
     /// About 0.1 ms for ten points; grows at least with the square of their number. Error: the polygon is not
-    /// simple, or it has more than mostPoints.
+    /// simple, or it has more than maxPoints.
     static Result<StraightSkeleton> of(const Footprint& footprint);
 
     StraightSkeleton(StraightSkeleton&&) noexcept;

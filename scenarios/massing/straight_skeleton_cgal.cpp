@@ -86,9 +86,9 @@ StraightSkeleton& StraightSkeleton::operator=(StraightSkeleton&&) noexcept = def
 StraightSkeleton::~StraightSkeleton() = default;
 
 Result<StraightSkeleton> StraightSkeleton::of(const Footprint& footprint) try {
-    if (pointsOf(footprint) > mostPoints)
+    if (pointsOf(footprint) > maxPoints)
         return failure(fmt::format("The outline has {} points", pointsOf(footprint)), "massing",
-                       fmt::format("Draw it with {} or fewer", mostPoints));
+                       fmt::format("Draw it with {} or fewer", maxPoints));
     if (!hasRings(footprint)) return notSimple();
     PolygonWithHoles polygon(polygonOf(footprint.outer));
     for (const Ring& hole : footprint.holes) polygon.add_hole(polygonOf(hole));

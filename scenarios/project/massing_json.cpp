@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t mostEntries = 500;  // setbacks or uses of one tower
+constexpr std::size_t maxEntries = 500;  // setbacks or uses of one tower
 
 template <class S>
 Json partJson(const Fields<S>& fields, const S& settings) {
@@ -45,7 +45,7 @@ template <class S>
 std::vector<S> listFrom(const Json& json, const char* member, const Fields<S>& fields) {
     std::vector<S> list;
     if (!json.contains(member)) return list;
-    if (json.at(member).size() > mostEntries) throw std::invalid_argument("too many entries");
+    if (json.at(member).size() > maxEntries) throw std::invalid_argument("too many entries");
     for (const Json& one : json.at(member)) list.push_back(partFrom(fields, one));
     return list;
 }

@@ -82,10 +82,10 @@ namespace {
 Result<void> checkSize(const std::vector<std::shared_ptr<const SavedResult>>& results) {
     std::size_t cells = 0;
     for (const auto& result : results) cells += result->layers.size() * result->grid.size();
-    if (cells <= mostLayerCells) return {};
+    if (cells <= maxLayerCells) return {};
     return limitReached(
         fmt::format("The saved results have {:.0f} million cells", double(cells) / 1e6), "saved results",
-        fmt::format("Remove some: a project holds {:.0f} million", double(mostLayerCells) / 1e6));
+        fmt::format("Remove some: a project holds {:.0f} million", double(maxLayerCells) / 1e6));
 }
 
 }  // namespace

@@ -118,10 +118,10 @@ Result<Scenario> findScenarioByName(const Project& project, const std::string& n
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario);
 
 /// The most cells that the layers of all results of a project have together: 2 GB of float32.
-inline constexpr std::size_t mostLayerCells = 500'000'000;
+inline constexpr std::size_t maxLayerCells = 500'000'000;
 
 /// Error: a name is missing or used twice, a scenario or weight table is invalid, or the results have more
-/// than mostLayerCells.
+/// than maxLayerCells.
 Result<void> validate(const Project& project);
 
 }  // namespace noonmark

@@ -96,7 +96,7 @@ std::chrono::month_day dayOf(const CheckedRow& row, int column) {
 }
 
 constexpr NumberLimits dayMinutes{0, 24 * 60};
-constexpr std::size_t mostIntervals = 1000;  // checked pairwise for overlap
+constexpr std::size_t maxIntervals = 1000;  // checked pairwise for overlap
 
 std::vector<TimeWeights> readWeights(Database& database) {
     std::vector<TimeWeights> tables;
@@ -108,7 +108,7 @@ std::vector<TimeWeights> readWeights(Database& database) {
         if (row.integer(0) != last) tables.push_back({cleanText(row.text(1)), {}});
         last = row.integer(0);
         const CheckedRow checked(row, "time_weights");
-        if (tables.back().intervals.size() == mostIntervals) checked.refuse("too many intervals");
+        if (tables.back().intervals.size() == maxIntervals) checked.refuse("too many intervals");
         tables.back().intervals.push_back({cleanText(row.text(2)), dayOf(checked, 3), dayOf(checked, 5),
                                            std::chrono::minutes(checked.integer(7, "from_min", dayMinutes)),
                                            std::chrono::minutes(checked.integer(8, "to_min", dayMinutes)),
@@ -117,7 +117,7 @@ std::vector<TimeWeights> readWeights(Database& database) {
     return tables;
 }
 
-constexpr NumberLimits windowMinutes{-12 * 60, 12 * 60};
+constexpr NumberLimits countedMinutes{-12 * 60, 12 * 60};
 
 Period periodOf(const Statement& row) {
     Period period;
@@ -131,9 +131,9 @@ Period periodOf(const Statement& row) {
     period.stepMinutes = checked.number(5, "step_min", {1.0 / 60, 240});
     if (!row.isNull(6))
         period.window =
-            SolarWindow{std::chrono::minutes(checked.integer(6, "after_sunrise_min", windowMinutes)),
-                        std::chrono::minutes(checked.integer(7, "before_sunset_min", windowMinutes)),
-                        row.text(8) == "centre" ? SunriseRule::centre : SunriseRule::upperLimb};
+            SolarHours{std::chrono::minutes(checked.integer(6, "after_sunrise_min", countedMinutes)),
+                       std::chrono::minutes(checked.integer(7, "before_sunset_min", countedMinutes)),
+                       row.text(8) == "centre" ? SunriseRule::centre : SunriseRule::upperLimb};
     period.zone = row.text(9);
     period.refraction = row.integer(10) != 0;
     return period;
@@ -219,8 +219,8 @@ std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) 
             database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
         for (layer.begin(row.integer(0)); layer.step();) {
             cells += result.grid.size();
-            if (cells > mostLayerCells)
-                throwDamaged(fmt::format("its results have more than {} cells", mostLayerCells));
+            if (cells > maxLayerCells)
+                throwDamaged(fmt::format("its results have more than {} cells", maxLayerCells));
             result.layers.push_back(readLayer(database, layer, result.grid));
         }
         result.elements = readElements(database, row.integer(0));

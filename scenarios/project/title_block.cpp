@@ -29,10 +29,10 @@ bool isPicture(std::string_view bytes) {
 Result<void> validate(const TitleBlock& block) {
     for (const Field& field : titleFields().rows())
         if (const std::string text = formatText(field.get(&block));
-            text.size() > TitleBlock::mostBytesOfText || !isPrintable(text))
+            text.size() > TitleBlock::maxBytesOfText || !isPrintable(text))
             return failure("A text of the title block is too long or holds control characters", "title block",
                            "Use one line of at most 200 characters");
-    if (!block.logo.empty() && (block.logo.size() > TitleBlock::mostBytesOfLogo || !isPicture(block.logo)))
+    if (!block.logo.empty() && (block.logo.size() > TitleBlock::maxBytesOfLogo || !isPicture(block.logo)))
         return failure("The logo is not a PNG or JPEG picture of at most 1 MiB", "title block",
                        "Choose another picture, or export this one smaller");
     return {};
@@ -43,7 +43,7 @@ Result<std::string> readLogo(const std::string& file) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
     if (error) return failure("The logo cannot be read: " + error.message(), file);
-    if (bytes > TitleBlock::mostBytesOfLogo)
+    if (bytes > TitleBlock::maxBytesOfLogo)
         return failure("The logo has more than 1 MiB", file, "Give a smaller PNG or JPEG picture");
     std::ifstream stream(file, std::ios::binary);
     return std::string{std::istreambuf_iterator<char>(stream), {}};

@@ -18,8 +18,8 @@ struct TitleBlock {
     std::string logo;         ///< the bytes of a PNG or JPEG picture; empty: none
     bool operator==(const TitleBlock&) const = default;
 
-    static constexpr std::size_t mostBytesOfText = 800;  ///< of each text
-    static constexpr std::size_t mostBytesOfLogo = std::size_t{1} << 20U;
+    static constexpr std::size_t maxBytesOfText = 800;  ///< of each text
+    static constexpr std::size_t maxBytesOfLogo = std::size_t{1} << 20U;
 };
 
 /// Error: a text that is too long or holds control characters, or a logo that is too large or neither PNG nor

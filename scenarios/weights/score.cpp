@@ -18,8 +18,8 @@ namespace noonmark {
 namespace {
 
 // Above these limits the maps of all pieces (4 bytes per cell and piece) need too much memory.
-constexpr std::size_t mostCellsAtOnce = std::size_t{1} << 27U;
-constexpr std::size_t mostPiecesAtOnce = 40;
+constexpr std::size_t maxCellsAtOnce = std::size_t{1} << 27U;
+constexpr std::size_t maxPiecesAtOnce = 40;
 
 // Scores one set of steps with a weight table.
 class Scoring {
@@ -54,7 +54,7 @@ private:
 
     Result<Score> by(const Engine& engine) {
         const bool fits =
-            pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce;
+            pieces_.size() <= maxPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= maxCellsAtOnce;
         return fits && engine.capabilities().sets ? atOnce(engine) : pieceByPiece(engine);
     }
 

@@ -58,7 +58,7 @@ City withTower(const City& city, const Place& beside) {
 }
 
 SunSteps sunOf(const City& city, CivilDate start, int days) {
-    Period period{.start = start, .days = days, .window = SolarWindow{}, .zone = "America/New_York"};
+    Period period{.start = start, .days = days, .window = SolarHours{}, .zone = "America/New_York"};
     return computeSunSteps(period, observerOfPlaces(city)).value();
 }
 

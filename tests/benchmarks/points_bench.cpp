@@ -30,7 +30,7 @@ SurfacePoints facadePoints(const City& city, std::size_t most) {
 SunSteps yearOf(const City& city) {
     Period year{.start = CivilDate{std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}},
                 .days = 365,
-                .window = SolarWindow{},
+                .window = SolarHours{},
                 .zone = "America/New_York"};
     return computeSunSteps(year, placeObserver(city, {0, 0})).value();
 }

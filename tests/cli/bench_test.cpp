@@ -26,8 +26,8 @@ std::string contentOf(const std::filesystem::path& file) {
 
 TEST(BenchFiles, HoldTablesChartsAndTheSummary) {
     NoProgress silent;
-    const auto report = bench::runPaperBench(bench::tests::tinySite(), bench::tests::leastExtent(),
-                                             coreEngines(), silent, {});
+    const auto report =
+        bench::runPaperBench(bench::tests::tinySite(), bench::tests::minExtent(), coreEngines(), silent, {});
     ASSERT_TRUE(report) << report.error().text();
     const noonmark::tests::TemporaryFolder folder;
     const OffscreenQt qt;

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     NoProgress quiet;
     (void)isGroundPicture(file);
     const auto read = readGroundRaster(file, Frame({-73.98, 40.75}), {{-200, -200}, {200, 200}},
-                                       {.mostPixels = 256, .finestM = 1}, quiet, {});
+                                       {.maxPixels = 256, .finestM = 1}, quiet, {});
     if (!read) return requireSound(read.error()), 0;
     require(read->rgba.size() == 4 * read->grid.size(), "a colour for each cell");
     return 0;

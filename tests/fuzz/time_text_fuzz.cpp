@@ -14,8 +14,8 @@ void readTimes(std::string_view text) {
         require(date->ok() && noonmark::parseDate(noonmark::formatText(*date)) == *date, "a date comes back");
     if (const auto time = noonmark::parseTimeOfDay(text))
         require(noonmark::parseTimeOfDay(noonmark::formatText(*time)) == *time, "a time of day comes back");
-    if (const auto window = noonmark::parseSolarWindow(text))
-        require(noonmark::parseSolarWindow(formatText(*window)) == *window, "a solar window comes back");
+    if (const auto window = noonmark::parseSolarHours(text))
+        require(noonmark::parseSolarHours(formatText(*window)) == *window, "a solar window comes back");
     (void)noonmark::parseInstant(text, noonmark::Zone::utc());
 }
 

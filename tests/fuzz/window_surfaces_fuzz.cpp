@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/io/elements/cityjson_windows.h"
+#include "core/io/elements/cityjson_glazing.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"
@@ -22,10 +22,10 @@ City makeHouse() {
     return city;
 }
 
-void requireSound(const WindowsRead& read) {
+void requireSound(const GlazingRead& read) {
     require(!read.windows.empty(), "a file without windows is an error");
-    require(read.windows.size() <= WindowFileSettings::mostWindows, "more windows than the limit");
-    for (const WindowShape& window : read.windows) {
+    require(read.windows.size() <= GlazingFileSettings::maxWindows, "more windows than the limit");
+    for (const GlazingShape& window : read.windows) {
         require(!window.id.empty(), "a window without an id");
         require(window.corners.size() >= 3, "a surface has at least three corners");
         for (const glm::dvec3& corner : window.corners)
@@ -34,7 +34,7 @@ void requireSound(const WindowsRead& read) {
     }
 }
 
-void requireSound(const WindowsPlaced& placed) {
+void requireSound(const GlazingPlaced& placed) {
     std::set<std::string> ids;
     for (std::size_t i = 0; i < placed.receivers.size(); ++i) {
         const glm::vec3 normal = placed.receivers.points.normals[i];
@@ -51,13 +51,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     static const noonmark::City city = makeHouse();
     const auto file = fuzzFile("windows.city.json", formatText(data, size));
-    const auto read = noonmark::readCityJsonWindows(file, {.crs = "EPSG:7415"}, city, {});
+    const auto read = noonmark::readCityJsonGlazing(file, {.crs = "EPSG:7415"}, city, {});
     if (!read) {
         requireSound(read.error());
         return 0;
     }
     requireSound(*read);
     const auto everywhere = noonmark::makeRegionFromLocalBox({{-1e5, -1e5}, {1e5, 1e5}});
-    requireSound(noonmark::placeWindows(city, everywhere, read->windows, {}));
+    requireSound(noonmark::placeGlazing(city, everywhere, read->windows, {}));
     return 0;
 }

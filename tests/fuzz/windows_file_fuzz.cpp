@@ -1,7 +1,7 @@
 // Windows as points and panes of a map.
 #include <cmath>
 
-#include "core/io/elements/read_windows.h"
+#include "core/io/elements/read_glazing.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"
@@ -13,10 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     City city;
     city.frame = Frame({-73.98, 40.75});
     NoProgress quiet;
-    const auto read = readWindows(file, {}, city, quiet, {});
+    const auto read = readGlazing(file, {}, city, quiet, {});
     if (!read) return requireSound(read.error()), 0;
     require(!read->windows.empty(), "a file without windows is an error");
-    for (const WindowShape& window : read->windows) {
+    for (const GlazingShape& window : read->windows) {
         require(!window.id.empty() && !window.corners.empty(), "a window has an id and a place");
         for (const glm::dvec3& corner : window.corners)
             require(std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.z),

@@ -36,7 +36,7 @@ namespace noonmark::golden {
 
 namespace {
 
-constexpr int mostEntries = 100;  // of a list that is written out: time zones are not
+constexpr int maxEntries = 100;  // of a list that is written out: time zones are not
 
 QString quoted(QString text) {
     return u'"' + text.replace(u'\\', QStringLiteral("\\\\")).replace(u'\n', QStringLiteral("\\n")) + u'"';
@@ -123,7 +123,7 @@ void addModel(QStringList& lines, const QString& indent, const QAbstractItemView
 
 QString describeList(const QComboBox& list) {
     const QString current = QStringLiteral(" = %1 of ").arg(quoted(list.currentText()));
-    if (list.count() > mostEntries) return current + QStringLiteral("%1 entries").arg(list.count());
+    if (list.count() > maxEntries) return current + QStringLiteral("%1 entries").arg(list.count());
     QStringList entries;
     for (int i = 0; i < list.count(); ++i)
         entries << quoted(list.itemText(i)) + labelled("tip", list.itemData(i, Qt::ToolTipRole).toString());

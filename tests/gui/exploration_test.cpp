@@ -34,8 +34,7 @@ Period morning(int days = 1) {
 
 /// Refinement of a view of the small city.
 struct Refinement : ::testing::Test {
-    ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr,
-                          leastTurnTests};
+    ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr, minTurnTests};
     ViewEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
@@ -86,7 +85,7 @@ TEST_F(Refinement, TurnsAreAsLongAsFivePicturesASecondAllow) {
     EXPECT_GT(turnTestsAfter(answer), 7e6);
     EXPECT_LT(turnTestsAfter(answer), 14e6);
     answer.turnSeconds = 10;
-    EXPECT_EQ(turnTestsAfter(answer), leastTurnTests);
+    EXPECT_EQ(turnTestsAfter(answer), minTurnTests);
     answer.turnSeconds = 0;
     EXPECT_LT(turnTestsAfter(answer), 1e11);
 

@@ -71,14 +71,14 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
             if (option.kind == OptionKind::yesNo) {
                 const auto* check = form.findChild<QCheckBox*>(name);
                 ASSERT_NE(check, nullptr) << option.key;
-                EXPECT_EQ(check->isChecked(), option.usual != 0) << option.key;
+                EXPECT_EQ(check->isChecked(), option.standard != 0) << option.key;
                 continue;
             }
             const auto* field = form.findChild<QDoubleSpinBox*>(name);
             ASSERT_NE(field, nullptr) << option.key;
-            EXPECT_NEAR(field->minimum(), option.lowest, 1e-9);
-            EXPECT_NEAR(field->maximum(), option.highest, 1e-9);
-            EXPECT_NEAR(field->value(), option.usual, 1e-9) << option.key;
+            EXPECT_NEAR(field->minimum(), option.min, 1e-9);
+            EXPECT_NEAR(field->maximum(), option.max, 1e-9);
+            EXPECT_NEAR(field->value(), option.standard, 1e-9) << option.key;
             EXPECT_FALSE(field->toolTip().isEmpty());
         }
         EXPECT_EQ(form.applied(settings), settings) << engine.key << ": default values are not stored";

@@ -35,7 +35,7 @@ TEST_F(ProjectWindow, TheQuestionIsFoundAgain) {
     question.receivers.cellM = 5;
     question.region = session().project().regions[0];
     question.period.window =
-        SolarWindow{std::chrono::minutes(90), std::chrono::minutes(30), SunriseRule::centre};
+        SolarHours{std::chrono::minutes(90), std::chrono::minutes(30), SunriseRule::centre};
     question.period.zone = "America/New_York";
     workbench().document().change(question, QStringLiteral("test"));
     EXPECT_TRUE(session().hasUnsavedWork()) << "the project has a file, which stores the settings";

@@ -165,7 +165,7 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedBesideNewerAndCanBeDeleted) {
 TEST(RecoveryStores, WhatManyRunsLeftDoesNotGrowForEver) {
     const QTemporaryDir folder;
     const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
-    const int runs = RecoveryStore::mostLeft + 3;
+    const int runs = RecoveryStore::maxLeft + 3;
     for (int i = 0; i < runs; ++i) {
         QFile file(QString::fromStdString(recovery.string()));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -174,7 +174,7 @@ TEST(RecoveryStores, WhatManyRunsLeftDoesNotGrowForEver) {
         const RecoveryStore place(folder.path());
         EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
     }
-    for (int i = runs - 1; i >= runs - RecoveryStore::mostLeft; --i) {
+    for (int i = runs - 1; i >= runs - RecoveryStore::maxLeft; --i) {
         RecoveryStore place(folder.path());
         EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
         place.forgetLeft();

@@ -89,7 +89,7 @@ TEST(StudyDock, ShowingAPeriodDoesNotChangeIt) {
     const StudyDock dock(document);
     StudySettings settings;
     settings.period.window =
-        SolarWindow{std::chrono::minutes(90), std::chrono::minutes(45), SunriseRule::centre};
+        SolarHours{std::chrono::minutes(90), std::chrono::minutes(45), SunriseRule::centre};
     settings.period.zone = "Australia/Sydney";
     settings.period.stepMinutes = 0.5;
     document.reset(settings);

@@ -122,7 +122,7 @@ TEST(TileRange, KnownTilesOfKnownPlaces) {
     for (; range.zoom > 10; --range.zoom) range = {range.zoom, range.west / 2, range.north / 2, 1, 1};
     EXPECT_EQ(range.west, 524);
     EXPECT_EQ(range.north, 338);
-    EXPECT_LE(chooseTiles(frame, {{-5000, -5000}, {5000, 5000}}).count(), mostTiles);
+    EXPECT_LE(chooseTiles(frame, {{-5000, -5000}, {5000, 5000}}).count(), maxTiles);
     // The whole world is one tile of 2 x 20,037,508.34 m.
     EXPECT_NEAR(computeTransform({0, 0, 0, 1, 1}, 256)[0], -20037508.34, 0.01);
     EXPECT_NEAR(computeTransform({0, 0, 0, 1, 1}, 256)[1], 156543.034, 0.001);

@@ -31,7 +31,7 @@ const TimeLook may{LookSpan::day, {2026y, std::chrono::May, 4d}, 14h};
 
 TEST(TimeLook, IsAPartOfTheStudysTime) {
     Period study = smallStudy()->settings.period;
-    study.window = SolarWindow{};
+    study.window = SolarHours{};
     EXPECT_EQ(periodOf({}, study), study);
     const Period day = periodOf(may, study);
     EXPECT_EQ(day.start, may.date);

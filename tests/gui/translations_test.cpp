@@ -32,7 +32,7 @@ using test::waitFor;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double leastFinishedPct = 99;
+constexpr double minFinishedPct = 99;
 
 TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
     for (const Language language : translated) {
@@ -44,7 +44,7 @@ TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
             ++finished;
             for (const QString& text : message.texts) expectSameParts(text, message, codeOf(language));
         }
-        EXPECT_GE(100.0 * finished / double(messages.size()), leastFinishedPct) << codeOf(language);
+        EXPECT_GE(100.0 * finished / double(messages.size()), minFinishedPct) << codeOf(language);
     }
 }
 

@@ -1,11 +1,11 @@
 #include <QComboBox>
 #include <cmath>
 
+#include "app/gui/docks/review/glazing/glazing_panel.h"
+#include "app/gui/docks/review/glazing/glazing_table.h"
 #include "app/gui/docks/review/glazing/verdict_tiles.h"
-#include "app/gui/docks/review/glazing/window_panel.h"
-#include "app/gui/docks/review/glazing/window_table.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "tests/gui/window_review_window.h"
+#include "tests/gui/glazing_review_window.h"
 
 namespace noonmark {
 namespace {
@@ -13,20 +13,20 @@ namespace {
 using test::waitFor;
 
 /// Verdicts on windows in the view.
-struct VerdictView : test::WindowReviewWindow {
+struct VerdictView : test::GlazingReviewWindow {
     void review() {
         build();
         run();
         ASSERT_TRUE(windows().answer()) << message().toStdString();
     }
-    const WindowStudy& study() { return windows().answer()->study; }
+    const GlazingStudy& study() { return windows().answer()->study; }
     ElementTiles& tiles() { return window->panel().view().tiles(); }
     void show(ShownVerdicts shown) {
         auto* choice = dock().findChild<QComboBox*>(QStringLiteral("verdictsInView"));
         choice->setCurrentIndex(choice->findData(int(shown)));
         Q_EMIT choice->activated(choice->currentIndex());
     }
-    void expectColours(const std::function<QColor(const WindowReview&)>& colourOf) {
+    void expectColours(const std::function<QColor(const GlazingReview&)>& colourOf) {
         ASSERT_EQ(tiles().tiles().size(), study().panes.size());
         for (std::size_t i = 0; i < study().panes.size(); ++i) {
             const QColor colour = colourOf(study().windows[study().panes[i].window]);
@@ -45,12 +45,12 @@ struct VerdictView : test::WindowReviewWindow {
 TEST_F(VerdictView, TilesHaveTheColoursOfTheVerdictsThatAreChosen) {
     review();
     ASSERT_GT(study().panes.size(), 20U);
-    expectColours([](const WindowReview& one) { return tileColour(one.verdict); });
+    expectColours([](const GlazingReview& one) { return tileColour(one.verdict); });
     EXPECT_EQ(classes(), (QStringList{"pass", "borderline", "fail", "not applicable"}));
     show(ShownVerdicts::before);
-    expectColours([](const WindowReview& one) { return tileColour(one.formerVerdict); });
+    expectColours([](const GlazingReview& one) { return tileColour(one.formerVerdict); });
     show(ShownVerdicts::change);
-    expectColours([](const WindowReview& one) { return tileColour(findChange(one)); });
+    expectColours([](const GlazingReview& one) { return tileColour(findChange(one)); });
     EXPECT_EQ(classes().size(), 4);
     EXPECT_TRUE(classes().contains(QStringLiteral("worse")));
     show(ShownVerdicts::none);
@@ -72,7 +72,7 @@ TEST_F(VerdictView, TilesLieOnTheWallsWithTheSizeOfTheWindow) {
 
 TEST_F(VerdictView, ARowFramesItsWindowAndATileFindsItsRow) {
     review();
-    WindowTable& table = dock().windowTable();
+    GlazingTable& table = dock().glazingTable();
     ASSERT_EQ(tiles().highlighted().size(), 1U) << "the first row is chosen";
     QTreeWidgetItem* last = table.topLevelItem(table.topLevelItemCount() - 1);
     table.setCurrentItem(last);
@@ -106,9 +106,9 @@ TEST_F(VerdictView, AnotherResultOrAnotherRuleTakesThePlaceOfTheVerdicts) {
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().study() || workbench().answerAs<ImpactAnswer>(); }));
     EXPECT_TRUE(tiles().tiles().empty());
-    EXPECT_EQ(dock().windowPanel().shown(), ShownVerdicts::none);
+    EXPECT_EQ(dock().glazingPanel().shown(), ShownVerdicts::none);
     run();
-    EXPECT_EQ(dock().windowPanel().shown(), ShownVerdicts::after) << "the newest result is in front";
+    EXPECT_EQ(dock().glazingPanel().shown(), ShownVerdicts::after) << "the newest result is in front";
     EXPECT_EQ(tiles().tiles().size(), study().panes.size());
     choose("four-days");
     EXPECT_TRUE(tiles().tiles().empty());
@@ -116,7 +116,7 @@ TEST_F(VerdictView, AnotherResultOrAnotherRuleTakesThePlaceOfTheVerdicts) {
     EXPECT_FALSE(tiles().tiles().empty());
     show(ShownVerdicts::none);
     run();
-    EXPECT_EQ(dock().windowPanel().shown(), ShownVerdicts::none) << "as the user wants";
+    EXPECT_EQ(dock().glazingPanel().shown(), ShownVerdicts::none) << "as the user wants";
 }
 
 TEST_F(VerdictView, TheNoteTellsWhatIsComparedAndWhetherItIsUpToDate) {
@@ -173,7 +173,7 @@ TEST(VerdictColours, AreToldApartByColourBlindEyes) {
 
 TEST(VerdictChanges, KnowWorseBetterAndWhatCannotBeCompared) {
     const auto of = [](Verdict former, Verdict verdict) {
-        WindowReview review;
+        GlazingReview review;
         review.formerVerdict = former;
         review.verdict = verdict;
         return findChange(review);

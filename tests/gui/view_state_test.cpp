@@ -26,7 +26,7 @@ TEST(ViewState, OfAnEarlierVersionIsRead) {
     EXPECT_EQ(state.study->receivers, (ReceiverSettings{2.5, ReceiverPlaces::roofs}));
     EXPECT_EQ(state.study->period.from, std::chrono::minutes(450));
     EXPECT_EQ(state.study->period.window,
-              (SolarWindow{std::chrono::minutes(30), std::chrono::minutes(-15), SunriseRule::centre}));
+              (SolarHours{std::chrono::minutes(30), std::chrono::minutes(-15), SunriseRule::centre}));
     EXPECT_EQ(state.study->period.days, 3);
     EXPECT_FALSE(state.study->period.refraction);
     EXPECT_EQ(state.study->pressureHPa, 990);
@@ -35,9 +35,9 @@ TEST(ViewState, OfAnEarlierVersionIsRead) {
     EXPECT_TRUE(state.study->contributions);
     ASSERT_TRUE(state.elements);
     EXPECT_EQ(state.elements->places, ElementPlaces::windows);
-    EXPECT_TRUE(state.elements->windowFile.aboveGround);
-    EXPECT_EQ(state.elements->windowFile.crs, std::nullopt);
-    EXPECT_EQ(state.elements->windowFile.idField, "nr");
+    EXPECT_TRUE(state.elements->glazingFile.aboveGround);
+    EXPECT_EQ(state.elements->glazingFile.crs, std::nullopt);
+    EXPECT_EQ(state.elements->glazingFile.idField, "nr");
 }
 
 TEST(ViewState, ComesBack) {
@@ -45,7 +45,7 @@ TEST(ViewState, ComesBack) {
     state.study.emplace();
     state.study->region = {"Lawn", {{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}}}};
     state.study->period.from = std::chrono::minutes(7 * 60 + 30);
-    state.study->period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(0)};
+    state.study->period.window = SolarHours{std::chrono::minutes(90), std::chrono::minutes(0)};
     state.study->byMonth = true;
     state.study->temperatureC = -3;
     const ViewState back = parseViewState(textsOf(state));

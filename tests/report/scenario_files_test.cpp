@@ -160,7 +160,7 @@ TEST(Pictures, AreAsWideAsAskedAndShowTheSameAtEverySize) {
         for (int x = 0; x < usual.width(); x += 5)
             far += std::abs(qGreen(usual.pixel(x, y)) - qGreen(shrunk.pixel(x, y))) > 60 ? 1 : 0;
     EXPECT_LT(far, usual.width() * usual.height() / 25 / 50) << "two in a hundred: edges of letters";
-    EXPECT_EQ(mapPicture(study, ShadowMeasure::gross, 1).width(), leastPictureWidth);
+    EXPECT_EQ(mapPicture(study, ShadowMeasure::gross, 1).width(), minPictureWidth);
 }
 
 }  // namespace

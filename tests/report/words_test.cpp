@@ -27,9 +27,9 @@ TEST(PeriodWords, MomentsNightsAndSolarWindows) {
     EXPECT_EQ(describeHours(period), "at 09:00");
     period.hours = 20;
     EXPECT_EQ(describeHours(period), "09:00 for 20 h, every 1 min");
-    period.window = SolarWindow{90min, 0min};
+    period.window = SolarHours{90min, 0min};
     EXPECT_EQ(describeHours(period), "sunrise + 90 min to sunset, every 1 min");
-    period.window = SolarWindow{-10min, 30min};
+    period.window = SolarHours{-10min, 30min};
     EXPECT_EQ(describeHours(period), "sunrise - 10 min to sunset - 30 min, every 1 min");
 }
 

@@ -108,7 +108,7 @@ TEST(LeaningWalls, LevelsAreFloorsAndNoStepTurnsFar) {
     for (const double floor : {8.0, 12.0, 16.0, 20.0, 24.0, 28.0})
         EXPECT_THAT(levels, testing::Contains(testing::DoubleNear(floor, 1e-9)));
     for (std::size_t i = 1; i < levels.size(); ++i)
-        EXPECT_LE((levels[i] - levels[i - 1]) / 20 * 30, mostTurnBetweenLevelsDeg + 1e-9);
+        EXPECT_LE((levels[i] - levels[i - 1]) / 20 * 30, maxTurnBetweenLevelsDeg + 1e-9);
     tier.walls = {.taper = 0.3};
     EXPECT_EQ(levelsOf(tier, 4), (std::vector<double>{8, 28}));
 }

@@ -84,7 +84,7 @@ inline Project sampleProject() {
     project.periods = {{"equinox", {}},
                        {"sun",
                         {.days = 365,
-                         .window = SolarWindow{minutes(90), minutes(90)},
+                         .window = SolarHours{minutes(90), minutes(90)},
                          .zone = "America/New_York",
                          .refraction = false}}};
     project.views = {{"Plan \"A\"", {12.5, -7.25, 1.5}, 432.1, 0, 90, true},

@@ -29,7 +29,7 @@ constexpr const char* monthTableName = "by_month.csv";
 
 struct CityStudyOptions {
     StudyOptions study;
-    int tileCells = TiledStudySettings::usualTileCells;
+    int tileCells = TiledStudySettings::defaultTileCells;
 };
 
 std::vector<std::string> namesOf(const StudySettings& settings) {

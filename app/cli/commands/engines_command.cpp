@@ -14,8 +14,8 @@ std::string optionLine(const EngineOption& option) {
     const std::string unit = option.unit.empty() ? "" : fmt::format(" {}", option.unit);
     const std::string range = option.kind == OptionKind::yesNo
                                   ? "yes or no"
-                                  : fmt::format("{:g} to {:g}{}", option.lowest, option.highest, unit);
-    return fmt::format("    --option {}={}  {}: {}\n", option.key, formatOptionValue(option, option.usual),
+                                  : fmt::format("{:g} to {:g}{}", option.min, option.max, unit);
+    return fmt::format("    --option {}={}  {}: {}\n", option.key, formatOptionValue(option, option.standard),
                        range, option.about);
 }
 

@@ -27,7 +27,7 @@ struct ImpactOptions {
     SheetOptions sheets;
     std::string from;
     std::string to;
-    std::vector<double> thresholds{usualThresholdsMin.begin(), usualThresholdsMin.end()};
+    std::vector<double> thresholds{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
     bool byBuilding = false;
     std::string scale;  // empty: the project's scale
 };

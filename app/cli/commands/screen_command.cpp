@@ -65,7 +65,7 @@ Result<SunSteps> sunOf(const ScreenOptions& options, const Project& project, boo
                        const std::stop_token& stop) {
     const bool named = !options.periodName.empty(), days = options.period.states("--start");
     PeriodOptions asked = options.period;
-    if (!hoursGiven) asked.period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(90)};
+    if (!hoursGiven) asked.period.window = SolarHours{std::chrono::minutes(90), std::chrono::minutes(90)};
     if (!named && !days) {
         asked.period.start =
             std::chrono::year_month_day(std::chrono::year(2026), std::chrono::January, std::chrono::day(1));

@@ -57,7 +57,7 @@ Result<std::vector<Place>> placesOf(const TimelineOptions& options, const Projec
 // Without hours: from sunrise to sunset.
 Result<Period> periodOf(const TimelineOptions& options, const Project& project, bool hoursGiven) {
     PeriodOptions asked = options.period;
-    if (!hoursGiven) asked.period.window = SolarWindow{};
+    if (!hoursGiven) asked.period.window = SolarHours{};
     if (const auto zone = commonZone(project); zone && !asked.states("--zone")) {
         asked.period.zone = *zone;
         asked.given.emplace("--zone");

@@ -49,9 +49,9 @@ Result<void> checkBelongs(bool given, const StudyOptions& options, ElementPlaces
 
 }  // namespace
 
-void addWindowFileOptions(CLI::App& command, ElementSettings& elements) {
-    addFieldOptions(command, windowsFields().of(elements));
-    addFieldOptions(command, windowFileFields().of(elements.windowFile));
+void addGlazingFileOptions(CLI::App& command, ElementSettings& elements) {
+    addFieldOptions(command, glazingFields().of(elements));
+    addFieldOptions(command, glazingFileFields().of(elements.glazingFile));
 }
 
 void addFaceOptions(CLI::App& command, FaceChoice& faces) {
@@ -61,7 +61,7 @@ void addFaceOptions(CLI::App& command, FaceChoice& faces) {
 void addElementOptions(CLI::App& command, StudyOptions& options) {
     addFacadeOptions(command, options);
     addFaceOptions(command, options.elements.faces);
-    addWindowFileOptions(command, options.elements);
+    addGlazingFileOptions(command, options.elements);
     addLineOptions(command, options);
     addListOptions(command, options);
     addFieldOptions(command, planeFields().of(options.elements));

@@ -11,7 +11,7 @@ void addPictureOption(CLI::App& command, int& widthPx) {
         .add_option("--picture-width", widthPx,
                     "Width of the PNG in pixels; its text grows with it, its height follows the region")
         ->capture_default_str()
-        ->check(within(leastPictureWidth, mostPictureWidth))
+        ->check(within(minPictureWidth, maxPictureWidth))
         ->type_name("PX");
 }
 

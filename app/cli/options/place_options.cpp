@@ -25,7 +25,7 @@ std::string checkKind(const std::string& text) {
 
 bool PlaceOptions::admits(const Place& place) const {
     return (settings.kinds.empty() || settings.kinds.contains(place.kind)) &&
-           area(place) >= settings.leastAreaM2;
+           area(place) >= settings.minAreaM2;
 }
 
 void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
@@ -51,11 +51,11 @@ void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
             "OpenStreetMap: of streets also strips of this width on both sides of the carriageway, as "
             "places of their own, m; 0: none")
         ->capture_default_str()
-        ->check(within(0, PlaceSettings::mostSidewalkM))
+        ->check(within(0, PlaceSettings::maxSidewalkM))
         ->type_name("M");
     command.add_flag_function(
         "--named", [&options](auto) { options.settings.unnamed = false; }, "Only places with a name");
-    command.add_option("--least-area", options.settings.leastAreaM2, "Only places of at least this area, m2")
+    command.add_option("--least-area", options.settings.minAreaM2, "Only places of at least this area, m2")
         ->check(within(0, 1e9))
         ->type_name("M2");
     command

@@ -49,7 +49,7 @@ void addElementOptions(CLI::App& command, StudyOptions& options);
 void addFaceOptions(CLI::App& command, FaceChoice& faces);
 
 /// Adds --windows and how the file is read.
-void addWindowFileOptions(CLI::App& command, ElementSettings& elements);
+void addGlazingFileOptions(CLI::App& command, ElementSettings& elements);
 
 /// What the options of points lack or have too much. Call it before the city is read.
 Result<void> checkElementOptions(const StudyOptions& options);

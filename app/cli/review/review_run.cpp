@@ -113,11 +113,11 @@ void printTable(const ReviewStudy& study, std::ostream& out) {
     const auto& columns = study.rule.deliverables.columns;
     std::vector<std::vector<std::string>> lines(1);
     for (const RuleColumn& column : columns) lines[0].push_back(column.title);
-    constexpr std::size_t mostRows = 40;
+    constexpr std::size_t maxRows = 40;
     std::size_t leftOut = 0;
     for (const PlaceReview& review : study.places)
         for (const ReviewRow& row : review.rows) {
-            if (lines.size() > mostRows) {
+            if (lines.size() > maxRows) {
                 ++leftOut;
                 continue;
             }
@@ -172,16 +172,16 @@ Result<std::shared_ptr<const ReviewSheets>> writeFiles(const PlaceQuestion& ques
 
 /// A rule about windows needs windows, and one about places places.
 Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
-    const bool isOfWindows = rule.receivers.surface == RuleSurface::windows;
+    const bool isOfGlazing = rule.receivers.surface == RuleSurface::windows;
     if (options.windows.asked() && !options.places.empty())
         return failure("Places and windows are not reviewed together", flags::places,
                        "Omit --places, or --windows and --facades-of");
-    if (isOfWindows && !options.windows.asked())
+    if (isOfGlazing && !options.windows.asked())
         return failure("The rule is about windows", rule.key,
                        "Give --windows FILE or --facades-of NAMES|all");
-    if (!isOfWindows && options.places.empty())
+    if (!isOfGlazing && options.places.empty())
         return failure("The rule is about places", rule.key, "Give --places NAMES or --places all");
-    if (isOfWindows && options.inReach)
+    if (isOfGlazing && options.inReach)
         return failure("--in-reach is about places", "--in-reach", "Omit --in-reach");
     return {};
 }
@@ -212,7 +212,7 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
         return fail(console, fits.error(), exitUsage);
     const auto source = openReviewSource(options, *library, console);
     if (!source) return fail(console, source.error(), exitUsage);
-    return options.windows.asked() ? runWindowReviews(options, *rule, *source, console)
+    return options.windows.asked() ? runGlazingReviews(options, *rule, *source, console)
                                    : reviewPlaces(options, *rule, *source, console);
 }
 
@@ -251,7 +251,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->capture_default_str()
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
-    addReviewedWindows(command, options.windows);
+    addGlazingRunOptions(command, options.windows);
     addRuleFolders(command, options.rules);
     addRuleChoices(command, options.rules);
     command

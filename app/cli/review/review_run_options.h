@@ -19,7 +19,7 @@ struct ReviewSource;
 namespace cli {
 
 /// The windows that a rule is evaluated on.
-struct ReviewedWindows {
+struct GlazingRunOptions {
     ElementSettings elements;
     bool ofFile = false, onFacades = false;  ///< which of the two was asked for
     std::string region = "city";
@@ -37,7 +37,7 @@ struct ReviewRunOptions {
     std::string rule, from, to, out;
     std::vector<std::string> places;
     ReviewSettings settings{1, {}, 0};
-    ReviewedWindows windows;
+    GlazingRunOptions windows;
     bool overwrite = false;
     bool byteOrderMark = false;
     bool inReach = false;
@@ -46,12 +46,12 @@ struct ReviewRunOptions {
 };
 
 /// Adds --windows, --facades-of and what belongs to them.
-void addReviewedWindows(CLI::App& command, ReviewedWindows& windows);
+void addGlazingRunOptions(CLI::App& command, GlazingRunOptions& windows);
 
 /// Runs `review run` of a rule about windows: measures, writes the files and prints the counts, or
 /// review.json. Returns the exit code.
-int runWindowReviews(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
-                     const Console& console);
+int runGlazingReviews(const ReviewRunOptions& options, const Rule& rule, const ReviewSource& source,
+                      const Console& console);
 
 }  // namespace cli
 

@@ -56,7 +56,7 @@ Result<ReviewSource> openReviewSource(const ReviewRunOptions& options, const Rul
     if (!source) return source;
     source->ofRules = library.warnings();
     source->outputs = outputRules(options.read.files, source->project.inputs, options.overwrite);
-    const ReviewedWindows& windows = options.windows;
+    const GlazingRunOptions& windows = options.windows;
     if (windows.ofFile) addPlace(source->outputs, windows.elements.windows.string());
     if (windows.asked()) addPlace(source->outputs, windows.region);
     return source;

@@ -47,7 +47,7 @@ tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options,
     if (!study)
         return tl::make_unexpected(
             Failure{study.error(), study.error().kind == ErrorKind::input ? exitUsage : exitFailed});
-    study->windowsFile = windows;
+    study->glazingInput = windows;
     addSource(*study, *request);
     return *std::move(study);
 }

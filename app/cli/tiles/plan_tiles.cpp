@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct PlanOptions {
     TileStudyOptions question;
-    int tileCells = TiledStudySettings::usualTileCells;
+    int tileCells = TiledStudySettings::defaultTileCells;
     double taskSeconds = TaskSize{}.seconds;
     double taskMemoryGB = TaskSize{}.memoryBytes / 1e9;
     double districtKm = 40;
@@ -134,7 +134,7 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
 
 void print(const TaskPlan& plan, bool json, std::ostream& out) {
     double seconds = 0, haloM2 = 0, tileM2 = 0;
-    const double memory = largestWindowBytes(plan);
+    const double memory = largestExtentBytes(plan);
     for (const PlannedTile& tile : plan.tiles) {
         seconds += tile.seconds;
         const glm::dvec2 reads = glm::dvec2(tile.reads.high) - glm::dvec2(tile.reads.low);
@@ -146,7 +146,7 @@ void print(const TaskPlan& plan, bool json, std::ostream& out) {
         out << nlohmann::ordered_json{{"districts", plan.districts.size()},
                                       {"tiles", plan.tiles.size()},
                                       {"tasks", plan.taskCount},
-                                      {"by_window", plan.byWindow},
+                                      {"by_window", plan.byExtent},
                                       {"estimated_seconds", seconds},
                                       {"largest_window_bytes", memory},
                                       {"tiles_m2", tileM2},
@@ -160,7 +160,7 @@ void print(const TaskPlan& plan, bool json, std::ostream& out) {
     out << fmt::format("Estimated: {:.1f} h on two cores, {:.2f} GB for the largest window of a task\n",
                        seconds / 3600, memory / 1e9);
     out << fmt::format("A tile reads {:.1f} times its own area; {}\n", haloM2 / tileM2,
-                       plan.byWindow ? "tasks read by window" : "every task reads all files whole");
+                       plan.byExtent ? "tasks read by window" : "every task reads all files whole");
     out << fmt::format("Run the tasks 0 to {}\n", plan.taskCount - 1);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t mostDifferences = 20;
+constexpr std::size_t maxDifferences = 20;
 
 // Another version may word a passage differently; its figures are the same.
 bool counts(const WordDifference& one, bool sameProgram) { return sameProgram || one.hasFigure; }
@@ -62,7 +62,7 @@ std::string describeFiles(const Verification& verification) {
 
 std::string listDifferences(const std::vector<RecordDifference>& differences) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(differences.size(), mostDifferences); ++i) {
+    for (std::size_t i = 0; i < std::min(differences.size(), maxDifferences); ++i) {
         const RecordDifference& one = differences[i];
         text += fmt::format("  {}: recorded {}, computed {}\n", cleanText(one.key),
                             cleanText(orNothing(one.recorded)), cleanText(orNothing(one.computed)));
@@ -80,7 +80,7 @@ std::string describePrinted(const WordComparison& printed, bool sameProgram) {
     std::string text;
     std::size_t different = 0;
     for (const WordDifference& one : printed.differences) {
-        if (!counts(one, sameProgram) || ++different > mostDifferences) continue;
+        if (!counts(one, sameProgram) || ++different > maxDifferences) continue;
         text += fmt::format("  ... {} [{}], computed [{}]\n", one.before, one.recorded, one.computed);
     }
     return fmt::format("\nFigures printed on the pages: {}; passages with other {}: {}\n",

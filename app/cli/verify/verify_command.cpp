@@ -43,7 +43,7 @@ fs::path reportBeside(const std::string& recordName) {
 Result<std::string> readTable(const fs::path& file) {
     if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     std::error_code ignored;
-    if (fs::file_size(file, ignored) > mostBytesOfRecord)
+    if (fs::file_size(file, ignored) > maxBytesOfRecord)
         return limitReached("The table is larger than any that a report has", file.string(), {});
     std::ifstream stream(file, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(stream), {});

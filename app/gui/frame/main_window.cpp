@@ -57,7 +57,7 @@ QString unsavedFolder(const QSettings& settings) {
 MainWindow::MainWindow(QSettings& settings)
     : settings_(settings),
       review_(workbench_),
-      windowReview_(workbench_, review_),
+      glazingReview_(workbench_, review_),
       panel_(new ViewPanel),
       tools_(*panel_, horizons_),
       points_(workbench_, *panel_),
@@ -67,7 +67,7 @@ MainWindow::MainWindow(QSettings& settings)
              new ScenariosDock(workbench_.session(), settings),
              new WeightsDock(workbench_.session()),
              new WarningsDock,
-             new ReviewDock(review_, windowReview_, workbench_.session()),
+             new ReviewDock(review_, glazingReview_, workbench_.session()),
              new PointDock(points_),
              new ElementsDock,
              new ContributionsDock,
@@ -84,23 +84,23 @@ MainWindow::MainWindow(QSettings& settings)
       opening_(workbench_, saving_, settings, panel_->messages(), *this),
       recovery_(workbench_, store_, saving_, panel_->messages()),
       links_(*docks_.elements, *panel_),
-      verdicts_(docks_.review->windowPanel(), windowReview_, review_, workbench_, *panel_),
+      verdicts_(docks_.review->glazingPanel(), glazingReview_, review_, workbench_, *panel_),
       picking_(workbench_, *panel_),
       contributions_(*docks_.contributions, workbench_, tools_, *panel_),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
                 docks_.scenarios->table()}),
       placeLinks_(workbench_, display_, *docks_.places, *panel_),
-      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, windowReview_, *this),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, glazingReview_, *this),
       copying_(results_, *docks_.results, *panel_),
       movies_(workbench_, *panel_, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
       photograph_(workbench_, panel_->messages(), *this),
-      reviews_(workbench_, review_, windowReview_, *docks_.review, tools_.context().preview, places_, *panel_,
-               settings, *this),
-      answers_({workbench_, review_, windowReview_, docks_.weights->model()}, docks_.scenarios->table()),
+      reviews_(workbench_, review_, glazingReview_, *docks_.review, tools_.context().preview, places_,
+               *panel_, settings, *this),
+      answers_({workbench_, review_, glazingReview_, docks_.weights->model()}, docks_.scenarios->table()),
       scenarios_(workbench_, answers_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
       towers_(settings_, tools_),
@@ -205,7 +205,7 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
     for (JobSlot* slot : {&comparing_.other().preparing(), &workbench_.reading(), &workbench_.writing(),
                           &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing(),
-                          &answers_.scoring(), &review_.runningAll(), &windowReview_.runningAll()})
+                          &answers_.scoring(), &review_.runningAll(), &glazingReview_.runningAll()})
         progress_->follow(*slot);
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});

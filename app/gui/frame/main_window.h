@@ -17,8 +17,8 @@
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/docks/project/saved_views.h"
 #include "app/gui/docks/results/result_display.h"
+#include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/glazing/verdict_links.h"
-#include "app/gui/docks/review/glazing/window_session.h"
 #include "app/gui/docks/scenarios/latest_answers.h"
 #include "app/gui/docks/study_form/what_form.h"
 #include "app/gui/frame/actions/context_menu.h"
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] SavingActions& saving() { return saving_; }
     [[nodiscard]] OpeningActions& opening() { return opening_; }
     [[nodiscard]] ReviewSession& review() { return review_; }
-    [[nodiscard]] WindowSession& windowReview() { return windowReview_; }
+    [[nodiscard]] GlazingSession& glazingReview() { return glazingReview_; }
     [[nodiscard]] LatestAnswers& answers() { return answers_; }
     [[nodiscard]] ContributionLinks& contributions() { return contributions_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
@@ -128,7 +128,7 @@ private:
     QSettings& settings_;
     Workbench workbench_;
     ReviewSession review_;
-    WindowSession windowReview_;
+    GlazingSession glazingReview_;
     ViewPanel* panel_;
     std::shared_ptr<SharedHorizonCache> horizons_ = std::make_shared<SharedHorizonCache>();
     EditTools tools_;

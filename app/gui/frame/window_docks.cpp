@@ -26,12 +26,12 @@ constexpr int scrollBarWidth = 22;
 constexpr int reviewHeight = 300;
 
 // Wraps the content in a scroll area, so that a dock can be smaller than its content.
-QScrollArea* scrolled(QWidget* content, int leastWidth) {
+QScrollArea* scrolled(QWidget* content, int minWidth) {
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    content->setMinimumWidth(leastWidth - scrollBarWidth);
+    content->setMinimumWidth(minWidth - scrollBarWidth);
     scroll->setMinimumWidth(narrowWidth);  // on a small screen it also scrolls horizontally
     return scroll;
 }
@@ -79,8 +79,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
-    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review, point,
-                              elements, building, tower, warnings})
+    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review,
+                              point, elements, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
 }

@@ -107,7 +107,7 @@ Result<Asked> Workbench::makeAsked(const Question& question, const std::string& 
                 .baseline = session_.baseline(),
                 .settings = document_.settings(),
                 .byBuilding = true,
-                .thresholdsMin = {usualThresholdsMin.begin(), usualThresholdsMin.end()}};
+                .thresholdsMin = {defaultThresholdsMin.begin(), defaultThresholdsMin.end()}};
     if (&question == &comparisonQuestion() || (&question == &byPlaceQuestion() && comparing())) {
         auto before = session_.cityOf(asked.baseline);
         if (!before) return tl::make_unexpected(before.error());

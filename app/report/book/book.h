@@ -67,7 +67,7 @@ struct BookPage {
 };
 
 struct BookSettings {
-    static constexpr double leastScale = 100, mostScale = 50000;
+    static constexpr double minScale = 100, maxScale = 50000;
     PageSetup setup;
     std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
     TitleBlock titleBlock;

@@ -12,8 +12,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostMarks = 30, mostBars = 12;
-constexpr double leastShare = 0.001;  // of all shadow, of a building that has a row
+constexpr std::size_t maxMarks = 30, maxBars = 12;
+constexpr double minShare = 0.001;  // of all shadow, of a building that has a row
 constexpr double rowPt = 7.8;
 constexpr double minutesPerHour = 60;
 
@@ -63,13 +63,13 @@ Contributions collectContributions(const Study& study) {
     for (const BuildingShadow& shadow : sortContributions(breakdown)) {
         const Building& building = *study.city.buildings[shadow.building];
         Contribution one = makeContribution(nameBuilding(building, shadow.building), shadow);
-        if (one.attributedM2h < leastShare * all.allM2h) {
+        if (one.attributedM2h < minShare * all.allM2h) {
             all.others.attributedM2h += one.attributedM2h;
             ++all.otherCount;
             continue;
         }
         all.buildings.push_back(std::move(one));
-        if (all.marks.size() < mostMarks) all.marks.push_back(makeMark(building, all.buildings.size()));
+        if (all.marks.size() < maxMarks) all.marks.push_back(makeMark(building, all.buildings.size()));
     }
     if (breakdown.terrain) all.terrain = makeContribution(QStringLiteral("Terrain"), *breakdown.terrain);
     return all;
@@ -102,7 +102,7 @@ BookPage makeBarPage(const Contributions& all, const BookSettings& settings) {
         {},
         true,
         settings.units};
-    for (std::size_t i = 0; i < std::min(mostBars, all.buildings.size()); ++i)
+    for (std::size_t i = 0; i < std::min(maxBars, all.buildings.size()); ++i)
         chart.groups.push_back(
             {QString::number(i + 1), {all.buildings[i].attributedM2h, all.buildings[i].soleM2h}});
     QRectF area = contentArea(settings.setup);

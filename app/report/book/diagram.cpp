@@ -20,7 +20,7 @@ namespace {
 constexpr double heightLabelPt = 4.6;
 constexpr double nameLabelPt = 6.6;
 constexpr double streetLabelPt = 5;
-constexpr double mostScaleOfHeights = 2500;  // beyond, numbers would cover the map
+constexpr double maxScaleOfHeights = 2500;  // beyond, numbers would cover the map
 
 QPainterPath pathOf(const std::vector<Footprint>& polygons, const MapView& view) {
     QPainterPath path;
@@ -57,7 +57,7 @@ public:
         paintPlaceNames();
         paintStreetNames();
         paintHeights(scene_.proposal, ink::paper, true);
-        if (diagram_.scale <= mostScaleOfHeights) paintHeights(scene_.city, ink::quiet, false);
+        if (diagram_.scale <= maxScaleOfHeights) paintHeights(scene_.city, ink::quiet, false);
         painter.restore();
         painter.setBrush(Qt::NoBrush);
         painter.setPen(linePen(canvas_, ink::quiet, 0.6));

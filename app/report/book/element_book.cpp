@@ -29,7 +29,7 @@ struct PointsOfBuilding {
 
 ElevationPane paneOf(const MeasuredElement& element) {
     return {glm::dvec3(element.position), glm::dvec3(element.normal),
-            element.pane.isKnown() ? element.pane : usualPane};
+            element.pane.isKnown() ? element.pane : defaultPane};
 }
 
 std::vector<PointsOfBuilding> groupPoints(const ElementStudy& study, const ElementMap& map) {
@@ -93,11 +93,11 @@ std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap
     sheets.foot.note = QStringLiteral("Seen square to the wall, from outside.");
     sheets.scale = settings.scale;
     // Each side takes a third of a page at least: more buildings cannot be drawn.
-    const std::size_t mostDrawn = 3 * sheets.mostPages;
+    const std::size_t maxDrawn = 3 * sheets.maxPages;
     std::vector<ElevationBuilding> buildings;
     for (const PointsOfBuilding& group : groupPoints(study, map))
-        buildings.push_back(buildings.size() > mostDrawn ? ElevationBuilding{}
-                                                         : drawBuilding(study, map, group, legend.scale.top));
+        buildings.push_back(buildings.size() > maxDrawn ? ElevationBuilding{}
+                                                        : drawBuilding(study, map, group, legend.scale.top));
     return makeElevationPages(settings.setup, std::move(sheets), buildings);
 }
 

@@ -17,7 +17,7 @@ constexpr std::array elevationScales{50.0,   100.0,  150.0,  200.0,  250.0,   30
                                      400.0,  500.0,  750.0,  1000.0, 1250.0,  1500.0,
                                      2000.0, 2500.0, 4000.0, 5000.0, 10000.0, 20000.0};
 constexpr double titlePt = 10, floorsPt = 13, panelGapPt = 6, marginPt = 3;
-constexpr double leastStoreyTextPt = 5.5;
+constexpr double minStoreyTextPt = 5.5;
 const QColor wallColour(0xf4, 0xf4, 0xf5), wallLine(0x85, 0x88, 0x90);
 
 /// What is left for the picture of one panel, points.
@@ -73,7 +73,7 @@ public:
         paintWalls();
         paintStoreys();
         for (std::size_t i = 0; i < elevation_.windows.size() && i < panel_.cells.size(); ++i)
-            paintWindow(elevation_.windows[i], panel_.cells[i]);
+            paintGlazing(elevation_.windows[i], panel_.cells[i]);
         canvas_.painter.setPen(linePen(canvas_, ink::text, 1));
         canvas_.painter.drawLine(picture_.bottomLeft(), picture_.bottomRight());
     }
@@ -103,8 +103,8 @@ private:
 
     /// Few triangles are joined to one outline; of many the outline would take too long.
     static QPainterPath joined(const QPainterPath& path, const QPainterPath& piece) {
-        constexpr int mostElements = 400;
-        if (path.elementCount() < mostElements) return path.united(piece);
+        constexpr int maxElements = 400;
+        if (path.elementCount() < maxElements) return path.united(piece);
         QPainterPath both = path;
         both.addPath(piece);
         return both;
@@ -116,7 +116,7 @@ private:
         if (storey < 1.2 * canvas_.point) return;
         const QFont font = textFont(canvas_, 5 * drawing_.textScale);
         const QFontMetricsF metrics(font, canvas_.painter.device());
-        const int every = std::max(1, int(std::ceil(leastStoreyTextPt * unit_ / storey)));
+        const int every = std::max(1, int(std::ceil(minStoreyTextPt * unit_ / storey)));
         for (int floor = 0; floor < 1000; ++floor) {
             const double z = elevation_.floorM + floor * drawing_.storeyM;
             if (z > elevation_.high.y - 0.5) break;
@@ -134,7 +134,7 @@ private:
         }
     }
 
-    void paintWindow(const ElevationWindow& window, const ElevationCell& cell) {
+    void paintGlazing(const ElevationGlazing& window, const ElevationCell& cell) {
         const QRectF box = QRectF(at({window.low.x, window.high.y}), at({window.high.x, window.low.y}));
         canvas_.painter.setBrush(cell.colour);
         canvas_.painter.setPen(

@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double leastPointsPerM = 4;  // of a comfortable scale, 1:700
+constexpr double minPointsPerM = 4;  // of a comfortable scale, 1:700
 constexpr std::array stripParts{3, 2, 1};
 
 /// "south-east"
@@ -31,7 +31,7 @@ std::pair<double, ElevationLayout> chooseStrip(const QSizeF& page, const FacadeE
         const double height = (page.height() - (parts - 1) * gap) / parts;
         const auto layout = fitElevation(size, panels, {page.width(), height}, textScale);
         if (!layout) continue;
-        if (parts == 1 || pointsPerMetre(layout->scale) >= leastPointsPerM)
+        if (parts == 1 || pointsPerMetre(layout->scale) >= minPointsPerM)
             return {elevationHeightPt(size, panels, *layout, textScale), *layout};
     }
     return {page.height(), {false, 50000}};
@@ -64,7 +64,7 @@ public:
         for (FacadeElevation& elevation : drawElevations(building.building, building.panes)) {
             const auto [height, layout] = chooseLayout(elevation);
             if (pages_.empty() || top_ + height > room_.bottom() + 0.5) {
-                if (pages_.size() == sheets_.mostPages) return false;
+                if (pages_.size() == sheets_.maxPages) return false;
                 beginPage();
             }
             nameBuilding(building);
@@ -139,7 +139,7 @@ private:
             panel.title = sheets_.panels[i];
             if (i < building.notes.size()) panel.note = building.notes[i];
             if (i >= building.cells.size() || building.cells[i].empty()) continue;
-            for (const ElevationWindow& window : elevation.windows)
+            for (const ElevationGlazing& window : elevation.windows)
                 panel.cells.push_back(building.cells[i][window.pane]);
         }
         drawing.elevation = std::make_shared<const FacadeElevation>(std::move(elevation));

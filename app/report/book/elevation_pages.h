@@ -26,14 +26,14 @@ struct ElevationSheets {
     std::vector<QString> panels;  ///< titles: "Baseline", "Scenario", "Change"
     ElevationFoot foot;
     Frame frame;  ///< of the city, for azimuths from true north
-    std::size_t mostPages = 40;
+    std::size_t maxPages = 40;
     std::optional<double> scale{};  ///< 1:scale, of all sides that fit on a page at it; none: chosen for each
 };
 
 /// Each side of each building, in their order, at the largest round scale of its strip: a third, half or all
 /// of a page, so that a metre has at least 4 points of paper where it can; or at `scale`. A side that does
 /// not fit at that scale has the largest that fits; its caption and the first page state it. What exceeds
-/// `mostPages` is left out, and the subtitle of the first page states how many buildings. Buildings must
+/// `maxPages` is left out, and the subtitle of the first page states how many buildings. Buildings must
 /// outlive the call only.
 std::vector<BookPage> makeElevationPages(const PageSetup& setup, ElevationSheets sheets,
                                          const std::vector<ElevationBuilding>& buildings);

@@ -16,7 +16,7 @@ namespace noonmark {
 namespace {
 
 constexpr double textPt = 8;
-constexpr double leastColumnPt = 236;
+constexpr double minColumnPt = 236;
 constexpr double gutterPt = 16;
 constexpr double tableGapPt = 9;  // of tables, with a little room for rounding
 
@@ -112,8 +112,8 @@ public:
         table.widthsPt = fitColumns(table, content_.width());
         const TextBlocks title = titleOf(named);
         const double titlePt = heightPt(measure_.canvas(), title, content_.width(), textPt * scale_) + 1;
-        constexpr double leastRowsPt = 70;
-        const double needed = std::min(tableHeightPt(table), leastRowsPt * scale_);
+        constexpr double minRowsPt = 70;
+        const double needed = std::min(tableHeightPt(table), minRowsPt * scale_);
         if (used_ > 0 && used_ + titlePt + needed > content_.height()) addPage();
         pages_.back().items.push_back({area(titlePt), PageText{title, textPt * scale_}});
         used_ += titlePt;
@@ -174,7 +174,7 @@ const Fields<BookSettings>& scaleFields() {
                .help = NM_TEXT("Scale of diagrams and elevations: 2000 for 1:2000 (default: a round one that "
                                "fits)"),
                .hint = "NUMBER",
-               .range = ValueRange{BookSettings::leastScale, BookSettings::mostScale},
+               .range = ValueRange{BookSettings::minScale, BookSettings::maxScale},
                .role = SettingRole::none})};
     return fields;
 }
@@ -252,7 +252,7 @@ std::vector<PageTable> flowTable(const PageTable& table, double firstPt, double 
 std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page, const TextBlocks& blocks) {
     const QRectF content = contentArea(setup);
     const double scale = textScale(setup), gutter = gutterPt * scale;
-    const int columns = std::max(1, int((content.width() + gutter) / (leastColumnPt * scale + gutter)));
+    const int columns = std::max(1, int((content.width() + gutter) / (minColumnPt * scale + gutter)));
     const double width = (content.width() - (columns - 1) * gutter) / columns;
     const auto flowed = flowText(blocks, {width, content.height()}, textPt * scale);
     std::vector<BookPage> pages;

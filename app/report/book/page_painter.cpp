@@ -161,9 +161,9 @@ private:
         QByteArray data = QByteArray::fromStdString(bytes);
         QBuffer device(&data);
         QImageReader reader(&device);
-        constexpr int mostPixels = 4096;
+        constexpr int maxPixels = 4096;
         const QSize size = reader.size();
-        if (size.width() > mostPixels || size.height() > mostPixels) return 0;
+        if (size.width() > maxPixels || size.height() > maxPixels) return 0;
         const QImage image = reader.read();
         if (image.isNull()) return 0;
         const QRectF cell(strip.left(), strip.top(), strip.height() * 1.6, strip.height());

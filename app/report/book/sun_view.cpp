@@ -16,7 +16,7 @@ namespace noonmark {
 namespace {
 
 constexpr float farM = 6000;  // rays start so far from the ground in the middle
-constexpr int mostMaskPixels = 3000;
+constexpr int maxMaskPixels = 3000;
 
 /// What a pixel shows: a surface, for the lines between surfaces, and its colour.
 struct Seen {
@@ -26,7 +26,7 @@ struct Seen {
 
 QImage maskOf(const std::vector<Place>& places, const Box2& area) {
     const glm::vec2 size = area.high - area.low;
-    const float perM = std::min(1.0F, float(mostMaskPixels) / std::max(size.x, size.y));
+    const float perM = std::min(1.0F, float(maxMaskPixels) / std::max(size.x, size.y));
     QImage mask(std::max(1, int(size.x * perM)), std::max(1, int(size.y * perM)), QImage::Format_Grayscale8);
     mask.fill(0);
     QPainter painter(&mask);

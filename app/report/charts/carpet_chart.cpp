@@ -71,8 +71,8 @@ ChartAxis monthAxis(const CarpetChart& chart) {
         if (from > 0) axis.ticks.push_back({double(from)});
         const QString name =
             QLocale(QLocale::English).monthName(int(unsigned(day.month())), QLocale::ShortFormat);
-        constexpr int leastNamed = 10;
-        if (to - from >= std::min(leastNamed, int(axis.to)))
+        constexpr int minNamed = 10;
+        if (to - from >= std::min(minNamed, int(axis.to)))
             axis.ticks.push_back({(from + to) / 2.0, name, false});
         from = to;
     }
@@ -130,9 +130,9 @@ QColor carpetColour(double share, CarpetQuantity quantity) {
     return impactColour(0.15 + 0.85 * share);
 }
 
-CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double leastRowMin,
+CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double minRowMin,
                             const DayClock& clock) {
-    CarpetChart chart{.days = {}, .rowMin = leastRowMin, .shares = {}, .quantity = quantity};
+    CarpetChart chart{.days = {}, .rowMin = minRowMin, .shares = {}, .quantity = quantity};
     for (const DayTimeline& day : days) chart.rowMin = std::max(chart.rowMin, stepMinutesOf(day, 0));
     const auto [from, to] = hoursOf(days, chart.rowMin, clock);
     chart.fromMin = std::min(from, to);

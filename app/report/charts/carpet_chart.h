@@ -25,9 +25,9 @@ struct CarpetChart {
     CarpetQuantity quantity = CarpetQuantity::incremental;
 };
 
-/// The carpet of a period, in the hours of `clock`, with rows of `leastRowMin` minutes or of the days' steps
+/// The carpet of a period, in the hours of `clock`, with rows of `minRowMin` minutes or of the days' steps
 /// if these are longer. Of the steps that begin in a row the mean counts.
-CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double leastRowMin,
+CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double minRowMin,
                             const DayClock& clock);
 
 /// A chart without days or rows states that there is nothing.

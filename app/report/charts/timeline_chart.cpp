@@ -26,11 +26,11 @@ struct TimelineAxes {
 
 /// The place's area, so that shares can be seen, unless little of it is ever in shadow.
 double topOf(const TimelineChart& chart) {
-    constexpr double leastShare = 0.2;
+    constexpr double minShare = 0.2;
     double most = 0;
     for (const Sample& sample : chart.samples)
         most = std::max({most, sample.baselineM2 + sample.incrementalM2, sample.scenarioM2});
-    return most < leastShare * chart.areaM2 ? most : std::max(most, chart.areaM2);
+    return most < minShare * chart.areaM2 ? most : std::max(most, chart.areaM2);
 }
 
 TimelineAxes axesOf(const QRectF& area, double point, const TimelineChart& chart) {

@@ -19,14 +19,14 @@ namespace noonmark {
 namespace {
 
 constexpr std::array recordNames{"study.json", "impact.json", "score.json", "review.json"};
-constexpr int mostPages = 10'000;
+constexpr int maxPages = 10'000;
 
 Result<QByteArray> readBytes(const std::filesystem::path& path) {
     if (auto plain = checkPlainFile(path); !plain) return tl::make_unexpected(plain.error());
     QFile file(QString::fromStdString(path.string()));
     if (!file.open(QIODevice::ReadOnly))
         return failure("The file cannot be read", path.string(), "Check its permissions");
-    if (std::uintmax_t(file.size()) > mostBytesOfRecord)
+    if (std::uintmax_t(file.size()) > maxBytesOfRecord)
         return failure("The file is larger than any report", path.string(), {});
     return file.readAll();
 }
@@ -34,7 +34,7 @@ Result<QByteArray> readBytes(const std::filesystem::path& path) {
 Result<std::unique_ptr<Poppler::Document>> openPdf(const QByteArray& bytes,
                                                    const std::filesystem::path& path) {
     auto document = Poppler::Document::loadFromData(bytes);
-    if (!document || document->isLocked() || document->numPages() > mostPages)
+    if (!document || document->isLocked() || document->numPages() > maxPages)
         return failure("The PDF is damaged, locked or no report", path.string(),
                        "Use the file as Noonmark wrote it");
     return document;

@@ -37,7 +37,7 @@ std::string formatText(const ChangeScale& scale) {
 std::optional<ChangeScale> parseChangeScale(const std::string& text) {
     if (text == "auto") return ChangeScale{std::nullopt};
     const auto minutes = minutesIn(text);
-    if (!minutes || !(*minutes > 0 && *minutes <= ChangeScale::mostMin)) return std::nullopt;
+    if (!minutes || !(*minutes > 0 && *minutes <= ChangeScale::maxLockedMin)) return std::nullopt;
     return ChangeScale{*minutes};
 }
 

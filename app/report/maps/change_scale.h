@@ -22,9 +22,10 @@ ChangeSpread changeSpreadOf(const std::vector<float>& values, float least);
 /// The range of colours of a difference in minutes. A locked scale is the same for every proposal, so that
 /// pictures can be compared; otherwise the scale is fitted to each difference.
 struct ChangeScale {
-    static constexpr double usualMin = 60;
-    static constexpr double mostMin = 1440;
-    std::optional<double> lockedMin = usualMin;  ///< colours run from -lockedMin to lockedMin; (0, mostMin]
+    static constexpr double defaultLockedMin = 60;
+    static constexpr double maxLockedMin = 1440;
+    std::optional<double> lockedMin =
+        defaultLockedMin;  ///< colours run from -lockedMin to lockedMin; (0, maxLockedMin]
     /// Whether the difference is told as that of shadow or of sun, with the opposite sign.
     ShownAs show = ShownAs::shadow;
     bool operator==(const ChangeScale&) const = default;
@@ -32,7 +33,7 @@ struct ChangeScale {
 
 /// "60" or "auto", as in a project's view and on the command line.
 std::string formatText(const ChangeScale& scale);
-/// Empty where the text is neither "auto" nor minutes above 0 and up to mostMin.
+/// Empty where the text is neither "auto" nor minutes above 0 and up to maxLockedMin.
 std::optional<ChangeScale> parseChangeScale(const std::string& text);
 
 /// Key of the scale in Project::view.

@@ -92,23 +92,23 @@ void paintAreas(QPainter& painter, const MapContext& context, ContextKind kind, 
 }
 
 void paintLines(QPainter& painter, const MapContext& context, ContextKind kind, const QTransform& toPainter,
-                double leastLine) {
+                double minLine) {
     const VisibleFeatures visible(painter, toPainter);
     painter.setBrush(Qt::NoBrush);
     const double perMetre = unitsPerMetre(toPainter);
     for (const ContextLine& line : context.lines) {
-        const double width = std::max(leastLine, double(line.widthM) * perMetre);
+        const double width = std::max(minLine, double(line.widthM) * perMetre);
         if (line.kind != kind || !visible.sees(line.points, width / 2)) continue;
         painter.setPen(QPen(colourOf(kind), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPolyline(polygonOf(line.points, toPainter));
     }
 }
 
-void paintTrees(QPainter& painter, const MapContext& context, const QTransform& toPainter, double leastLine) {
+void paintTrees(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine) {
     const VisibleFeatures visible(painter, toPainter);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colourOf(ContextKind::tree));
-    const double radius = std::max(leastLine, treeRadiusM * unitsPerMetre(toPainter));
+    const double radius = std::max(minLine, treeRadiusM * unitsPerMetre(toPainter));
     for (const glm::vec2 tree : context.trees)
         if (visible.sees({tree}, radius))
             painter.drawEllipse(toPainter.map(QPointF(double(tree.x), double(tree.y))), radius, radius);
@@ -124,7 +124,7 @@ QRect visiblePart(const QPainter& painter, const Grid& grid, const QTransform& f
 
 // Row 0 of the image is the southernmost, as in the grid: the transform turns it over where north is up.
 void paintPicture(QPainter& painter, const ContextPicture& picture, const QTransform& toPainter) {
-    constexpr int mostPixels = 4096;
+    constexpr int maxPixels = 4096;
     const Grid& grid = picture.raster->grid;
     const QImage whole(picture.raster->rgba.data(), grid.columns, grid.rows, grid.columns * 4,
                        QImage::Format_RGBA8888);
@@ -132,8 +132,8 @@ void paintPicture(QPainter& painter, const ContextPicture& picture, const QTrans
     const QRect part = visiblePart(painter, grid, placed.inverted());
     if (part.isEmpty()) return;
     QImage image = part == whole.rect() ? whole : whole.copy(part);
-    if (std::max(part.width(), part.height()) > mostPixels)
-        image = image.scaled(mostPixels, mostPixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    if (std::max(part.width(), part.height()) > maxPixels)
+        image = image.scaled(maxPixels, maxPixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.setOpacity(picture.opacity);
     painter.setTransform(placed, true);
@@ -142,13 +142,12 @@ void paintPicture(QPainter& painter, const ContextPicture& picture, const QTrans
 
 }  // namespace
 
-void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter,
-                  double leastLine) {
+void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ContextKind kind : contextKinds) paintAreas(painter, context, kind, toPainter);
-    for (const ContextKind kind : contextKinds) paintLines(painter, context, kind, toPainter, leastLine);
-    paintTrees(painter, context, toPainter, leastLine);
+    for (const ContextKind kind : contextKinds) paintLines(painter, context, kind, toPainter, minLine);
+    paintTrees(painter, context, toPainter, minLine);
     if (context.picture) paintPicture(painter, *context.picture, toPainter);
     painter.restore();
 }

@@ -11,9 +11,8 @@ namespace noonmark {
 /// Paints the map's context quietly: parks, water, paths, rails and streets in pale colours, trees as dots,
 /// and over them its picture, with its opacity; of the picture at most 4,096 pixels a side.
 /// `toPainter` maps local metres (x east, y north) to the painter's units; lines keep their widths on the
-/// ground, but are at least `leastLine` units wide. Features outside the painter's clip are left
+/// ground, but are at least `minLine` units wide. Features outside the painter's clip are left
 /// out.
-void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter,
-                  double leastLine);
+void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine);
 
 }  // namespace noonmark

@@ -7,10 +7,10 @@ namespace noonmark {
 
 namespace {
 constexpr double marginShare = 0.04;
-constexpr double leastSizeM = 1;  // an empty region still gets a view
+constexpr double minSizeM = 1;  // an empty region still gets a view
 
 glm::dvec2 sizeOf(const Box2& world) {
-    return glm::max(glm::dvec2(world.high - world.low), glm::dvec2(leastSizeM));
+    return glm::max(glm::dvec2(world.high - world.low), glm::dvec2(minSizeM));
 }
 }  // namespace
 

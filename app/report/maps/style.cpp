@@ -15,9 +15,9 @@ QFont sizeFont(const Canvas& canvas, QFont font, double points) {
 }  // namespace
 
 QColor readableOn(const QColor& paper, const QColor& colour) {
-    constexpr int leastDifference = 60;  // of lightness, of 255
+    constexpr int minDifference = 60;  // of lightness, of 255
     const int lightness = colour.lightness();
-    if (std::abs(lightness - paper.lightness()) >= leastDifference) return colour;
+    if (std::abs(lightness - paper.lightness()) >= minDifference) return colour;
     return QColor::fromHsl(colour.hslHue(), colour.hslSaturation(), 255 - lightness, colour.alpha());
 }
 

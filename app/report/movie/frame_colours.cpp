@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostColours = 256;
+constexpr std::size_t maxColours = 256;
 constexpr int reds = 4, greens = 6, blues = 4;  // of the even spread for pictures of many colours
 
 // Five bits a channel: colours that differ less are one.
@@ -59,9 +59,9 @@ std::vector<QRgb> makeTable(const std::unordered_map<std::uint32_t, ColourCount>
     std::ranges::sort(all, [](const auto& a, const auto& b) {
         return a.first.pixels != b.first.pixels ? a.first.pixels > b.first.pixels : a.second < b.second;
     });
-    std::vector<QRgb> table = all.size() <= mostColours ? std::vector<QRgb>() : spreadColours();
+    std::vector<QRgb> table = all.size() <= maxColours ? std::vector<QRgb>() : spreadColours();
     for (const auto& [count, rough] : all)
-        if (table.size() < mostColours) table.push_back(count.colour | 0xff000000U);
+        if (table.size() < maxColours) table.push_back(count.colour | 0xff000000U);
     return table;
 }
 

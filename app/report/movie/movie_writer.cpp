@@ -14,8 +14,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr int leastSide = 64, mostSide = 4096;
-constexpr double leastRate = 0.5, mostRate = 60;
+constexpr int minSide = 64, maxSide = 4096;
+constexpr double minRate = 0.5, maxRate = 60;
 constexpr const char* libraryName = "noonmark-movie-encoder.so";
 
 bool isGif(const std::filesystem::path& file) { return file.extension() == ".gif"; }
@@ -69,14 +69,14 @@ MovieWriter& MovieWriter::operator=(MovieWriter&&) noexcept = default;
 MovieWriter::~MovieWriter() = default;
 
 Result<void> validate(const MovieFormat& format) {
-    const auto fits = [](int side) { return side >= leastSide && side <= mostSide && side % 2 == 0; };
+    const auto fits = [](int side) { return side >= minSide && side <= maxSide && side % 2 == 0; };
     if (!fits(format.size.width()) || !fits(format.size.height()))
         return failure(
             fmt::format("The size {} x {} is not possible", format.size.width(), format.size.height()),
-            "size", fmt::format("Give even numbers of {} to {}", leastSide, mostSide));
-    if (format.framesPerSecond >= leastRate && format.framesPerSecond <= mostRate) return {};
+            "size", fmt::format("Give even numbers of {} to {}", minSide, maxSide));
+    if (format.framesPerSecond >= minRate && format.framesPerSecond <= maxRate) return {};
     return failure("The number of frames per second is out of range", "fps",
-                   fmt::format("Give {} to {}", leastRate, mostRate));
+                   fmt::format("Give {} to {}", minRate, maxRate));
 }
 
 Result<MovieWriter> MovieWriter::create(const std::filesystem::path& file, const MovieFormat& format) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/review/windows/building_review.h"
+#include "core/review/glazing/building_review.h"
 #include "core/study/study.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/massing/tower_design.h"

@@ -49,10 +49,10 @@ QString describeRounding(const Study& study) {
     const double chosen = period.stepMinutes;
     const bool instant = !period.window && period.hours == 0;
     if (instant || std::abs(study.field.stepMinutes - chosen) < 1e-9) return {};
-    const QString day = study.sun.mostOffADayMin < 0.005
+    const QString day = study.sun.maxOffADayMin < 0.005
                             ? QString()
                             : QStringLiteral("; a single day is up to %1 min too long or too short")
-                                  .arg(describeAmount(study.sun.mostOffADayMin, 2));
+                                  .arg(describeAmount(study.sun.maxOffADayMin, 2));
     return QStringLiteral(
                " The requested step was %1 min; its length was adjusted so that whole steps fill the hours "
                "of each day and the period has the exact number of minutes%2.")

@@ -21,7 +21,7 @@ QString describeSun(const QString& event, long minutesLater) {
     return event + sign.arg(std::abs(minutesLater));
 }
 
-QString describeWindow(const SolarWindow& window) {
+QString describeSolarHours(const SolarHours& window) {
     return describeSun(QStringLiteral("sunrise"), long(window.afterSunrise.count())) +
            QStringLiteral(" to ") + describeSun(QStringLiteral("sunset"), -long(window.beforeSunset.count()));
 }
@@ -54,7 +54,7 @@ QString describeDays(const Period& period) {
 QString describeHours(const Period& period) {
     if (!period.window && period.hours == 0)
         return QStringLiteral("at ") + describeClock(double(period.from.count()));
-    const QString hours = period.window ? describeWindow(*period.window) : describeWallClock(period);
+    const QString hours = period.window ? describeSolarHours(*period.window) : describeWallClock(period);
     return hours + QStringLiteral(", every %1 min").arg(period.stepMinutes);
 }
 

@@ -2,7 +2,7 @@
 
 namespace noonmark {
 
-/// Width of a picture, pixels: usual, and the range. Without Qt, for options.
-constexpr int pictureWidth = 1600, leastPictureWidth = 400, mostPictureWidth = 12000;
+/// Width of a picture, pixels: default, and the range. Without Qt, for options.
+constexpr int pictureWidth = 1600, minPictureWidth = 400, maxPictureWidth = 12000;
 
 }  // namespace noonmark

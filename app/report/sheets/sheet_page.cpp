@@ -19,8 +19,8 @@ constexpr double largeMapPt = 332;
 constexpr double sideColumnPt = contentPt - largeMapPt - gutterPt;
 constexpr double definitionPt = 6.6;
 constexpr double figurePt = 7.4;
-constexpr double textMostPt = 8.2;
-constexpr double textLeastPt = 5.6;
+constexpr double maxTextPt = 8.2;
+constexpr double minTextPt = 5.6;
 
 std::pair<TextBlocks, TextBlocks> splitSections(const std::vector<TextBlocks>& sections, std::size_t split) {
     std::pair<TextBlocks, TextBlocks> columns;
@@ -95,7 +95,7 @@ private:
         const double width = contentPt * canvas_.point;
         const double room = (bottom - highest) / 4;
         const double points =
-            fittingPoints(canvas_, blocks, {width, room * canvas_.point}, textMostPt, textLeastPt);
+            fittingPoints(canvas_, blocks, {width, room * canvas_.point}, maxTextPt, minTextPt);
         const double height = std::min(room, heightOf(canvas_, blocks, width, points) / canvas_.point);
         paintBlocks(canvas_, blocks, area(sidePt, bottom - height, contentPt, height), points);
         rule(bottom - height - 4);
@@ -108,8 +108,8 @@ private:
         const QRectF left = area(sidePt, top, width, bottom - top);
         const QRectF right = area(sidePt + width + gutterPt, top, width, bottom - top);
         const auto [first, second] = columnsOf(left.width());
-        const double points = std::min(fittingPoints(canvas_, first, left.size(), textMostPt, textLeastPt),
-                                       fittingPoints(canvas_, second, right.size(), textMostPt, textLeastPt));
+        const double points = std::min(fittingPoints(canvas_, first, left.size(), maxTextPt, minTextPt),
+                                       fittingPoints(canvas_, second, right.size(), maxTextPt, minTextPt));
         paintBlocks(canvas_, first, left, points);
         paintBlocks(canvas_, second, right, points);
     }
@@ -121,8 +121,8 @@ private:
         double bestHeight = std::numeric_limits<double>::max();
         for (std::size_t split = 1; split < sections.size(); ++split) {
             auto columns = splitSections(sections, split);
-            const double height = std::max(heightOf(canvas_, columns.first, width, textMostPt),
-                                           heightOf(canvas_, columns.second, width, textMostPt));
+            const double height = std::max(heightOf(canvas_, columns.first, width, maxTextPt),
+                                           heightOf(canvas_, columns.second, width, maxTextPt));
             if (height >= bestHeight) continue;
             bestHeight = height;
             best = std::move(columns);

@@ -38,7 +38,7 @@ Places placesOf(const Region& region, int widthPx) {
 }  // namespace
 
 QImage makePicture(const Sheet& sheet, int width) {
-    width = std::clamp(width, leastPictureWidth, mostPictureWidth);
+    width = std::clamp(width, minPictureWidth, maxPictureWidth);
     const Places places = placesOf(sheet.map.scene.region, width);
     QImage image(places.size, QImage::Format_RGB32);
     image.fill(ink::paper);

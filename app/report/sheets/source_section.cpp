@@ -10,9 +10,9 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostInputs = 5;
-constexpr std::size_t mostWarnings = 6;
-constexpr std::size_t mostEdits = 5;
+constexpr std::size_t maxInputs = 5;
+constexpr std::size_t maxWarnings = 6;
+constexpr std::size_t maxEdits = 5;
 
 void addInput(TextBlocks& blocks, const InputFile& input) {
     const QString name = QString::fromStdString(input.path.filename().string());
@@ -26,7 +26,7 @@ void addInput(TextBlocks& blocks, const InputFile& input) {
 
 TextBlocks inputsOf(const Study& study) {
     TextBlocks blocks{heading(QStringLiteral("Inputs"))};
-    const std::size_t shown = std::min(mostInputs, study.provenance.inputs.size());
+    const std::size_t shown = std::min(maxInputs, study.provenance.inputs.size());
     for (std::size_t i = 0; i < shown; ++i) addInput(blocks, study.provenance.inputs[i]);
     if (shown < study.provenance.inputs.size())
         blocks.push_back(body(
@@ -40,7 +40,7 @@ QString formatText(const std::string& text) { return QString::fromStdString(text
 
 // Lists the first edits and the number of the others.
 void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
-    const std::size_t shown = std::min(mostEdits, scenario.edits.size());
+    const std::size_t shown = std::min(maxEdits, scenario.edits.size());
     for (std::size_t i = 0; i < shown; ++i)
         blocks.push_back(body(QStringLiteral("%1. %2").arg(i + 1).arg(formatText(scenario.edits[i]))));
     if (shown < scenario.edits.size())
@@ -126,7 +126,7 @@ TextBlocks makeWarnings(const Study& study) {
     std::vector<WarningGroup> groups = groupWarnings(study.warnings);
     std::ranges::stable_sort(groups, std::greater<>{},
                              [](const WarningGroup& group) { return group.where.size(); });
-    for (std::size_t i = 0; i < std::min(mostWarnings, groups.size()); ++i)
+    for (std::size_t i = 0; i < std::min(maxWarnings, groups.size()); ++i)
         blocks.push_back(body(describeGroup(groups[i])));
     if (groups.empty())
         blocks.push_back(body(QStringLiteral("None: every feature was used unchanged.")));

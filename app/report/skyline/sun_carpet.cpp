@@ -12,7 +12,7 @@ namespace noonmark {
 namespace {
 
 constexpr double cellWidthPx = 44, cellHeightPx = 20;
-constexpr double leastMinutes = 0.5;  // of a mean day; less is not written
+constexpr double minMinutes = 0.5;  // of a mean day; less is not written
 constexpr int hours = 24, months = 12;
 
 std::array<int, months> countDays(const SunSteps& sun) {
@@ -41,8 +41,8 @@ void addCell(std::string& svg, glm::dvec2 corner, double before, double after) {
                    "stroke=\"#dfe4ea\" stroke-width=\"0.5\"/>\n",
                    corner.x, corner.y, cellWidthPx, cellHeightPx, fillOf(after));
     const double change = after - before;
-    const bool changes = std::abs(change) >= leastMinutes;
-    if (after < leastMinutes && !changes) return;
+    const bool changes = std::abs(change) >= minMinutes;
+    if (after < minMinutes && !changes) return;
     const double middle = corner.x + (changes ? cellWidthPx * 0.3 : cellWidthPx / 2);
     const double line = corner.y + cellHeightPx / 2 + 3;
     addFigure(svg, {middle, line}, "#1f2933", fmt::format("{:.0f}", after));

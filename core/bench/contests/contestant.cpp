@@ -10,12 +10,12 @@ namespace noonmark::bench {
 namespace {
 
 std::string describeSetting(const EngineOption& option, double value) {
-    if (value == option.usual) return {};
+    if (value == option.standard) return {};
     return fmt::format("{} {:g}{}{}", option.key, value, option.unit.empty() ? "" : " ", option.unit);
 }
 
 double clampToRange(const EngineOption& option, double value) {
-    value = std::clamp(value, option.lowest, option.highest);
+    value = std::clamp(value, option.min, option.max);
     return option.kind != OptionKind::number ? std::round(value) : value;
 }
 
@@ -43,7 +43,7 @@ std::string makeTitle(const Contestant& contestant) {
     return contestant.name + (contestant.setting.empty() ? "" : ", ") + contestant.setting;
 }
 
-StartList listUsualEngines(const EngineList& engines) {
+StartList listDefaultEngines(const EngineList& engines) {
     StartList list;
     for (const EngineEntry& engine : engines) add(list, engine, {}, {}, engines);
     return list;
@@ -57,8 +57,9 @@ StartList listVariedEngines(const EngineList& engines, const std::vector<double>
         if (list.absent.size() > absent) continue;
         for (const EngineOption& option : engine.info.options) {
             std::vector<double> values;
-            for (const double factor : factors) values.push_back(factor * option.usual);
-            std::erase_if(values, [&](double value) { return clampToRange(option, value) == option.usual; });
+            for (const double factor : factors) values.push_back(factor * option.standard);
+            std::erase_if(values,
+                          [&](double value) { return clampToRange(option, value) == option.standard; });
             addLadder(list, engine, option, values, engines);
         }
     }

@@ -12,7 +12,7 @@ namespace noonmark::bench {
 struct Contestant {
     std::string engine;   ///< key: "iam"
     std::string name;     ///< "Inverse accrual map"
-    std::string setting;  ///< settings that differ from the usual ones: "levels 2"; may be empty
+    std::string setting;  ///< settings that differ from the defaults: "levels 2"; may be empty
     std::shared_ptr<const Engine> accumulator;
     bool needed = false;  ///< the report needs its time: it is never stopped early
 };
@@ -26,11 +26,11 @@ struct StartList {
     std::vector<std::string> absent;  ///< engines that cannot run on this machine, and why
 };
 
-/// Every engine with its usual settings.
-StartList listUsualEngines(const EngineList& engines);
+/// Every engine with its default settings.
+StartList listDefaultEngines(const EngineList& engines);
 
-/// Every engine with its usual settings, and with each of its options, one at a time, at these multiples of
-/// its usual value (rounded and clamped to the option's range; no setting twice).
+/// Every engine with its default settings, and with each of its options, one at a time, at these multiples of
+/// its default (rounded and clamped to the option's range; no setting twice).
 StartList listVariedEngines(const EngineList& engines, const std::vector<double>& factors);
 
 /// One engine with one option at the given values, in order; empty if there is no such engine or option.

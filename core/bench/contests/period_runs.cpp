@@ -32,7 +32,7 @@ std::string nameOf(int days) {
     return days == 1 ? "a day" : days == 30 ? "a month" : days == 365 ? "a year" : "";
 }
 
-bool isUsual(const Contestant& contestant) {
+bool isDefault(const Contestant& contestant) {
     return contestant.setting.empty() || contestant.setting == withoutGraph;
 }
 
@@ -49,12 +49,12 @@ public:
     Series(const BenchSite& site, const Receivers& receivers, const Extent& extent, const Work& work)
         : site_(site), receivers_(receivers), extent_(extent), work_(work) {}
 
-    /// Runs the contest of the usual settings, all of which are wanted.
-    Result<void> competeUsual(Arena& arena) {
+    /// Runs the contest of the default settings, all of which are wanted.
+    Result<void> competeDefaults(Arena& arena) {
         PeriodRun& period = arena.run;
         std::vector<std::size_t> starters;
         for (std::size_t i = 0; i < period.contestants.size(); ++i) {
-            if (!isUsual(period.contestants[i])) continue;
+            if (!isDefault(period.contestants[i])) continue;
             if (period.contestants[i].engine == rayKey && period.days > 1)
                 period.placings[i] = rayPlacing(arena.truth);
             else if (std::string why = whyNot(period.contestants[i], period); !why.empty())
@@ -71,8 +71,8 @@ public:
         std::vector<std::size_t> places;
         std::vector<double> costs;
         for (std::size_t i = 0; i < period.contestants.size(); ++i) {
-            if (isUsual(period.contestants[i])) continue;
-            if (const Placing* usual = usualOf(period, i); usual && usual->timed()) {
+            if (isDefault(period.contestants[i])) continue;
+            if (const Placing* usual = defaultOf(period, i); usual && usual->timed()) {
                 places.push_back(i);
                 costs.push_back(expected(*usual));
             } else {
@@ -105,14 +105,14 @@ private:
         return {};
     }
 
-    static const Placing* usualOf(const PeriodRun& period, std::size_t place) {
+    static const Placing* defaultOf(const PeriodRun& period, std::size_t place) {
         for (std::size_t i = 0; i < period.contestants.size(); ++i)
             if (makeTitle(period.contestants[i]) == period.contestants[place].name)
                 return &period.placings[i];
         return nullptr;
     }
 
-    /// Expected time of the check and runs of a setting, from the time of the usual ones.
+    /// Expected time of the check and runs of a setting, from the time of the defaults.
     [[nodiscard]] double expected(const Placing& usual) const {
         return usual.medianS * (usual.medianS > extent_.onceAboveS ? 1 : 1 + extent_.runs);
     }
@@ -156,7 +156,7 @@ Result<Arena> arenaOf(PeriodRun run, const BenchSite& site, const Receivers& rec
     return Arena{std::move(run), std::move(*sun), std::move(*truth)};
 }
 
-// Runs the usual settings of all periods first; the remaining time goes to the others.
+// Runs the default settings of all periods first; the remaining time goes to the others.
 Result<void> competeOver(std::vector<Arena>& arenas, Series& series, const Work& work) {
     Pieces pieces(work, "periods from an hour to a year, other settings", arenas.size());
     for (std::size_t i = 0; i < arenas.size(); ++i) {
@@ -173,7 +173,7 @@ Result<std::vector<PeriodRun>> benchPeriods(const BenchSite& site, const Extent&
                                             const EngineList& engines, const Work& work) {
     const auto receivers = pickMiddleReceivers(site, work.stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    StartList usual = listUsualEngines(engines), varied = listVariedEngines(engines, extent.factors);
+    StartList usual = listDefaultEngines(engines), varied = listVariedEngines(engines, extent.factors);
     addWithoutGraph(usual);
     addWithoutGraph(varied);
     for (StartList* list : {&usual, &varied})
@@ -187,7 +187,7 @@ Result<std::vector<PeriodRun>> benchPeriods(const BenchSite& site, const Extent&
         pieces.next();
         auto arena = arenaOf(period, site, *receivers, extent, period.name.empty() ? usual : varied, work);
         if (!arena) return tl::make_unexpected(arena.error());
-        if (const auto done = series.competeUsual(*arena); !done) return tl::make_unexpected(done.error());
+        if (const auto done = series.competeDefaults(*arena); !done) return tl::make_unexpected(done.error());
         arenas.push_back(std::move(*arena));
     }
     if (const auto done = competeOver(arenas, series, work); !done) return tl::make_unexpected(done.error());

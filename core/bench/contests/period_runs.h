@@ -23,11 +23,11 @@ struct PeriodRun {
 
 /// Runs contests over the hour from noon, then over Extent::dayCounts days of 6 h from 9:00; the first day is
 /// the site's date. The hour and the periods of 1, 30 and 365 days have a name and run every setting; the
-/// other periods run the usual settings, and the inverse accrual map without its direction graph.
+/// other periods run the default settings, and the inverse accrual map without its direction graph.
 ///
 /// Over more than a day the truth is a sample of receivers, and the ray reference's time is extrapolated from
 /// it. A contestant that was too slow over one period, or is predicted to be, is left out of longer ones.
-/// Settings other than the usual ones run after those, as many as fit into the allowance, in each period
+/// Settings other than the defaults run after those, as many as fit into the allowance, in each period
 /// those of the fastest engines first.
 Result<std::vector<PeriodRun>> benchPeriods(const BenchSite& site, const Extent& extent,
                                             const EngineList& engines, const Work& work);

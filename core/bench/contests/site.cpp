@@ -78,7 +78,7 @@ Result<SunSteps> makeNoonHour(const BenchSite& site) {
 }
 
 Result<SunSteps> daylightOf(const BenchSite& site, CivilDate date) {
-    return computeSunOver(site, Period{.start = date, .window = SolarWindow{}});
+    return computeSunOver(site, Period{.start = date, .window = SolarHours{}});
 }
 
 SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count) {

@@ -20,7 +20,7 @@ struct Sweep {
     [[nodiscard]] std::string width() const { return binDeg > 0 ? fmt::format("{:g}", binDeg) : "by error"; }
 };
 
-// Gross shadow at all bin widths, and with the longest runs at the usual one.
+// Gross shadow at all bin widths, and with the longest runs at the default one.
 std::vector<Sweep> sweepsOf(const Extent& extent) {
     std::vector<Sweep> sweeps{{0, false}, {0, true}};
     for (const double binDeg : extent.binsDeg) sweeps.push_back({binDeg, false});

@@ -10,7 +10,7 @@ namespace noonmark::bench {
 
 /// A year of 8 h days at every minute by the horizon sweep, at several bin widths, compared with the ray
 /// reference on a sample of receivers; the ray reference's time for all receivers is extrapolated. Summary:
-/// year_vs_ray, year_cell_error_mean_pct, year_cell_error_max_pct, at the usual bin width.
+/// year_vs_ray, year_cell_error_mean_pct, year_cell_error_max_pct, at the default bin width.
 Result<Finding> benchHorizonYear(const BenchSite& site, const Extent& extent, const EngineList& engines,
                                  const Work& work);
 

@@ -95,7 +95,7 @@ Result<Finding> benchProjectedDay(const BenchSite& site, const Extent& extent, c
     const Scene scene{site.city, *receivers, *sun};
     const auto truth = computeTruth(scene, *receivers, work);
     if (!truth) return tl::make_unexpected(truth.error());
-    const StartList list = listUsualEngines(engines);
+    const StartList list = listDefaultEngines(engines);
     const auto placings = runContest(scene, list.contestants, *truth, extent, work);
     if (!placings) return tl::make_unexpected(placings.error());
     Finding finding = emptyFinding(site, extent);

@@ -57,7 +57,7 @@ void addResolutions(Experiments& experiments, const BenchSite& site, const Exten
 
 void addAll(Experiments& experiments, const BenchSite& site, const Extent& extent,
             const EngineList& engines) {
-    const StartList usual = listUsualEngines(engines);
+    const StartList usual = listDefaultEngines(engines);
     addPeriods(experiments, site, extent, engines);
     experiments.add(
         "All engines over places and days",

@@ -69,10 +69,10 @@ double angleDegBetween(glm::dvec3 a, glm::dvec3 b) {
 }
 
 Straightness straightness(const SunOfYear& sun, int minutes, const BenchSite& site, int times) {
-    constexpr int minutesOfYear = 365 * 24 * 60, mostTries = 100;
+    constexpr int minutesOfYear = 365 * 24 * 60, maxTries = 100;
     std::mt19937 random(site.seed);
     std::vector<double> cosines, angles;
-    for (int found = 0, tries = 0; found < times && tries < mostTries * times; ++tries) {
+    for (int found = 0, tries = 0; found < times && tries < maxTries * times; ++tries) {
         const int start = int(random() % minutesOfYear);
         if (!sun.upThrough(start, minutes)) continue;
         ++found;

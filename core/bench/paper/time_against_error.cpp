@@ -11,9 +11,9 @@ namespace noonmark::bench {
 namespace {
 
 /// Smaller errors are drawn at this value, since a logarithmic axis has no zero. Percent.
-constexpr double leastShownPct = 1e-4;
+constexpr double minShownPct = 1e-4;
 /// The ray reference, which has no error, is drawn as a line from that value to this one.
-constexpr double mostShownPct = 5;
+constexpr double maxShownPct = 5;
 
 void addRow(Finding& finding, const PeriodRun& run, std::size_t place) {
     const Contestant& contestant = run.contestants[place];
@@ -31,12 +31,12 @@ void addRow(Finding& finding, const PeriodRun& run, std::size_t place) {
 ChartSeries rayLine(const Contestant& ray, const Placing& placing) {
     return {.name = ray.name + " (no error)",
             .colourOf = ray.engine,
-            .points = {{leastShownPct, placing.medianS, {}}, {mostShownPct, placing.medianS, {}}},
+            .points = {{minShownPct, placing.medianS, {}}, {maxShownPct, placing.medianS, {}}},
             .marked = false,
             .estimated = placing.estimated};
 }
 
-/// Whether a setting gives the same result as the usual one: the bound of the graph on a single day.
+/// Whether a setting gives the same result as the default: the bound of the graph on a single day.
 bool changesNothing(const PeriodRun& run, std::size_t place) {
     if (run.contestants[place].setting.empty()) return false;
     for (std::size_t i = 0; i < place; ++i)
@@ -59,7 +59,7 @@ void addPoint(Chart& chart, const PeriodRun& run, std::size_t place) {
         series = chart.series.insert(
             series, {.name = contestant.name, .colourOf = contestant.engine, .joined = false});
     series->points.push_back(
-        {std::max(leastShownPct, placing.error.cellMeanPct), placing.medianS, contestant.setting});
+        {std::max(minShownPct, placing.error.cellMeanPct), placing.medianS, contestant.setting});
 }
 
 Chart chartOf(const PeriodRun& run) {
@@ -89,7 +89,7 @@ Finding emptyFinding(const Extent& extent) {
         "point without a label is an engine with its usual settings; settings that change nothing are not "
         "drawn; the line is the ray reference, dashed where its time is extrapolated from those receivers. "
         "Runs of more than {:g} s are left out. Down and to the left is better.",
-        leastShownPct, extent.sampleReceivers, extent.neverAboveS);
+        minShownPct, extent.sampleReceivers, extent.neverAboveS);
     finding.table.columns = {"period",
                              "engine",
                              "setting",

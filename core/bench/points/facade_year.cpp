@@ -16,14 +16,14 @@ namespace noonmark::bench {
 
 namespace {
 
-constexpr std::size_t mostPoints = 100'000;
+constexpr std::size_t maxPoints = 100'000;
 
 Result<SunSteps> daylightOfYear(const BenchSite& site) {
     const auto year = site.date.year();
     const Box2 box = bounds(site.city);
     return computeSunSteps({.start = year / std::chrono::January / 1,
                             .days = year.is_leap() ? 366 : 365,
-                            .window = SolarWindow{},
+                            .window = SolarHours{},
                             .zone = site.zone},
                            placeObserver(site.city, glm::dvec2(box.low + box.high) / 2.0));
 }
@@ -68,7 +68,7 @@ Result<FacadeContest> runFacadeContest(const BenchSite& site, const Extent& exte
     auto sun = daylightOfYear(site);
     if (!sun) return tl::make_unexpected(sun.error());
     FacadeContest contest;
-    contest.points = thinOut(facades->points, mostPoints);
+    contest.points = thinOut(facades->points, maxPoints);
     contest.sample = thinOut(contest.points, std::max<std::size_t>(10, extent.sampleReceivers / 10));
     contest.sun = *std::move(sun);
     if (contest.points.size() == 0)

@@ -59,9 +59,9 @@ Geos::Geometry subtractGeometry(const Geos& geos, const Geos::Geometry& whole, c
 inline constexpr double sliverAreaM2 = 0.01;
 
 /// Every polygon in a geometry, oriented. Points that coincide in float32 are merged. Polygons and holes
-/// under `leastM2` are dropped; `sliver`, if given, is then set to true.
+/// under `minM2` are dropped; `sliver`, if given, is then set to true.
 std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver = nullptr,
-                                  double leastM2 = sliverAreaM2);
+                                  double minM2 = sliverAreaM2);
 
 /// Square metres; 0 for null.
 double computeArea(const Geos& geos, const Geos::Geometry& geometry);

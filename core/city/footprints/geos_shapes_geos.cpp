@@ -71,7 +71,7 @@ Ring parseRing(const Geos& geos, const GEOSGeometry* geometry, bool counterClock
 /// Collects the polygons of a geometry.
 class PolygonCollector {
 public:
-    PolygonCollector(const Geos& geos, double leastM2) : geos_(geos), leastM2_(leastM2) {}
+    PolygonCollector(const Geos& geos, double minM2) : geos_(geos), minM2_(minM2) {}
 
     void collect(const GEOSGeometry* geometry) {
         if (geometry == nullptr) return;
@@ -96,13 +96,13 @@ private:
     }
 
     bool left(const Ring& ring) {
-        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < leastM2_;
+        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < minM2_;
         sliver = sliver || small;
         return small;
     }
 
     const Geos& geos_;
-    double leastM2_;
+    double minM2_;
 };
 
 }  // namespace
@@ -155,8 +155,8 @@ Geos::Geometry subtractGeometry(const Geos& geos, const Geos::Geometry& whole, c
 }
 
 std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver,
-                                  double leastM2) {
-    PolygonCollector collector(geos, leastM2);
+                                  double minM2) {
+    PolygonCollector collector(geos, minM2);
     collector.collect(geometry.get());
     if (sliver != nullptr) *sliver = collector.sliver;
     return std::move(collector.footprints);

@@ -9,7 +9,7 @@
 namespace noonmark {
 
 /// The smallest piece that counts as part of a building; smaller ones are drawing inaccuracies.
-struct LeastPiece {
+struct MinPiece {
     double areaM2 = 10;
     double widthM = 1;
 };
@@ -18,7 +18,7 @@ struct LeastPiece {
 /// narrower, than `least`. Simple and oriented. Empty also if the overlay fails. O(n log n). Backend of this
 /// whole file: plan_overlay_geos.cpp.
 std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints,
-                                        const std::vector<Footprint>& others, LeastPiece least);
+                                        const std::vector<Footprint>& others, MinPiece least);
 
 /// Those of `others` that meet one of the footprints; all where GEOS fails. Much cheaper than cutting.
 std::vector<Footprint> keepMeeting(const std::vector<Footprint>& footprints, std::vector<Footprint> others);

@@ -32,8 +32,8 @@ Geometry sharedGeometry(const Geos& geos, const std::vector<Footprint>& a, const
 }  // namespace
 
 std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints,
-                                        const std::vector<Footprint>& others, LeastPiece least) {
-    if (!others.empty() && boundAreaOutside(footprints, others).mostM2 < least.areaM2 / 2) return {};
+                                        const std::vector<Footprint>& others, MinPiece least) {
+    if (!others.empty() && boundAreaOutside(footprints, others).maxM2 < least.areaM2 / 2) return {};
     const Geos geos;
     const Geometry whole = uniteGeometry(geos, collection(geos, footprints));
     const Geometry cover = uniteGeometry(geos, collection(geos, others));
@@ -68,8 +68,8 @@ std::vector<Footprint> unitePolygons(const std::vector<Footprint>& polygons) {
 }
 
 double computeSharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
-    constexpr std::size_t mostPairs = 1'000'000;
-    if (countPoints(a) * countPoints(b) > mostPairs) {
+    constexpr std::size_t maxPairs = 1'000'000;
+    if (countPoints(a) * countPoints(b) > maxPairs) {
         const Geos geos;
         return computeArea(geos, sharedGeometry(geos, a, b));
     }

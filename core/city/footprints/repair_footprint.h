@@ -15,7 +15,7 @@ using RawRing = std::vector<glm::dvec2>;
 
 /// No building, place or region has an outline of more points, holes included; readers refuse it, since its
 /// repair would take seconds to minutes.
-inline constexpr std::size_t mostOutlinePoints = 100'000;
+inline constexpr std::size_t maxOutlinePoints = 100'000;
 
 /// The outcome of repairing a polygon.
 struct RepairedFootprint {
@@ -30,7 +30,7 @@ struct RepairedFootprint {
 /// makes points coincide or edges cross, all points are snapped to float32's step (1 mm at 10 km). A hole
 /// that lies wholly outside is most often a second outline: it becomes a piece of its own, and `what` says
 /// so. An outline without an interior gives no pieces. `rings[0]` is the outer ring, the others are holes.
-/// Refused, with no pieces: rings with more than mostCrossings crossings (tangled_rings.h), and coordinates
+/// Refused, with no pieces: rings with more than maxCrossings crossings (tangled_rings.h), and coordinates
 /// over 1e8 m or not finite. About 5 us for a valid polygon of few points.
 RepairedFootprint repairFootprint(const std::vector<RawRing>& rings);
 

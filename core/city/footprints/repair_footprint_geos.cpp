@@ -128,7 +128,7 @@ Geometry mendRings(const Geos& geos, const std::vector<RawRing>& rings, Repaired
     if (polygon && !isValid(geos, polygon)) {
         say(result, describeReason(reasonOf(geos, polygon)));
         if (areTangled(rings)) {
-            say(result, fmt::format("more than {} times; redraw or simplify it", mostCrossings));
+            say(result, fmt::format("more than {} times; redraw or simplify it", maxCrossings));
             return geos.owned(nullptr);
         }
         polygon = madeValid(geos, polygon);

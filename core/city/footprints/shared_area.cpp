@@ -95,10 +95,10 @@ double computeSharedArea(const Footprint& a, const Footprint& b) {
 
 // Bonferroni's inequalities: one cover after the other is taken off, which is too much by what two share.
 OutsideArea boundAreaOutside(const std::vector<Footprint>& pieces, const std::vector<Footprint>& others) {
-    constexpr std::size_t mostPairs = 1'000'000;
+    constexpr std::size_t maxPairs = 1'000'000;
     const double whole = sumAreas(pieces);
     const std::size_t points = countPoints(others);
-    if ((countPoints(pieces) + points) * points > mostPairs) return {0, whole};
+    if ((countPoints(pieces) + points) * points > maxPairs) return {0, whole};
     const std::vector<Box2> pieceBoxes = boxesOf(pieces), otherBoxes = boxesOf(others);
     double covered = 0, twice = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {

@@ -15,8 +15,8 @@ double computeSharedArea(const Footprint& a, const Footprint& b);
 /// The area of `pieces` that none of `others` covers lies between these two, square metres. They are equal,
 /// but for rounding, where no three footprints share an area.
 struct OutsideArea {
-    double leastM2 = 0;
-    double mostM2 = 0;
+    double minM2 = 0;
+    double maxM2 = 0;
 };
 
 /// `pieces` do not overlap each other; `others` may. Where there are too many edges to compare them in a

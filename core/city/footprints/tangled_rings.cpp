@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostPairs = 30'000'000;
+constexpr std::size_t maxPairs = 30'000'000;
 
 // A side of a ring; the sweep runs along `x`.
 struct Side {
@@ -70,7 +70,7 @@ bool areTangled(const std::vector<RawRing>& rings) {
         std::erase_if(open, [&](const Side& other) { return other.highX < side.lowX; });
         for (const Side& other : open) crossings += meet(side, other) ? 1 : 0;
         pairs += open.size();
-        if (crossings > mostCrossings || pairs > mostPairs) return true;
+        if (crossings > maxCrossings || pairs > maxPairs) return true;
         open.push_back(side);
     }
     return false;

@@ -9,14 +9,14 @@
 namespace noonmark {
 
 /// Crossings allowed in a footprint that was not repaired; this many take about 0.1 s.
-inline constexpr std::size_t mostMeshCrossings = 10000;
+inline constexpr std::size_t maxMeshCrossings = 10000;
 
 /// A footprint as counter-clockwise triangles.
 struct Triangulation {
     std::vector<glm::vec2> points;
     std::vector<glm::uvec3> triangles;  ///< indices into points
     bool tangled =
-        false;  ///< more than mostMeshCrossings crossings: no triangles, since it would take too long
+        false;  ///< more than maxMeshCrossings crossings: no triangles, since it would take too long
 };
 
 /// Constrained Delaunay triangulation of the interior. `points` begins with the footprint's own points in

@@ -93,7 +93,7 @@ private:
             const auto from = vertices_[first + i];
             const auto to = vertices_[first + (i + 1) % count];
             if (from != to) delaunay_.insert_constraint(from, to);
-            if (delaunay_.number_of_vertices() > vertices_.size() + mostMeshCrossings) return false;
+            if (delaunay_.number_of_vertices() > vertices_.size() + maxMeshCrossings) return false;
         }
         return true;
     }

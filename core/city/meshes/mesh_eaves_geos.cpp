@@ -22,9 +22,9 @@ namespace {
 
 using Plan = Geos::Geometry;
 
-constexpr double leastEavesM = 0.1;   // narrower ones stay with the body
-constexpr double mostEavesM = 3;      // below wider roofs walls are missing
-constexpr double leastEavesM2 = 0.1;  // as of open air below a mesh
+constexpr double minEavesM = 0.1;   // narrower ones stay with the body
+constexpr double maxEavesM = 3;     // below wider roofs walls are missing
+constexpr double minEavesM2 = 0.1;  // as of open air below a mesh
 constexpr double eavesWithinM = 0.01;
 
 /// A triangle in space, with its plane.
@@ -85,8 +85,8 @@ public:
         : geos_(geos),
           walled_(uniteGeometry(geos, collection(geos, walled))),
           within_(buffered(-eavesWithinM)),
-          beside_(buffered(leastEavesM)),
-          reach_(buffered(mostEavesM)) {}
+          beside_(buffered(minEavesM)),
+          reach_(buffered(maxEavesM)) {}
 
     [[nodiscard]] bool isSound() const { return walled_ && within_ && beside_ && reach_; }
     /// Square metres that lie farther outside than the least eaves.
@@ -209,7 +209,7 @@ double distanceTo(const PlanLine& line, glm::dvec2 place) {
 bool leavesWalls(const std::vector<RoofFace>& faces, const std::vector<PlanLine>& walls, double aboveM) {
     const auto isAway = [&](glm::dvec3 corner) {
         return std::ranges::none_of(
-            walls, [&](const PlanLine& wall) { return distanceTo(wall, glm::dvec2(corner)) <= leastEavesM; });
+            walls, [&](const PlanLine& wall) { return distanceTo(wall, glm::dvec2(corner)) <= minEavesM; });
     };
     return std::ranges::any_of(faces, [&](const RoofFace& face) {
         return face.highestM() > aboveM && !face.isUpright() &&
@@ -256,7 +256,7 @@ std::vector<Footprint> findWalled(const TriangleMesh& mesh, const std::vector<Ro
 // Whether all that is outside is a roof no wider than eaves. Walls on the ground outside are those of a house
 // whose party walls are missing, so that they enclose only a part of it.
 bool overhangs(const std::vector<RoofFace>& faces, const WalledArea& walls, double aboveM) {
-    constexpr double mostOutsideM = 0.5;
+    constexpr double maxOutsideM = 0.5;
     double overhangM2 = 0, outsideM = 0;
     for (const RoofFace& face : faces) {
         if (face.isUpright()) {
@@ -268,7 +268,7 @@ bool overhangs(const std::vector<RoofFace>& faces, const WalledArea& walls, doub
             overhangM2 += walls.overhang(face);
         }
     }
-    return overhangM2 >= leastEavesM2 && outsideM <= mostOutsideM;
+    return overhangM2 >= minEavesM2 && outsideM <= maxOutsideM;
 }
 
 }  // namespace

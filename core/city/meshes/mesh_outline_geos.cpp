@@ -40,7 +40,7 @@ private:
 
 // The projections of the relevant triangles, as polygons in plan.
 std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpward) {
-    constexpr double leastTriangleM2 = 1e-6;
+    constexpr double minTriangleM2 = 1e-6;
     std::vector<Footprint> triangles;
     RepeatedTriangles repeated(mesh.triangles.size());
     for (const glm::uvec3 t : mesh.triangles) {
@@ -48,7 +48,7 @@ std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpw
         Ring ring{glm::vec2(mesh.vertices[t.x]), glm::vec2(mesh.vertices[t.y]),
                   glm::vec2(mesh.vertices[t.z])};
         const double area = signedArea(ring);
-        if (area < (onlyUpward ? leastTriangleM2 : -1e30) || std::abs(area) < leastTriangleM2) continue;
+        if (area < (onlyUpward ? minTriangleM2 : -1e30) || std::abs(area) < minTriangleM2) continue;
         if (repeated.holds(ring)) continue;
         triangles.push_back({std::move(ring), {}});
     }
@@ -97,12 +97,12 @@ std::vector<PlanLine> linesOf(const std::vector<WallTrace>& traces) {
 }
 
 // Strips with a smaller area would be dropped as slivers when they are moved or read again.
-constexpr double leastStripM2 = 2 * sliverAreaM2;
+constexpr double minStripM2 = 2 * sliverAreaM2;
 
 // A thin rectangle along a line.
 Footprint stripAlong(glm::dvec2 a, glm::dvec2 b) {
     const double lengthM = std::max(1e-3, glm::distance(a, b));
-    const double widthM = std::max(wallStripM, leastStripM2 / lengthM);
+    const double widthM = std::max(wallStripM, minStripM2 / lengthM);
     const glm::dvec2 along = (b - a) / lengthM, end = along * (wallStripM / 2);
     const glm::dvec2 side = glm::dvec2(-along.y, along.x) * (widthM / 2);
     return {{glm::vec2(a - end - side), glm::vec2(b + end - side), glm::vec2(b + end + side),
@@ -134,7 +134,7 @@ std::vector<Footprint> wallStrips(const Geos& geos, const std::vector<WallTrace>
 std::vector<Footprint> stripsOrRectangle(const Geos& geos, const std::vector<WallTrace>& traces) {
     if (traces.empty()) return {};
     std::vector<Footprint> strips = wallStrips(geos, traces);
-    if (strips.size() > 1 || (strips.size() == 1 && area(strips[0]) >= leastStripM2)) return strips;
+    if (strips.size() > 1 || (strips.size() == 1 && area(strips[0]) >= minStripM2)) return strips;
     const WallTrace far = farthestApart(traces);
     return {stripAlong(far.a, far.b)};
 }

@@ -131,13 +131,13 @@ double openArea(const TriangleMesh& component, const TriangleMesh& whole, const 
 }  // namespace
 
 bool hasOpenAirBelow(const TriangleMesh& mesh) {
-    constexpr double leastAreaM2 = 0.1;
+    constexpr double minAreaM2 = 0.1;
     const Box3 whole = computeBox(mesh);
-    if (findOpenEdges(mesh) == 0 && areaLookingDownAbove(mesh, whole.low.z) <= leastAreaM2) return false;
+    if (findOpenEdges(mesh) == 0 && areaLookingDownAbove(mesh, whole.low.z) <= minAreaM2) return false;
     double area = 0;
     for (const TriangleMesh& component : separateComponents(mesh, findComponents(mesh)))
         area += openArea(component, mesh, whole);
-    return area > leastAreaM2;
+    return area > minAreaM2;
 }
 
 namespace {

@@ -39,9 +39,9 @@ bool isLevel(const TriangleMesh& mesh) {
 }
 
 bool isUpright(const TriangleMesh& mesh) {
-    constexpr double mostLean = 0.0175;
+    constexpr double maxLean = 0.0175;
     const FaceAreas areas = faceAreas(mesh);
-    return areas.fromAbove <= mostLean * areas.all;
+    return areas.fromAbove <= maxLean * areas.all;
 }
 
 bool isSheet(const TriangleMesh& mesh) {

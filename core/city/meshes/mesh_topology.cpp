@@ -31,10 +31,10 @@ Index rootOf(std::vector<Index>& parent, Index i) {
 }  // namespace
 
 std::size_t removeDegenerateTriangles(TriangleMesh& mesh) {
-    constexpr double leastDoubledArea = 2e-8;
+    constexpr double minDoubledArea = 2e-8;
     return std::erase_if(mesh.triangles, [&](glm::uvec3 t) {
         // Negated, so that NaN is removed too
-        return !(glm::length(doubledArea(mesh, t)) >= leastDoubledArea);
+        return !(glm::length(doubledArea(mesh, t)) >= minDoubledArea);
     });
 }
 

@@ -12,7 +12,7 @@ namespace {
 using IndexRing = std::vector<std::uint32_t>;
 using Points = std::span<const glm::dvec3>;
 
-constexpr double leastAreaM2 = 1e-7;
+constexpr double minAreaM2 = 1e-7;
 
 bool isFinite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -82,7 +82,7 @@ SurfaceMesher::Outcome SurfaceMesher::add(const Surface& surface) {
     if (clean.empty()) return Outcome::degenerate;
     const glm::dvec3 normal = areaNormal(clean[0], points_);
     const double doubledArea = glm::length(normal);
-    if (!(doubledArea >= 2 * leastAreaM2)) return Outcome::degenerate;
+    if (!(doubledArea >= 2 * minAreaM2)) return Outcome::degenerate;
     if (clean.size() == 1 && clean[0].size() == 4 && addConvexQuad(clean[0], normal / doubledArea))
         return Outcome::added;
     if (clean.size() > 1 || clean[0].size() > 3) return addTriangulated(clean, normal / doubledArea);

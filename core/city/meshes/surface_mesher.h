@@ -20,7 +20,7 @@ public:
     enum class Outcome {
         added,
         repaired,    ///< the polygon crosses itself in its own plane; the crossings became points
-        tangled,     ///< more than mostMeshCrossings crossings (triangulate.h): nothing added
+        tangled,     ///< more than maxMeshCrossings crossings (triangulate.h): nothing added
         degenerate,  ///< no area, or a point that is not a number: nothing added
     };
 

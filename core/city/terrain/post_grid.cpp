@@ -62,8 +62,8 @@ glm::dvec2 PostGrid::columnRowOf(glm::dvec2 point) const {
     if (!isBent()) return found;
     // Newton's method; since the bend is small, the error converges quadratically.
     const glm::dvec2 size(columns, rows);
-    constexpr int mostRounds = 6;
-    for (int round = 0; round < mostRounds; ++round) {
+    constexpr int maxRounds = 6;
+    for (int round = 0; round < maxRounds; ++round) {
         found = glm::clamp(found, -0.5 * size, 1.5 * size);
         const glm::dvec2 off = inSteps(stepsAt(found), point - centre(found.x, found.y));
         found += off;

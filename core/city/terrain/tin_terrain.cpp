@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostCells = 16e6;
+constexpr double maxCells = 16e6;
 
 struct Coverage {
     Box2 box;
@@ -40,7 +40,7 @@ Grid gridOver(const Coverage& coverage) {
     const double spacing =
         std::sqrt(coverage.areaM2 / double(std::max<std::size_t>(1, coverage.points.size())));
     double cell = std::clamp(spacing / 2, 0.5, 100.0);
-    cell = std::max(cell, std::sqrt(size.x * size.y / mostCells));
+    cell = std::max(cell, std::sqrt(size.x * size.y / maxCells));
     Grid grid{.cellM = cell, .columns = int(size.x / cell) + 1, .rows = int(size.y / cell) + 1};
     grid.westM = (double(coverage.box.low.x) + double(coverage.box.high.x) - grid.columns * cell) / 2;
     grid.southM = (double(coverage.box.low.y) + double(coverage.box.high.y) - grid.rows * cell) / 2;

@@ -79,7 +79,7 @@ private:
             const glm::dvec3 h = frame_.homogeneous({corner.x, corner.y, 0}, {});
             west += h.x<-h.z, east += h.x> frame_.columns * h.z;
             south += h.y<-h.z, north += h.y> frame_.rows * h.z;
-            behind += h.z < MapFrame::leastQ;
+            behind += h.z < MapFrame::minQ;
         }
         return west < 4 && east < 4 && south < 4 && north < 4 && behind < 4;
     }

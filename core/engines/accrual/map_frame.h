@@ -19,7 +19,7 @@ namespace noonmark {
 /// same at every step.
 struct MapFrame {
     /// Parts with a smaller q, close to the warp's centre, are not drawn: they lie far outside the map.
-    static constexpr double leastQ = 1e-3;
+    static constexpr double minQ = 1e-3;
 
     glm::dvec3 origin{0};  ///< on the plane, local metres
     glm::dvec3 u{1, 0, 0};

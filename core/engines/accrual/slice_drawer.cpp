@@ -54,10 +54,10 @@ void SliceDrawer::drawFace(const CasterFace& face, CasterSide side, DepthSlice& 
     for (std::size_t i = 0; i < face.corners; ++i) {
         const Seen& here = seen_[face.corner[i]];
         const Seen& next = seen_[face.corner[i + 1 == face.corners ? 0 : i + 1]];
-        const bool before = here.texel.z >= MapFrame::leastQ, nextBefore = next.texel.z >= MapFrame::leastQ;
+        const bool before = here.texel.z >= MapFrame::minQ, nextBefore = next.texel.z >= MapFrame::minQ;
         if (before) addCorner(polygon, here.texel, here.depth);
         if (before == nextBefore) continue;
-        const double share = (MapFrame::leastQ - here.texel.z) / (next.texel.z - here.texel.z);
+        const double share = (MapFrame::minQ - here.texel.z) / (next.texel.z - here.texel.z);
         addCorner(polygon, glm::mix(here.texel, next.texel, share), glm::mix(here.depth, next.depth, share));
     }
     if (polygon.corners < 3 || offMap(polygon, slice)) return;

@@ -13,12 +13,12 @@ namespace {
 
 std::string rangeOf(const EngineOption& option) {
     if (option.kind == OptionKind::yesNo) return "yes or no";
-    return fmt::format("{:g} to {:g}{}{}{}", option.lowest, option.highest, option.unit.empty() ? "" : " ",
+    return fmt::format("{:g} to {:g}{}{}{}", option.min, option.max, option.unit.empty() ? "" : " ",
                        option.unit, option.kind == OptionKind::wholeNumber ? ", whole numbers" : "");
 }
 
 Result<void> check(const EngineOption& option, double value) {
-    const bool inRange = value >= option.lowest && value <= option.highest;  // false for NaN
+    const bool inRange = value >= option.min && value <= option.max;  // false for NaN
     if (inRange && (option.kind == OptionKind::number || value == std::floor(value))) return {};
     return failure(fmt::format("{:g} is out of range for {}", value, option.key), "engine option",
                    fmt::format("Choose {}", rangeOf(option)));
@@ -36,7 +36,7 @@ Result<EngineSettings> complete(const EngineInfo& engine, EngineSettings setting
     for (const auto& [key, value] : settings)
         if (const auto known = checkKnown(engine, key); !known) return tl::make_unexpected(known.error());
     for (const EngineOption& option : engine.options) {
-        const auto [place, added] = settings.try_emplace(std::string(option.key), option.usual);
+        const auto [place, added] = settings.try_emplace(std::string(option.key), option.standard);
         if (const auto fits = check(option, place->second); !fits) return tl::make_unexpected(fits.error());
     }
     return settings;

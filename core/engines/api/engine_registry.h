@@ -25,9 +25,9 @@ struct EngineOption {
     std::string_view key;   ///< for --option, study.json and the project file: "levels"
     std::string_view name;  ///< shown in the window: "Source levels"
     std::string_view unit;  ///< "deg", "min", "m"; empty for a count
-    double lowest = 0;
-    double highest = 1;
-    double usual = 0;  ///< the default
+    double min = 0;
+    double max = 1;
+    double standard = 0;  ///< the default
     OptionKind kind = OptionKind::number;
     std::string_view about;  ///< one line for a tooltip
 };
@@ -35,7 +35,7 @@ struct EngineOption {
 /// "5", "yes".
 std::string formatOptionValue(const EngineOption& option, double value);
 
-/// Values by option key; what is left out is as usual.
+/// Values by option key; what is left out has its default.
 using EngineSettings = NamedNumbers;
 
 /// Description of an engine, shown where the user chooses one.

@@ -16,8 +16,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr float touchM = 0.05F;          // a carrier may end so far below
-constexpr LeastPiece least{0.01, 0.01};  // smaller pieces are drawing inaccuracies
+constexpr float touchM = 0.05F;        // a carrier may end so far below
+constexpr MinPiece least{0.01, 0.01};  // smaller pieces are drawing inaccuracies
 
 bool meet(const Box2& a, const Box2& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -45,7 +45,7 @@ void addOpen(const Building& building, const Part& part, std::vector<OpenBelow>&
         return computeSharedArea(part.footprint, carrier) > closed;
     };
     if (std::ranges::any_of(carriers, carriesAll)) return;
-    if (boundAreaOutside({part.footprint}, carriers).mostM2 < least.areaM2) return;
+    if (boundAreaOutside({part.footprint}, carriers).maxM2 < least.areaM2) return;
     for (const Footprint& piece : cutPiecesOutside({part.footprint}, carriers, least))
         open.push_back({piece, bounds(piece), part.bottomM, part.topM});
 }

@@ -13,10 +13,10 @@ namespace noonmark {
 /// receivers.
 class ReceiverTiles {
 public:
-    static constexpr int usualSide = 8;
+    static constexpr int defaultSide = 8;
 
     /// `side`: in cells.
-    explicit ReceiverTiles(const Receivers& receivers, int side = usualSide);
+    explicit ReceiverTiles(const Receivers& receivers, int side = defaultSide);
 
     [[nodiscard]] std::size_t count() const { return std::size_t(columns_) * std::size_t(rows_); }
 

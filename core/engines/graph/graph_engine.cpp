@@ -71,7 +71,7 @@ public:
         return {};
     }
 
-    [[nodiscard]] std::size_t mostLiveMaps() const { return maps_.most(); }
+    [[nodiscard]] std::size_t maxLiveMaps() const { return maps_.most(); }
 
 private:
     Result<void> addPath(const DirectionGraph::Path& path) {
@@ -201,9 +201,8 @@ Result<ShadowField> GraphEngine::accumulate(const City& city, const Receivers& r
     field.cost.seconds["build"] += build;
     field.cost.skipped["intervals that share an edge of the direction graph"] =
         graph->intervals - graph->edges.size();
-    field.engine =
-        fmt::format("{}; direction graph with {} edges for {} intervals, {} maps alive at most",
-                    engine_->describe(), graph->edges.size(), graph->intervals, run.mostLiveMaps());
+    field.engine = fmt::format("{}; direction graph with {} edges for {} intervals, {} maps alive at most",
+                               engine_->describe(), graph->edges.size(), graph->intervals, run.maxLiveMaps());
     return field;
 }
 

@@ -5,7 +5,7 @@
 namespace noonmark {
 
 namespace {
-constexpr std::uint32_t mostStepsADay = 32'767;  // runs are counted in 16 bits
+constexpr std::uint32_t maxStepsADay = 32'767;  // runs are counted in 16 bits
 }
 
 Result<void> checkBinWidth(double binDeg) {
@@ -27,7 +27,7 @@ Result<void> checkSweepSettings(const HorizonSweepSettings& settings) {
 
 Result<void> checkHorizonDays(const SunSteps& sun) {
     for (const SunDay& day : sun.days)
-        if (day.count > mostStepsADay)
+        if (day.count > maxStepsADay)
             return failure(fmt::format("A day of {} steps is more than the horizon sweep counts", day.count),
                            "step", "Choose a step of 3 seconds or more");
     return {};

@@ -31,7 +31,7 @@ EngineOption binOption() {
 EngineOption runsOption() {
     return {.key = "runs",
             .name = "Continuous shadow",
-            .usual = 1,
+            .standard = 1,
             .kind = OptionKind::yesNo,
             .about =
                 "The longest unbroken shadow is counted too; without it, gross shadow only, in about half "
@@ -42,7 +42,7 @@ EngineOption checkOption() {
     return {
         .key = "check",
         .name = "Check runs",
-        .usual = 0,
+        .standard = 0,
         .kind = OptionKind::yesNo,
         .about =
             "Rays look at every step of every longest run, so that a gap between two walls in one line is "
@@ -51,7 +51,7 @@ EngineOption checkOption() {
 
 double valueOf(const EngineSettings& settings, const EngineOption& option) {
     const auto set = settings.find(option.key);
-    return set == settings.end() ? option.usual : set->second;
+    return set == settings.end() ? option.standard : set->second;
 }
 
 }  // namespace

@@ -19,15 +19,15 @@ Result<void> check(const InverseAccrualSettings& settings) {
     if (settings.levels < 1 || settings.levels > RayScene::maxLevels)
         return failure(fmt::format("{} source levels are out of range", settings.levels), "levels",
                        "Choose 1 to 8");
-    if (!(settings.nearestHitM >= InverseAccrualSettings::lowestNearestHitM &&
-          settings.nearestHitM <= InverseAccrualSettings::highestNearestHitM))
+    if (!(settings.nearestHitM >= InverseAccrualSettings::minNearestHitM &&
+          settings.nearestHitM <= InverseAccrualSettings::maxNearestHitM))
         return failure(fmt::format("A nearest hit of {} m is out of range", settings.nearestHitM),
                        "nearest hit", "Choose 0.01 to 10 m");
     if (!(settings.marginM >= 0 && settings.marginM <= 500))
         return failure(fmt::format("A margin of {} m is out of range", settings.marginM), "margin",
                        "Choose 0 to 500 m");
-    if (!(settings.lowestSunDeg >= 0 && settings.lowestSunDeg <= 45))
-        return failure(fmt::format("Rays below a sun of {} degrees are out of range", settings.lowestSunDeg),
+    if (!(settings.minSunDeg >= 0 && settings.minSunDeg <= 45))
+        return failure(fmt::format("Rays below a sun of {} degrees are out of range", settings.minSunDeg),
                        "lowest sun", "Choose 0 to 45 degrees");
     return {};
 }
@@ -65,7 +65,7 @@ Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& ci
                                                                   const Receivers& receivers,
                                                                   const SunSteps& directions,
                                                                   std::stop_token stop) const {
-    const LowSun lowSun(settings_.lowestSunDeg);
+    const LowSun lowSun(settings_.minSunDeg);
     const SunSteps low = lowSun.of(directions, true), high = lowSun.of(directions, false);
     std::unique_ptr<IntervalScene> rays;
     if (!low.steps.empty()) {
@@ -90,7 +90,7 @@ std::string InverseAccrualMap::describe() const {
     return fmt::format(
         "Inverse accrual map, {} levels, {}, sun below {:g} deg by rays, intervals "
         "halved where a check of their middle misses more than {:g} %",
-        settings_.levels, drawer_->describe(), settings_.lowestSunDeg, 100 * mostMissedShare);
+        settings_.levels, drawer_->describe(), settings_.minSunDeg, 100 * maxMissedShare);
 }
 
 }  // namespace noonmark

@@ -26,7 +26,7 @@ struct InverseAccrualSettings {
     /// Number of occluders followed from each cell, nearest first; 1 to 8. Source of the default: paper,
     /// section 5.
     int levels = 3;
-    static constexpr float lowestNearestHitM = 0.01F, highestNearestHitM = 10;
+    static constexpr float minNearestHitM = 0.01F, maxNearestHitM = 10;
     /// Hits closer than this are ignored, metres, 0.01 to 10. Source: paper, section 5 ("100 cm provides good
     /// results").
     float nearestHitM = 1;
@@ -35,7 +35,7 @@ struct InverseAccrualSettings {
     double marginM = 24;
     /// Steps with a lower sun are traced with one ray each: their shadows come from farther away than lines
     /// are followed and pass more occluders than `levels`. Degrees, 0 to 45; 0: lines only, as in the paper.
-    double lowestSunDeg = 10;
+    double minSunDeg = 10;
     SourceFinderKind sourceFinder = SourceFinderKind::projected;
     /// Number in listComputeDevices() of the device that draws; none: the processor.
     std::optional<int> openClDevice;

@@ -112,7 +112,7 @@ private:
                     std::span<const ShadowMask> masks, const std::stop_token& stop) {
         of.atMiddle = parts_.finder->at(of.interval.at(of.middle()), of.lanes);
         cost_.rays += parts_.finder->raysAnInstant();
-        of.halved = drawer.missing(*of.atMiddle, of.middle(), mostMissedShare, crowded, masks, stop);
+        of.halved = drawer.missing(*of.atMiddle, of.middle(), maxMissedShare, crowded, masks, stop);
     }
 
     Result<void> trace(const SunInterval& interval, StepRange low, std::span<ShadowMask> masks,

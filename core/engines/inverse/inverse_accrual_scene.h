@@ -22,7 +22,7 @@ struct InverseAccrualParts {
 /// Limit for the share of a block's receivers that are in shadow at an interval's middle step although no
 /// line reaches them. If it is exceeded, the block is drawn in two halves. Only checked if most receivers
 /// have a full list at both ends.
-constexpr double mostMissedShare = 0.01;
+constexpr double maxMissedShare = 0.01;
 
 /// `grid` extended by this many cells on each side.
 Grid padGrid(const Grid& grid, int cells);

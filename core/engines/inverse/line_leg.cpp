@@ -112,7 +112,7 @@ Result<std::vector<int>> LegDrawer::draw(const LineLeg& leg, std::span<const int
     return found;
 }
 
-std::vector<int> LegDrawer::missing(const SourceInstant& instant, int step, double mostMissed,
+std::vector<int> LegDrawer::missing(const SourceInstant& instant, int step, double maxMissed,
                                     std::span<const int> blocks, std::span<const ShadowMask> masks,
                                     const std::stop_token& stop) const {
     tbb::enumerable_thread_specific<BlockWork> works;
@@ -126,7 +126,7 @@ std::vector<int> LegDrawer::missing(const SourceInstant& instant, int step, doub
         receivers_.find(lanes_, blocks[i], work.numbers[0]);
         misses[i] = shareOf(work.numbers[0], 4, [&](int major, int lane, std::uint32_t number) {
                         return work.first.shades(0, major, lane) && (masks[number] >> step & 1) == 0;
-                    }) > mostMissed;
+                    }) > maxMissed;
     });
     std::vector<int> found;
     for (std::size_t i = 0; i < blocks.size(); ++i)

@@ -43,9 +43,9 @@ public:
     Result<std::vector<int>> draw(const LineLeg& leg, std::span<const int> blocks,
                                   std::span<ShadowMask> masks, const std::stop_token& stop) const;
 
-    /// Returns those blocks in which more than the share `mostMissed` of the receivers are in shadow at the
+    /// Returns those blocks in which more than the share `maxMissed` of the receivers are in shadow at the
     /// instant although their masks, bit `step`, are not. Checks one receiver in four. All cores.
-    [[nodiscard]] std::vector<int> missing(const SourceInstant& instant, int step, double mostMissed,
+    [[nodiscard]] std::vector<int> missing(const SourceInstant& instant, int step, double maxMissed,
                                            std::span<const int> blocks, std::span<const ShadowMask> masks,
                                            const std::stop_token& stop) const;
 

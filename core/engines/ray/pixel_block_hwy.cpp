@@ -101,14 +101,14 @@ std::uint32_t turnToSun(glm::vec3 towardsSun, const std::uint32_t* bits, HitPack
     const Floats d;
     const Words du;
     // Away from the surface, so that no surface shades itself: float32 resolves some 1e-7 of the distance.
-    const FloatVec leastM = hn::Set(d, 0.02F), share = hn::Set(d, 1e-5F), grazing = hn::Set(d, 0.01F);
+    const FloatVec minM = hn::Set(d, 0.02F), share = hn::Set(d, 1e-5F), grazing = hn::Set(d, 0.01F);
     std::uint32_t facing = 0;
     for (std::size_t k = 0; k < HitPacket::lanes; k += hn::Lanes(d)) {
         const WordVec word = hn::LoadU(du, bits + k);
         const FloatVec x = partOf(word), y = partOf(hn::ShiftRight<8>(word)),
                        z = partOf(hn::ShiftRight<16>(word));
         const FloatVec distance = hn::Load(d, packet.distance.data() + k);
-        const FloatVec offset = hn::Add(leastM, hn::Mul(share, distance));
+        const FloatVec offset = hn::Add(minM, hn::Mul(share, distance));
         const auto move = [&](HitPacket::Lanes& origin, HitPacket::Lanes& direction, FloatVec normal,
                               float sun) {
             const FloatVec at =

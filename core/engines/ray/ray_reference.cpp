@@ -64,7 +64,7 @@ private:
     // between running results.
     static int sideFor(std::size_t packets, bool watched) {
         constexpr std::size_t manyPackets = 2000;
-        return watched && packets > manyPackets ? ReceiverTiles::usualSide / 2 : ReceiverTiles::usualSide;
+        return watched && packets > manyPackets ? ReceiverTiles::defaultSide / 2 : ReceiverTiles::defaultSide;
     }
 
     void traceTile(std::size_t tile, Watchers& watchers) {

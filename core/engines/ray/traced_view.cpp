@@ -22,7 +22,7 @@ constexpr float sharedM = 0.01F;  // surfaces in a side of the section belong to
 // Rays are traced a little farther than they end: the bottom of a building lies in the ground, and is seen
 // before it where a section opens the building.
 constexpr float beyond = 1.00001F;
-constexpr int leastTurn = 36;  // of the normal at an edge, in 127ths: 16 degrees
+constexpr int minTurn = 36;  // of the normal at an edge, in 127ths: 16 degrees
 
 using Bits = std::array<std::uint32_t, HitPacket::lanes>;
 
@@ -151,7 +151,7 @@ bool differs(const TracedView& view, std::size_t a, std::size_t b) {
     if (!isBuilding(view.pixels[a]) && !isBuilding(view.pixels[b])) return false;
     const int x = partOf(one, 0) - partOf(other, 0), y = partOf(one, 8) - partOf(other, 8);
     const int z = partOf(one, 16) - partOf(other, 16);
-    return view.hits[a] != view.hits[b] || x * x + y * y + z * z > leastTurn * leastTurn;
+    return view.hits[a] != view.hits[b] || x * x + y * y + z * z > minTurn * minTurn;
 }
 
 float depthOf(TracedPixel pixel) {

@@ -16,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int mostPixels = 16384;
+constexpr int maxPixels = 16384;
 
 struct PointSeen {
     glm::vec3 position{};
@@ -25,11 +25,11 @@ struct PointSeen {
 };
 
 Result<void> check(const PixelCamera& camera) {
-    const auto inRange = [](int pixels) { return pixels >= 1 && pixels <= mostPixels; };
+    const auto inRange = [](int pixels) { return pixels >= 1 && pixels <= maxPixels; };
     if (!inRange(camera.widthPx) || !inRange(camera.heightPx))
         return failure(
             fmt::format("A picture of {} x {} pixels is out of range", camera.widthPx, camera.heightPx),
-            "view", fmt::format("Choose 1 to {} pixels a side", mostPixels));
+            "view", fmt::format("Choose 1 to {} pixels a side", maxPixels));
     if (!(camera.heightM >= 0 && camera.heightM < 1e7))
         return failure(fmt::format("A picture {} m high is out of range", camera.heightM), "view",
                        "Choose a height between 0 and 10000 km");

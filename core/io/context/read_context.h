@@ -15,7 +15,7 @@ namespace noonmark {
 
 struct ContextSettings {
     /// Most features of one file that are drawn; more would be a whole country.
-    static constexpr std::size_t mostFeatures = 1'000'000;
+    static constexpr std::size_t maxFeatures = 1'000'000;
     /// Features farther from the frame's origin are left out and counted; areas that reach nearer are cut to
     /// the square of twice this side about it.
     double farAwayM = 60000;

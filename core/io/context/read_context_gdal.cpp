@@ -213,9 +213,9 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
         kept -= readers[layer].size();
         readers[layer].read(feature);
         kept += readers[layer].size();
-        if (kept <= ContextSettings::mostFeatures) return {};
+        if (kept <= ContextSettings::maxFeatures) return {};
         return limitReached(
-            fmt::format("It holds more than {} features to draw", ContextSettings::mostFeatures), file,
+            fmt::format("It holds more than {} features to draw", ContextSettings::maxFeatures), file,
             "Cut out the part around the city");
     };
     const auto features = readFeatures(layers, {file, "map of " + file}, calls, take, progress, stop);

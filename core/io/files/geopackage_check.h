@@ -7,11 +7,11 @@
 namespace noonmark {
 
 /// The most layers of a file. Each takes time and memory before the first of its features is read.
-inline constexpr int mostLayers = 1000;
+inline constexpr int maxLayers = 1000;
 
 /// Error if reading a GeoPackage would run SQL from the file or take more memory than its size explains: its
 /// system tables, or the layers that it lists, are views or virtual tables; columns are computed; its tiles
-/// are huge; it has more than mostLayers; or what lies beside it is not harmless (checkBeside). A view may
+/// are huge; it has more than maxLayers; or what lies beside it is not harmless (checkBeside). A view may
 /// run without end. Reads the file and writes nothing. Takes milliseconds. Backend:
 /// geopackage_check_sqlite.cpp.
 Result<void> checkGeoPackage(const std::filesystem::path& file);

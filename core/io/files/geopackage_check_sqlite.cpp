@@ -104,7 +104,7 @@ constexpr std::array forbidden{
     Forbidden{"SELECT name FROM pragma_table_list WHERE schema = 'main' AND type IN ('view', 'virtual') "
               "AND name COLLATE NOCASE IN (SELECT table_name FROM gpkg_contents)",
               runsSql},
-    Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // mostLayers
+    Forbidden{"SELECT count(*) || ' layers' FROM gpkg_contents HAVING count(*) > 1000",  // maxLayers
               "The GeoPackage has more than 1,000 layers", "gpkg_contents",
               "Export the layers of buildings alone"},
     Forbidden{"SELECT t.name || '.' || c.name FROM pragma_table_list t, pragma_table_xinfo(t.name) c "
@@ -115,7 +115,7 @@ constexpr std::array forbidden{
               "AND tile_height BETWEEN 1 AND 4096, 0)",
               "The tiles of a layer are larger than 4,096 x 4,096, or have no size", "gpkg_tile_matrix"},
 };
-static_assert(mostLayers == 1000);
+static_assert(maxLayers == 1000);
 
 Error unreadable(const OpenFile& open, const std::filesystem::path& file) {
     // Only a connection that writes can undo what a stopped program left in a journal.
@@ -176,10 +176,10 @@ Result<void> checkGeoPackage(const std::filesystem::path& file) {
 }
 
 void limitGeoPackage(void* database) {
-    constexpr int mostBytes = 100'000'000;  // of a text or a geometry: a ring of 6 million points
-    constexpr int instructions = 10'000;    // about 0.1 ms
+    constexpr int maxBytes = 100'000'000;  // of a text or a geometry: a ring of 6 million points
+    constexpr int instructions = 10'000;   // about 0.1 ms
     auto* const sqlite = static_cast<sqlite3*>(database);
-    sqlite3_limit(sqlite, SQLITE_LIMIT_LENGTH, mostBytes);
+    sqlite3_limit(sqlite, SQLITE_LIMIT_LENGTH, maxBytes);
     sqlite3_progress_handler(sqlite, instructions, isStopRequested, nullptr);
 }
 

@@ -115,13 +115,13 @@ tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, co
 
 // A block is read whole, and its memory taken before GDAL sees that the file ends.
 Result<void> checkBlock(GDALRasterBand& band, int bandsTogether, const std::string& file) {
-    constexpr double mostBytes = 256.0 * (1 << 20);
+    constexpr double maxBytes = 256.0 * (1 << 20);
     int columns = 0, rows = 0;
     band.GetBlockSize(&columns, &rows);
     const double bytes = double(columns) * rows * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
-    if (bytes * bandsTogether <= mostBytes) return {};
+    if (bytes * bandsTogether <= maxBytes) return {};
     return limitReached(fmt::format("The raster is stored in blocks of {} x {} cells, more than {:g} MB each",
-                                    columns, rows, mostBytes / (1 << 20)),
+                                    columns, rows, maxBytes / (1 << 20)),
                         file, "Export it with tiles of 256 x 256 or 512 x 512 cells");
 }
 
@@ -137,10 +137,10 @@ Result<void> checkBlocks(GDALRasterBand& band, int bandsTogether, const std::str
 }
 
 Result<void> checkRaster(GDALDataset& dataset, const std::string& file) {
-    constexpr int mostBands = 1000;
+    constexpr int maxBands = 1000;
     const int bands = dataset.GetRasterCount();
-    if (bands > mostBands)
-        return limitReached(fmt::format("The raster has {} bands, more than {}", bands, mostBands), file,
+    if (bands > maxBands)
+        return limitReached(fmt::format("The raster has {} bands, more than {}", bands, maxBands), file,
                             "Export the band of elevations alone");
     const char* order = dataset.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
     const int together = order != nullptr && order == std::string_view("PIXEL") ? bands : 1;
@@ -155,8 +155,8 @@ Result<void> checkLimits(GDALDataset& dataset, DatasetContent content, const std
         isGeoPackage(dataset) && database != nullptr)
         limitGeoPackage(database);
     if (content != DatasetContent::vectors) return checkRaster(dataset, file);
-    if (dataset.GetLayerCount() <= mostLayers) return {};
-    return limitReached(fmt::format("It has {} layers, more than {}", dataset.GetLayerCount(), mostLayers),
+    if (dataset.GetLayerCount() <= maxLayers) return {};
+    return limitReached(fmt::format("It has {} layers, more than {}", dataset.GetLayerCount(), maxLayers),
                         file, "Export the layers of buildings alone");
 }
 

@@ -54,10 +54,10 @@ bool hasBuildingFields(OGRLayer& layer) {
 
 // Buildings leave streets and yards free; cells of a tessellation or parcels of a block do not.
 bool fillsTheGround(OGRLayer& layer) {
-    constexpr double mostBuilt = 0.85;
+    constexpr double maxBuilt = 0.85;
     constexpr std::size_t fewest = 20;
     const LayerSample sample = sampleLayer(layer);
-    return sample.features.size() >= fewest && sample.coverage > mostBuilt;
+    return sample.features.size() >= fewest && sample.coverage > maxBuilt;
 }
 
 JudgedLayer judge(OGRLayer& layer) {

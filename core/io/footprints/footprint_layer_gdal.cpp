@@ -319,7 +319,7 @@ std::optional<FeatureValue> FootprintLayer::outlineZOf(const OGRGeometry& geomet
     }
     const auto role = roleOfZ(geometry, id, warnings);
     const double topM = box.MaxZ * metresPer(zUnit_);
-    if (!role || topM < lowestLandM) return std::nullopt;  // -1000 and the like mean "unknown"
+    if (!role || topM < minLandM) return std::nullopt;  // -1000 and the like mean "unknown"
     return FeatureValue{*role, outlineZ, fmt::format("{:g}", topM), topM, {}};
 }
 

@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::uintmax_t mostBytes = std::uintmax_t(256) << 20;  // some 2.5 GB of memory
+constexpr std::uintmax_t maxBytes = std::uintmax_t(256) << 20;  // some 2.5 GB of memory
 
 struct TreeRelease {
     void operator()(CPLXMLNode* tree) const { CPLDestroyXMLNode(tree); }
@@ -59,7 +59,7 @@ KmlAltitudes KmlAltitudes::of(const std::filesystem::path& file) {
     const GdalCalls quiet;
     KmlAltitudes altitudes;
     std::error_code error;
-    if (std::filesystem::file_size(file, error) > mostBytes || error) return altitudes;
+    if (std::filesystem::file_size(file, error) > maxBytes || error) return altitudes;
     const std::unique_ptr<CPLXMLNode, TreeRelease> tree(CPLParseXMLFile(file.c_str()));
     if (!tree) return altitudes;
     CPLStripXMLNamespace(tree.get(), nullptr, TRUE);

@@ -160,11 +160,11 @@ std::vector<HeightDoubt> doubtHeights(const std::vector<KnownField>& fields, con
 
 void dropRoofsAlone(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
                     Warnings& warnings) {
-    constexpr double leastBuildingM = 3;
+    constexpr double minBuildingM = 3;
     for (KnownField& field : fields) {
         if (field.meaning.role != FieldRole::height || field.meaning.meaning != heightOfRoof) continue;
         const auto median = medianAt(sample, field.index);
-        if (!median || *median * metresPer(field.unit) >= leastBuildingM) continue;
+        if (!median || *median * metresPer(field.unit) >= minBuildingM) continue;
         field.meaning.role = FieldRole::roofHeight;
         warnings.push_back(
             {WarningKind::leftOut,

@@ -12,8 +12,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostSampled = 1000;
-constexpr std::size_t mostTextBytes = 40;
+constexpr std::size_t maxSampled = 1000;
+constexpr std::size_t maxTextBytes = 40;
 
 bool isNumberType(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
 
@@ -25,7 +25,7 @@ void addFields(const OGRFeature& feature, SampledFeature& sampled) {
         const OGRFieldType type = feature.GetFieldDefnRef(i)->GetType();
         if (isNumberType(type)) number = feature.GetFieldAsDouble(i);
         if (type != OFTString) continue;
-        text = readableText(feature.GetFieldAsString(i)).substr(0, mostTextBytes);
+        text = readableText(feature.GetFieldAsString(i)).substr(0, maxTextBytes);
         number = parseMetres(withDecimalPoint(text)).value_or(SampledFeature::none);
     }
 }
@@ -64,7 +64,7 @@ LayerSample sampleLayer(OGRLayer& layer) {
     OGRMultiPoint corners;
     double areas = 0;
     layer.ResetReading();
-    for (std::size_t i = 0; i < mostSampled; ++i) {
+    for (std::size_t i = 0; i < maxSampled; ++i) {
         const OGRFeatureUniquePtr feature(layer.GetNextFeature());
         if (!feature) break;
         const OGRGeometry* const geometry = feature->GetGeometryRef();

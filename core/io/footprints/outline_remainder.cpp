@@ -60,7 +60,7 @@ OutlineRemainder computeRemainder(const PlacedFeature& outline, const Parts& par
     rest.topM = guessedTop(own, covering);
     rest.source = HeightSource::assumed;
     rest.guessed = true;
-    if (rest.bottomM > rest.topM - leastHeightM) rest.bottomM = 0;
+    if (rest.bottomM > rest.topM - minHeightM) rest.bottomM = 0;
     return rest;
 }
 

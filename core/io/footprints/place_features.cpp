@@ -109,13 +109,13 @@ bool isTooLarge(const UnplacedFeature& feature) {
     std::size_t points = 0;
     for (const LonLatPolygon& polygon : feature.polygons)
         for (const auto& ring : polygon) points += ring.size();
-    return points > mostOutlinePoints;
+    return points > maxOutlinePoints;
 }
 
 // Without pieces if it cannot be used.
 PlacedFeature place(UnplacedFeature& feature, const Frame& frame, double farAwayM, Warnings& warnings) {
     if (isTooLarge(feature)) {
-        warnings.push_back({WarningKind::dropped, fmt::format("has more than {} points", mostOutlinePoints),
+        warnings.push_back({WarningKind::dropped, fmt::format("has more than {} points", maxOutlinePoints),
                             feature.facts.id});
         return {};
     }

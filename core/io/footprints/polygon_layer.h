@@ -23,7 +23,7 @@ public:
 
     /// Every polygon of the geometry, including collections and curves, repaired if invalid; long sides get
     /// extra points, so that they follow the curves of the projection. Error: a point that the system cannot
-    /// have, or that is more than 200 km from the frame's origin; a polygon of more than mostOutlinePoints.
+    /// have, or that is more than 200 km from the frame's origin; a polygon of more than maxOutlinePoints.
     [[nodiscard]] Result<std::vector<Footprint>> polygons(const OGRGeometry& geometry) const;
 
     /// Whether the geometry may reach into the box, judged by its envelope; much cheaper than polygons().

@@ -86,8 +86,8 @@ Result<void> PolygonLayer::add(const OGRGeometry& geometry, std::vector<Footprin
     }
     if (type != wkbPolygon) return {};
     OGRPolygon& polygon = *straight->toPolygon();
-    if (const std::size_t points = countPoints(polygon); points > mostOutlinePoints)
-        return limitReached(fmt::format("A polygon has {} points, more than {}", points, mostOutlinePoints),
+    if (const std::size_t points = countPoints(polygon); points > maxOutlinePoints)
+        return limitReached(fmt::format("A polygon has {} points, more than {}", points, maxOutlinePoints),
                             where_, "Simplify it");
     if (inDegrees_) unwrap(polygon, frame_.origin().lonDeg);
     // Checked before its sides are divided: a distant point would give millions of pieces.

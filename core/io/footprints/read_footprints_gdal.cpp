@@ -15,7 +15,7 @@
 #include "core/io/footprints/field_aliases.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/footprint_scan.h"
-#include "core/io/footprints/layer_window.h"
+#include "core/io/footprints/layer_extent.h"
 #include "core/io/footprints/map_remarks.h"
 #include "core/io/formats/format.h"
 #include "core/io/pieces/read_part.h"
@@ -124,7 +124,7 @@ private:
                                  kml_, listFieldAliases(*open_.dataset, layer)};
         auto reader = FootprintLayer::of(layer, settings_, source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
-        if (window_ != nullptr && isIndexed(layer)) return readWindow(layer, *reader, calls);
+        if (window_ != nullptr && isIndexed(layer)) return readExtent(layer, *reader, calls);
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
         if (scan_ != nullptr) scan_->indexed = scan_->indexed && isIndexed(layer);
         return finishLayer(*reader);
@@ -176,8 +176,8 @@ private:
     }
 
     // An index delivers features in its own order; the file's order makes the city independent of the window.
-    Result<void> readWindow(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
-        if (!limitToWindow(layer, *window_, settings_))
+    Result<void> readExtent(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
+        if (!limitToExtent(layer, *window_, settings_))
             return failure("The window cannot be expressed in its coordinate system", file_.string(),
                            "Convert it to EPSG:4326");
         layer.ResetReading();

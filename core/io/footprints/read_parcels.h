@@ -22,7 +22,7 @@ struct Parcel {
 struct ParcelSettings {
     /// Maximum number of parcels from one file: the parcels of a whole city would fill a project with unused
     /// lots.
-    static constexpr std::size_t mostParcels = 5000;
+    static constexpr std::size_t maxParcels = 5000;
 
     std::string nameField;         ///< any case; empty: the first of name, lot, parcel, apn, bbl, id, or none
     std::string layer;             ///< empty: every layer
@@ -32,7 +32,7 @@ struct ParcelSettings {
 
 /// Reads the polygons of a map in any format (formats/format.h). Error: the file cannot be read, has no CRS,
 /// or lacks the field or layer (the advice lists those that exist); a name that no parcel has, no parcel in
-/// the region, or more than mostParcels; cancelled(). Cost: some 5 us per feature, and some 50 us for each
+/// the region, or more than maxParcels; cancelled(). Cost: some 5 us per feature, and some 50 us for each
 /// one returned. Backend: read_parcels_gdal.cpp.
 Result<std::vector<Parcel>> readParcels(const std::filesystem::path& file, const ParcelSettings& settings,
                                         const Frame& frame, const std::stop_token& stop);

@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::array usualNameFields{"name", "lot", "parcel", "apn", "bbl", "id"};
+constexpr std::array defaultNameFields{"name", "lot", "parcel", "apn", "bbl", "id"};
 
 std::vector<std::string> fieldsOf(OGRLayer& layer) {
     std::vector<std::string> names;
@@ -27,10 +27,10 @@ std::vector<std::string> fieldsOf(OGRLayer& layer) {
     return names;
 }
 
-// -1 if the layer has none of the usual name fields.
+// -1 if the layer has none of the default name fields.
 Result<int> nameFieldOf(OGRLayer& layer, const std::string& wanted, const std::string& where) {
     if (wanted.empty()) {
-        for (const char* usual : usualNameFields)
+        for (const char* usual : defaultNameFields)
             if (const int field = layer.FindFieldIndex(usual, 0); field >= 0) return field;
         return -1;
     }
@@ -93,8 +93,8 @@ private:
         auto pieces = reader.polygons(geometry);
         if (!pieces) return tl::make_unexpected(pieces.error());
         if (pieces->empty() || (settings_.within && !liesIn(*settings_.within, *pieces))) return {};
-        if (parcels_.size() == ParcelSettings::mostParcels)
-            return failure(fmt::format("There are more than {} parcels", ParcelSettings::mostParcels), where_,
+        if (parcels_.size() == ParcelSettings::maxParcels)
+            return failure(fmt::format("There are more than {} parcels", ParcelSettings::maxParcels), where_,
                            "Choose parcels by name, or give a smaller region");
         parcels_.push_back({name, *std::move(pieces)});
         return {};

@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostLevels = 300;
+constexpr double maxLevels = 300;
 
 // Reads the height of one feature; holds the state that its steps share.
 class Reader {
@@ -26,8 +26,8 @@ public:
         if (groundM) reading.groundElevationM = groundM->number;
         readTop(reading, canopy, groundM);
         const auto bottom = underside(reading);
-        if (bottom && *bottom >= leastHeightM) reading.bottomM = *bottom;
-        if (reading.bottomM > reading.topM - leastHeightM) settle(reading);
+        if (bottom && *bottom >= minHeightM) reading.bottomM = *bottom;
+        if (reading.bottomM > reading.topM - minHeightM) settle(reading);
         if (canopy && !bottom) makeSlab(reading);
         return reading;
     }
@@ -74,28 +74,28 @@ private:
 
     std::optional<Found> measured() {
         return first(
-            FieldRole::height, [](double m) { return m >= leastHeightM && m <= tallestBuildingM; },
+            FieldRole::height, [](double m) { return m >= minHeightM && m <= tallestBuildingM; },
             "a height that cannot be read; the next best source is used",
             "a height of zero or less, or over 2,000 m; the next best source is used");
     }
     std::optional<Found> overGround(const std::optional<Found>& groundM) {
         const auto top = first(
             FieldRole::topElevation,
-            [](double m) { return m >= lowestLandM && m <= highestLandM + tallestBuildingM; },
+            [](double m) { return m >= minLandM && m <= maxLandM + tallestBuildingM; },
             "a roof's elevation that cannot be read; the next best source is used",
             "a roof's elevation below -500 m or over 11,000 m; the next best source is used");
         if (top && !groundM) roofAlone_ = {top->number, top->field};
         if (!top || !groundM) return std::nullopt;
         const double heightM = top->number - groundM->number;
         const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
-        if (heightM >= leastHeightM && heightM <= tallestBuildingM) return Found{heightM, origin};
+        if (heightM >= minHeightM && heightM <= tallestBuildingM) return Found{heightM, origin};
         warn("a roof that is not above its ground, or over 2,000 m; the next best source is used",
              fmt::format("{}: {} = {:g} m", id_, origin, heightM));
         return std::nullopt;
     }
     std::optional<Found> levels(FieldRole role) {
         return first(
-            role, [](double count) { return count >= 0 && count <= mostLevels; },
+            role, [](double count) { return count >= 0 && count <= maxLevels; },
             "a number of storeys that cannot be read; it is ignored",
             "a number of storeys below 0 or over 300; it is ignored");
     }
@@ -103,7 +103,7 @@ private:
         auto storeys = levels(FieldRole::levels);
         if (!storeys) return storeys;
         storeys->number = storeys->number * rules_.metresPerLevel + roof();
-        return storeys->number >= leastHeightM ? storeys : std::nullopt;
+        return storeys->number >= minHeightM ? storeys : std::nullopt;
     }
     double roof() {
         Warnings unheard;  // not reported: an odd roof height has no effect worth a warning
@@ -170,7 +170,7 @@ private:
 
     std::optional<Found> ground() {
         return first(
-            FieldRole::groundElevation, [](double m) { return m >= lowestLandM && m <= highestLandM; },
+            FieldRole::groundElevation, [](double m) { return m >= minLandM && m <= maxLandM; },
             "a ground elevation that cannot be read; it is ignored",
             "a ground elevation below -500 m or over 9,000 m; it is ignored");
     }

@@ -26,7 +26,7 @@ struct HeightRules {
 constexpr std::string_view elevationsMinus = " - ";
 
 /// Anything lower counts as no height: on a mountain, float32 could not represent it.
-constexpr double leastHeightM = 0.01;
+constexpr double minHeightM = 0.01;
 
 /// How warnings of heights by default begin (HeightReading::byDefault).
 inline constexpr std::string_view noHeightInData = "no height in the data";
@@ -37,7 +37,7 @@ struct RoofElevation {
     std::string field;
 };
 
-/// A feature's extent above its own ground, metres; 0 <= bottomM <= topM - leastHeightM.
+/// A feature's extent above its own ground, metres; 0 <= bottomM <= topM - minHeightM.
 struct HeightReading {
     double bottomM = 0;
     double topM = 0;
@@ -55,7 +55,7 @@ constexpr double canopyThicknessM = 0.5;
 /// Height: the first height field with a usable value; else the roof's elevation minus the ground's; else
 /// storeys x metres per storey (plus the height of the roof); else the default, which for a canopy (`canopy`:
 /// building=roof) is one storey. Underside: min_height, else the storeys below; else 0. Zero, negative and
-/// implausible heights (over 2,000 m) are ignored, and so are those below leastHeightM. If the underside is
+/// implausible heights (over 2,000 m) are ignored, and so are those below minHeightM. If the underside is
 /// not below the top, a measured height is counted from the ground, and a guessed one from the underside.
 /// Every value that was not taken as written gives a warning (except see byDefault).
 HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,

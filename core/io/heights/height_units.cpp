@@ -16,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double leastTypicalM = 2.5, mostTypicalM = 60;
+constexpr double minTypicalM = 2.5, maxTypicalM = 60;
 
 struct PerStorey {
     double least, most;
@@ -56,11 +56,11 @@ std::optional<LengthUnit> unitBeside(double ratio) {
     return std::nullopt;
 }
 
-bool isTypicalHeight(double medianM) { return medianM >= leastTypicalM && medianM <= mostTypicalM; }
+bool isTypicalHeight(double medianM) { return medianM >= minTypicalM && medianM <= maxTypicalM; }
 
 std::optional<std::string> doubtUnit(double median, LengthUnit readIn) {
     const double readM = median * metresPer(readIn);
-    if (readM <= mostTypicalM) return std::nullopt;
+    if (readM <= maxTypicalM) return std::nullopt;
     std::vector<std::string> texts;
     for (const LengthUnit unit : findTypicalUnits(median, readIn))
         texts.push_back(fmt::format("{} ({:.3g} m: {})", entryOf(unit).plural, median * metresPer(unit),

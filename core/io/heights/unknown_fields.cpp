@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t enoughDifferent = 1000;
 constexpr std::size_t fewDifferent = 20;
-constexpr std::size_t mostListed = 8;
+constexpr std::size_t maxListed = 8;
 
-constexpr double mostStoreys = 170;  // of any building, with some to spare
+constexpr double maxStoreys = 170;  // of any building, with some to spare
 
 bool saysOtherwise(const std::string& field) {
     const NameWords words(field);
@@ -61,8 +61,8 @@ std::string unitInName(const NameWords& words) {
 
 // Names that say height may be in any unit.
 double mostOf(const std::string& field) {
-    constexpr double mostFeet = 4000, mostMillimetres = 1e6;
-    return NameWords(field).has(NameWord::height) ? mostMillimetres : mostFeet;
+    constexpr double maxFeet = 4000, maxMillimetres = 1e6;
+    return NameWords(field).has(NameWord::height) ? maxMillimetres : maxFeet;
 }
 
 }  // namespace
@@ -116,9 +116,9 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
         described.kind = field == outlineZ || height ? FieldKind::heights : FieldKind::storeys;
     else if (byStorey)
         described.kind = byStorey->kind;
-    else if (storey && values.halves && values.high <= mostStoreys)
+    else if (storey && values.halves && values.high <= maxStoreys)
         described.kind = FieldKind::storeys;
-    else if (!values.whole || values.high > mostStoreys)
+    else if (!values.whole || values.high > maxStoreys)
         described.kind = FieldKind::heights;
     const bool bare = described.kind == FieldKind::heights && described.unit.empty();
     if (bare && byStorey && byStorey->kind == FieldKind::heights) described.unit = byStorey->unit;
@@ -132,7 +132,7 @@ std::vector<UnknownField> UnknownFields::thatCouldBeHeights(const std::string& f
     std::ranges::stable_sort(listed, std::greater<>{}, [](const UnknownField& field) {
         return std::pair(saysHeights(field), field.features);
     });
-    if (listed.size() > mostListed) listed.resize(mostListed);
+    if (listed.size() > maxListed) listed.resize(maxListed);
     return listed;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::size_t mostDirections = 100'000;
+constexpr std::size_t maxDirections = 100'000;
 constexpr std::size_t longestStatement = 4096;  // of those that matter; the rest of a longer one is skipped
 
 std::string withoutBlanks(std::string_view text) {
@@ -93,7 +93,7 @@ public:
         const std::string id = plain.substr(0, equals), body = plain.substr(equals + 1);
         const Words words = argumentsOf(body);
         if (body.starts_with("IFCSITE(")) takeSite(words);
-        if (body.starts_with("IFCDIRECTION(") && directions_.size() < mostDirections)
+        if (body.starts_with("IFCDIRECTION(") && directions_.size() < maxDirections)
             directions_.emplace(id, words.front());
         if (body.starts_with("IFCGEOMETRICREPRESENTATIONCONTEXT(") && words.size() > 5 && north_.empty())
             north_ = words[5].starts_with('#') ? words[5] : "";

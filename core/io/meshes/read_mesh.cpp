@@ -141,11 +141,11 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
 
 // Drops triangles with a corner beyond the range of a Frame, as in broken files.
 void dropFarTriangles(SceneReader& reader) {
-    constexpr float mostM = 1e6F;  // limit of a Frame
+    constexpr float maxM = 1e6F;  // limit of a Frame
     for (NamedMesh& object : reader.objects) {
         const auto isFar = [&](const glm::uvec3& corners) {
             for (int i = 0; i < 3; ++i)
-                if (!glm::all(glm::lessThan(glm::abs(object.mesh.vertices[corners[i]]), glm::vec3(mostM))))
+                if (!glm::all(glm::lessThan(glm::abs(object.mesh.vertices[corners[i]]), glm::vec3(maxM))))
                     return true;
             return false;
         };

@@ -13,7 +13,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t headBytes = 4096;
-constexpr int mostHeaderLines = 100'000;
+constexpr int maxHeaderLines = 100'000;
 
 struct DxfUnit {
     int code;
@@ -43,7 +43,7 @@ std::string findInsUnits(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string line;
     bool found = false;
-    for (int i = 0; i < mostHeaderLines && std::getline(stream, line); ++i) {
+    for (int i = 0; i < maxHeaderLines && std::getline(stream, line); ++i) {
         const std::string_view word = trimmedLine(line);
         if (word == "ENDSEC" || (found && word != "70" && !word.empty())) break;
         found = found || word == "$INSUNITS";

@@ -57,8 +57,8 @@ std::string sizeText(float size) {
 }
 
 std::optional<UpAxisGuess> guessCity(const UpSizes& sizes) {
-    constexpr float leastWidth = 100;
-    if (sizes.narrow < leastWidth || sizes.up >= sizes.narrow / 2) return std::nullopt;
+    constexpr float minWidth = 100;
+    if (sizes.narrow < minWidth || sizes.up >= sizes.narrow / 2) return std::nullopt;
     return UpAxisGuess{sizes.axis,
                        fmt::format("the mesh is {} x {} and only {} in {}", sizeText(sizes.wide),
                                    sizeText(sizes.narrow), sizeText(sizes.up), letterOf(sizes.axis))};

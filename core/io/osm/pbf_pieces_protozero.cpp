@@ -10,11 +10,11 @@ namespace noonmark {
 namespace {
 
 // The format's own limits, wiki.openstreetmap.org/wiki/PBF_Format.
-constexpr std::size_t mostHeadBytes = 64 * 1024;
-constexpr std::size_t mostBlockBytes = 32 * 1024 * 1024;
+constexpr std::size_t maxHeadBytes = 64 * 1024;
+constexpr std::size_t maxBlockBytes = 32 * 1024 * 1024;
 
 constexpr std::size_t pieceBytes = 2'000'000;
-constexpr std::size_t pieceUnpackedBytes = mostBlockBytes;
+constexpr std::size_t pieceUnpackedBytes = maxBlockBytes;
 
 // Fields of the format's messages BlobHeader and Blob.
 constexpr protozero::pbf_tag_type dataSizeField = 3;
@@ -33,8 +33,8 @@ std::size_t findNumber(const std::string& message, protozero::pbf_tag_type field
 }
 
 void checkUnpacked(std::size_t unpacked, std::size_t stored) {
-    constexpr std::size_t harmless = 4'000'000, mostTimes = 200;
-    if (unpacked > harmless && unpacked / mostTimes > stored)
+    constexpr std::size_t harmless = 4'000'000, maxTimes = 200;
+    if (unpacked > harmless && unpacked / maxTimes > stored)
         throw std::runtime_error(fmt::format("a block of {} bytes unpacks to {} million, {} times as many",
                                              stored, unpacked / 1'000'000, unpacked / stored));
 }
@@ -64,10 +64,10 @@ PbfPieces::Block PbfPieces::readBlock() {
     const std::string size = readBytes(4);
     std::size_t headBytes = 0;
     for (const char byte : size) headBytes = headBytes * 256 + static_cast<unsigned char>(byte);
-    if (headBytes > mostHeadBytes) throw std::runtime_error("the head of a block is too large");
+    if (headBytes > maxHeadBytes) throw std::runtime_error("the head of a block is too large");
     const std::string head = readBytes(headBytes);
     const std::size_t blockBytes = findNumber(head, dataSizeField);
-    if (blockBytes == 0 || blockBytes > mostBlockBytes) throw std::runtime_error("a block's size is wrong");
+    if (blockBytes == 0 || blockBytes > maxBlockBytes) throw std::runtime_error("a block's size is wrong");
     const std::string block = readBytes(blockBytes);
     const std::size_t unpacked = findNumber(block, rawSizeField);
     checkUnpacked(unpacked, blockBytes);

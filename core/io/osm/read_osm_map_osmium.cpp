@@ -119,8 +119,8 @@ private:
 };
 
 // Limits of OpenStreetMap's own database.
-constexpr std::size_t mostNodes = 2000;     // of a way
-constexpr std::size_t mostMembers = 32000;  // of a relation
+constexpr std::size_t maxNodes = 2000;     // of a way
+constexpr std::size_t maxMembers = 32000;  // of a relation
 
 // XML that ends when the work is stopped; the parser then finds it damaged.
 class StoppableText final : public osmium::io::Decompressor {
@@ -229,8 +229,8 @@ private:
         const RelationKind kind = kindOf(relation.tags());
         if (isSplit(relation)) return split("relation", relation.id());
         if (!kind.multipolygon) return {};
-        if (relation.members().size() > mostMembers)
-            return tooLarge("relation", relation.id(), relation.members().size(), "members", mostMembers);
+        if (relation.members().size() > maxMembers)
+            return tooLarge("relation", relation.id(), relation.members().size(), "members", maxMembers);
         OsmRelation& kept = map_.relations.emplace_back(
             OsmRelation{relation.id(), kind.tagged, wantedTags(relation.tags(), selection_.keys), {}});
         for (const osmium::RelationMember& member : relation.members()) {
@@ -245,8 +245,8 @@ private:
     Taken take(const osmium::Way& way) {
         if (isSplit(way)) return split("way", way.id());
         if (way.nodes().size() < 2) return {};
-        if (way.nodes().size() > mostNodes)
-            return tooLarge("way", way.id(), way.nodes().size(), "nodes", mostNodes);
+        if (way.nodes().size() > maxNodes)
+            return tooLarge("way", way.id(), way.nodes().size(), "nodes", maxNodes);
         const bool area = way.ends_have_same_id() && isWantedArea(way.tags());
         const bool line = !area && hasOneOf(way.tags(), selection_.lineKeys);
         if (!area && !line && !std::ranges::binary_search(members_, way.id())) return {};

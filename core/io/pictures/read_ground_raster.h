@@ -14,13 +14,13 @@
 namespace noonmark {
 
 struct GroundRasterSettings {
-    int mostPixels = 4096;  ///< longest side of what is read, 1 to 8192: 64 MB at 4096
-    double finestM = 0.1;   ///< side of a cell, the least; above 0
+    int maxPixels = 4096;  ///< longest side of what is read, 1 to 8192: 64 MB at 4096
+    double finestM = 0.1;  ///< side of a cell, the least; above 0
 };
 
 /// Reads the part of a GeoTIFF or an Erdas Imagine file that lies in `box` (local metres), reprojected into
 /// the frame: one band (grey or with a colour table), three bands or more (red, green, blue first), of 8
-/// bits; a band of transparency and missing values count. A cell is as large as the box and mostPixels make
+/// bits; a band of transparency and missing values count. A cell is as large as the box and maxPixels make
 /// it, but not finer than finestM. Memory: the result, and 256 MB for reprojection. Error: not such a file,
 /// damaged, without position or coordinate reference system, not of 8 bits, more than 2e10 pixels, or all of
 /// it outside of the box; cancelled(). Some seconds for 1e9 pixels without overviews. Backend:

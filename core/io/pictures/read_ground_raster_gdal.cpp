@@ -36,16 +36,16 @@ struct Picture {
 };
 
 Result<void> checkBands(GDALDataset& dataset, const std::string& file) {
-    constexpr double mostCells = 2e10;
+    constexpr double maxCells = 2e10;
     const int bands = dataset.GetRasterCount();
     if (bands < 1) return failure("The raster holds no band", file);
     for (int i = 1; i <= std::min(bands, 4); ++i)
         if (dataset.GetRasterBand(i)->GetRasterDataType() != GDT_Byte)
             return failure("The raster is no picture: its bands are not of 8 bits", file,
                            "Choose an aerial photograph or a map, or export it with 8 bits per colour");
-    if (double(dataset.GetRasterXSize()) * double(dataset.GetRasterYSize()) > mostCells)
+    if (double(dataset.GetRasterXSize()) * double(dataset.GetRasterYSize()) > maxCells)
         return failure(fmt::format("The raster has {} x {} pixels, more than {:g} million in all",
-                                   dataset.GetRasterXSize(), dataset.GetRasterYSize(), mostCells / 1e6),
+                                   dataset.GetRasterXSize(), dataset.GetRasterYSize(), maxCells / 1e6),
                        file, "Cut out the part around the city");
     return {};
 }
@@ -82,9 +82,9 @@ Box2 outlineBox(const Picture& picture, const PixelPlaces& places) {
 
 Grid gridWithin(const Box2& box, const GroundRasterSettings& settings) {
     const glm::dvec2 size(box.high - box.low);
-    const double cell = std::max(settings.finestM, std::max(size.x, size.y) / settings.mostPixels);
+    const double cell = std::max(settings.finestM, std::max(size.x, size.y) / settings.maxPixels);
     const auto count = [&](double side) {
-        return std::clamp(int(std::ceil(side / cell)), 1, settings.mostPixels);
+        return std::clamp(int(std::ceil(side / cell)), 1, settings.maxPixels);
     };
     return {double(box.low.x), double(box.low.y), cell, count(size.x), count(size.y)};
 }

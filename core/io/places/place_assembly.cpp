@@ -65,7 +65,7 @@ bool isUsable(const StreetPiece& piece, Warnings& warnings) {
 // The strips beside `street` that no carriageway covers.
 std::vector<Footprint> cutSidewalks(StreetBlock street, double sidewalkM,
                                     const std::vector<Footprint>& carriageways) {
-    constexpr LeastPiece least{.areaM2 = 1, .widthM = 0.2};
+    constexpr MinPiece least{.areaM2 = 1, .widthM = 0.2};
     for (StreetLine& line : street.lines) line.widthM += 2 * sidewalkM;
     return cutPiecesOutside(widenStreet(street.lines), carriageways, least);
 }

@@ -63,13 +63,13 @@ constexpr std::array streetRules{
     StreetRule{"living_street", 6}, StreetRule{"pedestrian", 6},   StreetRule{"road", 7},
 };
 
-constexpr double leastWidthM = 1, mostWidthM = 100, mostLanes = 20;
+constexpr double minWidthM = 1, maxWidthM = 100, maxLanes = 20;
 
 std::optional<double> taggedWidth(const PlaceTags& tags) {
     const auto width = parseMetres(valueOf(tags, "width"));
-    if (width && *width >= leastWidthM && *width <= mostWidthM) return width;
+    if (width && *width >= minWidthM && *width <= maxWidthM) return width;
     const auto lanes = parseLevels(valueOf(tags, "lanes"));
-    if (lanes && *lanes >= 1 && *lanes <= mostLanes) return *lanes * metresPerLane;
+    if (lanes && *lanes >= 1 && *lanes <= maxLanes) return *lanes * metresPerLane;
     return std::nullopt;
 }
 

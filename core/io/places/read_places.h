@@ -18,7 +18,7 @@ namespace noonmark {
 
 struct PlaceSettings {
     /// Most places of one file: more would be a register of a whole country.
-    static constexpr std::size_t mostPlaces = 50'000;
+    static constexpr std::size_t maxPlaces = 50'000;
 
     std::set<PlaceKind> kinds;  ///< only these; empty: all
     bool streets = false;       ///< OpenStreetMap: also streets, as wide as tagged, else as is usual
@@ -26,9 +26,9 @@ struct PlaceSettings {
     /// Beside the carriageways of streets, strips of this width on both sides as places of their own; 0:
     /// none.
     double sidewalkM = 0;
-    static constexpr double mostSidewalkM = 20;
+    static constexpr double maxSidewalkM = 20;
     bool unnamed = true;      ///< also places without a name
-    double leastAreaM2 = 0;   ///< smaller places are left out
+    double minAreaM2 = 0;     ///< smaller places are left out
     double farAwayM = 60000;  ///< features farther from the frame's origin are left out, with a warning
 
     // Files other than OpenStreetMap's:
@@ -54,7 +54,7 @@ struct PlacesRead {
 /// cannot be used gives a warning.
 ///
 /// Error: the file cannot be read, is damaged, states no CRS, lacks the layer or field, or has more than
-/// mostPlaces places; cancelled(). An OpenStreetMap file without places gives none; another file without
+/// maxPlaces places; cancelled(). An OpenStreetMap file without places gives none; another file without
 /// polygons is an error. Some 20 us a feature, and for OpenStreetMap the time to read its file. Backend:
 /// read_places_gdal.cpp.
 Result<PlacesRead> readPlaces(const std::filesystem::path& file, const PlaceSettings& settings,

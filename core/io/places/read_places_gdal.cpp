@@ -94,7 +94,7 @@ public:
         std::ranges::move(
             makeStreets(streets, {settings_.wholeStreets, settings_.sidewalkM}, "OSM ", read.warnings),
             std::back_inserter(read.places));
-        std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.leastAreaM2; });
+        std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.minAreaM2; });
         nameApart(read.places);
         if (stop_.stop_requested()) return cancelled();
         progress_.report(1, "reading places");
@@ -104,8 +104,8 @@ public:
 private:
     Result<void> take(std::size_t layer, const OGRFeature& feature) {
         readers_[layer].read(feature);
-        if (readers_[layer].kept() <= PlaceSettings::mostPlaces) return {};
-        return limitReached(fmt::format("It holds more than {} places", PlaceSettings::mostPlaces), file_,
+        if (readers_[layer].kept() <= PlaceSettings::maxPlaces) return {};
+        return limitReached(fmt::format("It holds more than {} places", PlaceSettings::maxPlaces), file_,
                             "Cut out the part around the city");
     }
 

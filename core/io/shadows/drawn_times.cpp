@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/measures/place_run.h"
-#include "core/sun/window_steps.h"
+#include "core/sun/day_hours.h"
 
 namespace noonmark {
 
@@ -29,26 +29,26 @@ Result<std::vector<std::chrono::minutes>> timesOfDay(const DrawnTimeChoice& choi
     return times;
 }
 
-struct NamedWindow {
-    DayWindow window;
+struct NamedHours {
+    DayHours window;
     std::string clock;  // "09:00"
 };
 
-Result<std::vector<NamedWindow>> windowsOf(const DrawnTimeChoice& choice, const Zone& zone) {
+Result<std::vector<NamedHours>> namedHoursOf(const DrawnTimeChoice& choice, const Zone& zone) {
     const auto times = timesOfDay(choice);
     if (!times) return tl::make_unexpected(times.error());
-    std::vector<NamedWindow> windows;
+    std::vector<NamedHours> windows;
     for (const std::string& text : choice.days) {
         const auto day = parseDate(text);
         if (!day) return tl::make_unexpected(day.error());
         for (const std::chrono::minutes time : *times)
             windows.push_back({{*day, zone.instantAt(*day, time), 1}, formatText(time)});
     }
-    std::ranges::stable_sort(windows, {}, [](const NamedWindow& named) { return named.window.from; });
+    std::ranges::stable_sort(windows, {}, [](const NamedHours& named) { return named.window.from; });
     return windows;
 }
 
-DrawnTime timeOf(const NamedWindow& named, const SunStep& sun, const Zone& zone) {
+DrawnTime timeOf(const NamedHours& named, const SunStep& sun, const Zone& zone) {
     const std::string day = formatText(named.window.date);
     std::string digits = named.clock;
     std::erase(digits, ':');
@@ -61,10 +61,10 @@ Result<std::vector<DrawnTime>> listDrawnTimes(const DrawnTimeChoice& choice, con
                                               Warnings& warnings) {
     const auto zone = Zone::named(choice.zone);
     if (!zone) return tl::make_unexpected(zone.error());
-    const auto named = windowsOf(choice, *zone);
+    const auto named = namedHoursOf(choice, *zone);
     if (!named) return tl::make_unexpected(named.error());
-    std::vector<DayWindow> windows;
-    for (const NamedWindow& one : *named) windows.push_back(one.window);
+    std::vector<DayHours> windows;
+    for (const NamedHours& one : *named) windows.push_back(one.window);
     const auto sun = computeSunSteps(windows, {.stepMinutes = 1}, observerOfPlaces(city));
     if (!sun) return tl::make_unexpected(sun.error());
     std::vector<DrawnTime> times;

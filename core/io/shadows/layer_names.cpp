@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostLetters = 200;
+constexpr std::size_t maxLetters = 200;
 
 bool isPlain(char letter) {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
@@ -18,7 +18,7 @@ std::string plainName(std::string_view wanted) {
     std::string name;
     for (const char letter : wanted)
         if ((static_cast<unsigned char>(letter) & 0xC0U) != 0x80U) name += isPlain(letter) ? letter : '_';
-    name.resize(std::min(name.size(), mostLetters));
+    name.resize(std::min(name.size(), maxLetters));
     return name.empty() ? "layer" : name;
 }
 

@@ -16,7 +16,7 @@ constexpr float hiddenM = 1e6F;  // stands for elevations under buildings
 enum class Extreme { lowest, highest };
 
 // The extreme of each value and its neighbours up to a radius, of values `stride` apart.
-void slideWindow(const float* from, float* to, std::size_t stride, int count, int radius, Extreme extreme) {
+void slideExtreme(const float* from, float* to, std::size_t stride, int count, int radius, Extreme extreme) {
     std::deque<int> best;  // places whose values may still be the extreme, the best one first
     const auto at = [&](int i) { return from[std::size_t(i) * stride]; };
     const auto isNoBetter = [&](float old, float next) {
@@ -42,11 +42,11 @@ public:
         tbb::parallel_for(0, posts_.rows, [&](int row) {
             const std::size_t first = std::size_t(row) * columns;
             if (!stop_.stop_requested())
-                slideWindow(&values[first], &rows[first], 1, posts_.columns, radius, extreme);
+                slideExtreme(&values[first], &rows[first], 1, posts_.columns, radius, extreme);
         });
         tbb::parallel_for(std::size_t{0}, columns, [&](std::size_t column) {
             if (!stop_.stop_requested())
-                slideWindow(&rows[column], &both[column], columns, posts_.rows, radius, extreme);
+                slideExtreme(&rows[column], &both[column], columns, posts_.rows, radius, extreme);
         });
         return both;
     }
@@ -84,9 +84,9 @@ std::vector<char> findRaisedPosts(const Terrain& surface, const std::vector<char
     int before = 0;
     for (int radius = 1; before < widest && !stop.stop_requested(); radius = std::min(2 * radius, widest)) {
         std::vector<float> opened = filter.open(values, radius);
-        const auto mostM = float(std::min(3.0, 0.5 + 0.3 * 2 * (radius - before) * cellM));
+        const auto maxM = float(std::min(3.0, 0.5 + 0.3 * 2 * (radius - before) * cellM));
         for (std::size_t i = 0; i < values.size(); ++i)
-            if (values[i] - opened[i] > mostM) raised[i] = 1;
+            if (values[i] - opened[i] > maxM) raised[i] = 1;
         values = std::move(opened);
         before = radius;
     }

@@ -94,14 +94,14 @@ bool hasAssumedHeight(const Building& building) {
 
 std::shared_ptr<const Building> withHeights(
     const Building& building, const std::function<std::optional<float>(const Part&)>& heightOf) {
-    constexpr float leastM = 1;
+    constexpr float minM = 1;
     Building measured = building;
     const float baseM = std::ranges::min_element(building.parts, {}, &Part::bottomM)->bottomM;
     bool any = false;
     for (Part& part : measured.parts) {
         if (part.heightSource != HeightSource::assumed) continue;
         const auto height = heightOf(part);
-        if (!height || baseM + *height < part.bottomM + leastM) continue;
+        if (!height || baseM + *height < part.bottomM + minM) continue;
         part.topM = baseM + *height;
         part.heightSource = HeightSource::measured;
         any = true;

@@ -32,7 +32,7 @@ std::vector<glm::dvec2> PixelPlaces::local(const std::vector<glm::dvec2>& pixels
 namespace {
 
 // A lattice of points over a window, corners included, `side` + 1 in each direction; row by row.
-std::vector<glm::dvec2> latticeOver(const PixelWindow& window, int side) {
+std::vector<glm::dvec2> latticeOver(const PixelExtent& window, int side) {
     std::vector<glm::dvec2> pixels;
     for (int y = 0; y <= side; ++y)
         for (int x = 0; x <= side; ++x)
@@ -58,7 +58,7 @@ struct QuadBox {
 };
 
 // The part of a window in which cells of a lattice overlap the square around the origin.
-std::optional<PixelWindow> shrunk(const PixelWindow& window, const PixelPlaces& places, double farAwayM) {
+std::optional<PixelExtent> shrunk(const PixelExtent& window, const PixelPlaces& places, double farAwayM) {
     constexpr int side = 64;
     const std::vector<glm::dvec2> corners = places.local(latticeOver(window, side));
     glm::ivec2 first(side), end(0);
@@ -75,16 +75,16 @@ std::optional<PixelWindow> shrunk(const PixelWindow& window, const PixelPlaces& 
     const auto from = [](int count, int at) { return int(std::int64_t(count) * at / side); };
     const auto to = [](int count, int at) { return int((std::int64_t(count) * at + side - 1) / side); };
     const int left = from(window.columns, first.x), top = from(window.rows, first.y);
-    return PixelWindow{window.column + left, window.row + top, to(window.columns, end.x) - left,
+    return PixelExtent{window.column + left, window.row + top, to(window.columns, end.x) - left,
                        to(window.rows, end.y) - top};
 }
 
 }  // namespace
 
-std::optional<PixelWindow> windowNear(const RasterPlace& raster, const PixelPlaces& places, double farAwayM) {
-    std::optional<PixelWindow> window = PixelWindow{0, 0, raster.columns, raster.rows};
-    constexpr int mostRounds = 12;  // each round leaves a thirtieth of the window, or nearly the final one
-    for (int round = 0; round < mostRounds; ++round) {
+std::optional<PixelExtent> extentNear(const RasterPlace& raster, const PixelPlaces& places, double farAwayM) {
+    std::optional<PixelExtent> window = PixelExtent{0, 0, raster.columns, raster.rows};
+    constexpr int maxRounds = 12;  // each round leaves a thirtieth of the window, or nearly the final one
+    for (int round = 0; round < maxRounds; ++round) {
         const auto next = shrunk(*window, places, farAwayM);
         if (!next || *next == *window) return next;
         window = next;
@@ -157,7 +157,7 @@ private:
 // The true positions of a window's posts, at `side` x `side` of them or of points between.
 class TruePlaces {
 public:
-    TruePlaces(const PixelPlaces& places, const PixelWindow& window, bool flipped)
+    TruePlaces(const PixelPlaces& places, const PixelExtent& window, bool flipped)
         : places_(places), window_(window), flipped_(flipped) {}
 
     // Columns and rows of these posts.
@@ -192,19 +192,19 @@ public:
 
 private:
     const PixelPlaces& places_;
-    const PixelWindow& window_;
+    const PixelExtent& window_;
     bool flipped_;
 };
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-bool turnsRight(const PixelPlaces& places, const PixelWindow& window) {
+bool turnsRight(const PixelPlaces& places, const PixelExtent& window) {
     const glm::dvec2 middle(window.column + window.columns / 2.0, window.row + window.rows / 2.0);
     const auto at = places.local({middle, middle + glm::dvec2(1, 0), middle + glm::dvec2(0, 1)});
     return cross(at[1] - at[0], at[2] - at[0]) < 0;
 }
 
-PostGrid gridOf(const EvenSamples::Coefficients& c, const PixelWindow& window) {
+PostGrid gridOf(const EvenSamples::Coefficients& c, const PixelExtent& window) {
     PostGrid grid;
     grid.columns = window.columns;
     grid.rows = window.rows;
@@ -219,7 +219,7 @@ PostGrid gridOf(const EvenSamples::Coefficients& c, const PixelWindow& window) {
 
 }  // namespace
 
-PlacedPosts placePosts(const PixelPlaces& places, const PixelWindow& window) {
+PlacedPosts placePosts(const PixelPlaces& places, const PixelExtent& window) {
     constexpr double exactM = 0.001;
     const bool flipped = turnsRight(places, window);
     const TruePlaces truth(places, window, flipped);

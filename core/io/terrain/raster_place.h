@@ -38,15 +38,15 @@ private:
 };
 
 /// A window of a raster.
-struct PixelWindow {
+struct PixelExtent {
     int column = 0, row = 0;  ///< the first pixel
     int columns = 0, rows = 0;
     [[nodiscard]] std::size_t size() const { return std::size_t(columns) * std::size_t(rows); }
-    bool operator==(const PixelWindow&) const = default;
+    bool operator==(const PixelExtent&) const = default;
 };
 
 /// The pixels within `farAwayM` of the origin to each side, and few others. Nothing: there are none.
-std::optional<PixelWindow> windowNear(const RasterPlace& raster, const PixelPlaces& places, double farAwayM);
+std::optional<PixelExtent> extentNear(const RasterPlace& raster, const PixelPlaces& places, double farAwayM);
 
 /// The centres of a window's pixels as posts.
 struct PlacedPosts {
@@ -58,6 +58,6 @@ struct PlacedPosts {
 
 /// Places the posts by steps alone if that is accurate to 1 mm, otherwise with a bend of the third degree.
 /// The window must have at least two columns and two rows.
-PlacedPosts placePosts(const PixelPlaces& places, const PixelWindow& window);
+PlacedPosts placePosts(const PixelPlaces& places, const PixelExtent& window);
 
 }  // namespace noonmark

@@ -81,11 +81,11 @@ Result<Source> openSource(const std::filesystem::path& file, const ReadSettings&
 // Grids in text have at least two bytes per cell; one of 500 bytes that claims 10^9 rows keeps GDAL busy for
 // minutes. A raster must also not have so many cells that resampling it takes hours.
 Result<void> checkCells(const Source& source) {
-    constexpr double mostCells = 2e10;
+    constexpr double maxCells = 2e10;
     const double cells = double(source.band().GetXSize()) * double(source.band().GetYSize());
-    if (cells > mostCells)
+    if (cells > maxCells)
         return failure(fmt::format("The raster has {} x {} cells, more than {:g} million in all",
-                                   source.band().GetXSize(), source.band().GetYSize(), mostCells / 1e6),
+                                   source.band().GetXSize(), source.band().GetYSize(), maxCells / 1e6),
                        source.file, "Cut out the part around the city, or make its cells larger");
     const std::string driver = source.dataset->GetDriver()->GetDescription();
     if (driver != "AAIGrid" && driver != "GRASSASCIIGrid" && driver != "ISG") return {};
@@ -228,7 +228,7 @@ public:
     }
 
     // Metres above the datum. False if GDAL failed.
-    bool read(const PixelWindow& window, float* values) {
+    bool read(const PixelExtent& window, float* values) {
         GDALRasterBand& band = source_.band();
         if (band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows, values,
                           window.columns, window.rows, GDT_Float32, 0, 0, nullptr) != CE_None)
@@ -253,7 +253,7 @@ private:
 
 // The window's pixels in the order of the posts. Empty if GDAL failed or was stopped.
 std::vector<float> savedElevations(Source& source, const TerrainGrid& place, const Watcher& watcher) {
-    const PixelWindow& window = place.window;
+    const PixelExtent& window = place.window;
     const auto columns = std::size_t(window.columns);
     const int rowsAtOnce = std::max(1, int((std::size_t(1) << 20) / columns));
     RowReader reader(source);
@@ -275,13 +275,13 @@ std::vector<float> savedElevations(Source& source, const TerrainGrid& place, con
 
 // Measures how far the resampled surface deviates from the raster's own posts, at up to 200 x 200 of them.
 bool measureResampling(Source& source, const PixelPlaces& places, const Frame& frame,
-                       const PixelWindow& window, Terrain& terrain) {
+                       const PixelExtent& window, Terrain& terrain) {
     constexpr int most = 200;
     RowReader reader(source);
     std::vector<float> values(std::size_t(window.columns));
     double squares = 0, count = 0;
     for (int row = 0; row < window.rows; row += std::max(1, window.rows / most)) {
-        const PixelWindow one{window.column, window.row + row, window.columns, 1};
+        const PixelExtent one{window.column, window.row + row, window.columns, 1};
         if (!reader.read(one, values.data())) return false;
         std::vector<glm::dvec2> pixels;
         for (int column = 0; column < window.columns; column += std::max(1, window.columns / most))

@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int mostSamplesAcross = 32;
+constexpr int maxSamplesAcross = 32;
 
 float lowestAtCorners(const Footprint& footprint, const Terrain& terrain) {
     float lowest = 1e30F;
@@ -21,8 +21,7 @@ float lowestAtCorners(const Footprint& footprint, const Terrain& terrain) {
 float lowestInside(const Footprint& footprint, const Terrain& terrain) {
     const Box2 box = bounds(footprint);
     const glm::dvec2 size = glm::dvec2(box.high) - glm::dvec2(box.low);
-    const double step =
-        std::max({terrain.grid.cellM, size.x / mostSamplesAcross, size.y / mostSamplesAcross});
+    const double step = std::max({terrain.grid.cellM, size.x / maxSamplesAcross, size.y / maxSamplesAcross});
     float lowest = 1e30F;
     for (double y = double(box.low.y) + step / 2; y < double(box.high.y); y += step)
         for (double x = double(box.low.x) + step / 2; x < double(box.high.x); x += step)

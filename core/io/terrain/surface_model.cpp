@@ -18,7 +18,7 @@ namespace noonmark {
 namespace {
 
 constexpr double widestCellM = 10;
-constexpr double leastStepM = 1.5, leastStepShare = 0.4;
+constexpr double minStepM = 1.5, minStepShare = 0.4;
 
 double medianOf(std::vector<double>& values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -121,9 +121,9 @@ std::optional<double> statedHeight(const Building& building) {
 }
 
 bool isRoof(double stepM, const Building& building) {
-    if (stepM <= leastStepM) return false;
+    if (stepM <= minStepM) return false;
     const auto height = statedHeight(building);
-    return !height || stepM > leastStepShare * *height;
+    return !height || stepM > minStepShare * *height;
 }
 
 // Elevations of the surface at points of a grid in the footprint, at least `insideM` from its outline along
@@ -131,8 +131,8 @@ bool isRoof(double stepM, const Building& building) {
 std::vector<double> sampleInside(const Footprint& footprint, const Terrain& surface, double insideM) {
     const Box2 box = bounds(footprint);
     const glm::dvec2 low(box.low), size = glm::dvec2(box.high) - low;
-    constexpr double mostAcross = 32;
-    const double step = std::max({surface.grid.cellM, size.x / mostAcross, size.y / mostAcross});
+    constexpr double maxAcross = 32;
+    const double step = std::max({surface.grid.cellM, size.x / maxAcross, size.y / maxAcross});
     std::vector<double> found;
     for (double y = low.y + step / 2; y < double(box.high.y); y += step)
         for (double x = low.x + step / 2; x < double(box.high.x); x += step) {

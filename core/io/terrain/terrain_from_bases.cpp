@@ -53,7 +53,7 @@ BaseRelief measureRelief(std::span<const BasedBuilding> buildings) {
         const double off = std::abs(double(bases[a].z) - double(bases[b].z));
         ++relief.pairs;
         relief.uneven += off > BaseRelief::unevenM ? 1 : 0;
-        relief.mostM = std::max(relief.mostM, off);
+        relief.maxM = std::max(relief.maxM, off);
     }
     return relief;
 }
@@ -62,7 +62,7 @@ std::string formatText(const BaseRelief& relief) {
     return fmt::format(
         "{} of {} pairs of neighbours within {:.0f} m differ by more than {:.0f} m in ground elevation, by "
         "{:.1f} m at most",
-        relief.uneven, relief.pairs, BaseRelief::neighboursM, BaseRelief::unevenM, relief.mostM);
+        relief.uneven, relief.pairs, BaseRelief::neighboursM, BaseRelief::unevenM, relief.maxM);
 }
 
 std::optional<Terrain> interpolateBases(std::span<const BasedBuilding> buildings) {

@@ -23,7 +23,7 @@ struct BaseRelief {
     static constexpr double neighboursM = 100, unevenM = 1, mattersShare = 0.05;
     std::size_t pairs = 0;
     std::size_t uneven = 0;  ///< pairs that differ by more than 1 m
-    double mostM = 0;        ///< the largest difference
+    double maxM = 0;         ///< the largest difference
     /// Whether flat ground would move shadows: more than one pair in twenty is uneven.
     [[nodiscard]] bool matters() const { return double(uneven) > mattersShare * double(pairs); }
 };

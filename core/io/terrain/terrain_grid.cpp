@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostPosts = 64e6;
+constexpr double maxPosts = 64e6;
 
 bool isFinite(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }
 
@@ -37,7 +37,7 @@ double pixelM(const RasterPlace& raster, const CrsToLonLat& crs) {
 }
 
 // Points along the window's four sides, in order; points that cannot be transformed are left out.
-Ring borderOf(const PixelWindow& window, const PixelPlaces& places) {
+Ring borderOf(const PixelExtent& window, const PixelPlaces& places) {
     const glm::dvec2 first(window.column, window.row), size(window.columns, window.rows);
     constexpr int perSide = 20;
     std::vector<glm::dvec2> pixels;
@@ -58,7 +58,7 @@ void chooseSquares(TerrainGrid& place, double farAwayM) {
     const glm::dvec2 low = glm::max(glm::dvec2(box.low), glm::dvec2(-farAwayM));
     const glm::dvec2 size = glm::min(glm::dvec2(box.high), glm::dvec2(farAwayM)) - low;
     const double pixel = std::clamp(place.source.sourceCellM, 0.25, 1000.0);
-    const double cell = std::max(pixel, std::sqrt(size.x * size.y / mostPosts));
+    const double cell = std::max(pixel, std::sqrt(size.x * size.y / maxPosts));
     place.resampledTo =
         Grid{low.x, low.y, cell, std::max(2, int(size.x / cell)), std::max(2, int(size.y / cell))};
     place.posts = *place.resampledTo;
@@ -80,8 +80,8 @@ void warnOfSquares(TerrainGrid& place, const std::string& file) {
 
 // Whether the raster's own rows and columns can be used.
 bool keptWhole(TerrainGrid& place, const PixelPlaces& places) {
-    const PixelWindow& window = place.window;
-    if (window.columns < 2 || window.rows < 2 || double(window.size()) > mostPosts) return false;
+    const PixelExtent& window = place.window;
+    if (window.columns < 2 || window.rows < 2 || double(window.size()) > maxPosts) return false;
     const PlacedPosts placed = placePosts(places, window);
     if (!(placed.misplacedM <= std::max(0.01, placed.posts.cellM / 50))) return false;
     place.posts = placed.posts;
@@ -136,11 +136,11 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
                     .sourceRows = std::size_t(raster.rows),
                     .sourceCellM = pixel};
     const PixelPlaces places(raster, crs, place.frame);
-    const auto window = windowNear(raster, places, settings.farAwayM);
+    const auto window = extentNear(raster, places, settings.farAwayM);
     if (!window)
         return failure("The terrain does not cover the city", file, "Choose a terrain of the same area");
     place.window = *window;
-    place.source.cut = *window != PixelWindow{0, 0, raster.columns, raster.rows};
+    place.source.cut = *window != PixelExtent{0, 0, raster.columns, raster.rows};
     if (place.source.cut)
         place.warnings.push_back({WarningKind::clipped, "terrain far from the city was left out", file});
     place.border = borderOf(*window, places);

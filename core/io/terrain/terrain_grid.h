@@ -20,7 +20,7 @@ namespace noonmark {
 /// The posts of a terrain raster, before their elevations are known.
 struct TerrainGrid {
     Frame frame;
-    PixelWindow window;  ///< the pixels in use
+    PixelExtent window;  ///< the pixels in use
     PostGrid posts;
     /// The posts' row 0 is the window's last row; only for posts that are not resampled
     bool flipped = false;

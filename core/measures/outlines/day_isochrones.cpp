@@ -12,8 +12,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostCells = 600'000;
-constexpr double mostCellsTraced = 90'000;  // a ray is much slower
+constexpr double maxCells = 600'000;
+constexpr double maxCellsTraced = 90'000;  // a ray is much slower
 
 /// Everywhere in the area, whatever stands there.
 Result<Receivers> placeEverywhere(const City& city, const Box2& area, double cells,
@@ -31,7 +31,7 @@ Result<DayIsochrones> traceDayIsochrones(const City& city, const SunSteps& day,
                                          const std::stop_token& stop) {
     const auto above = settings.planeM ? cutAbovePlane(city, *settings.planeM) : std::nullopt;
     const bool raysOnly = settings.planeM && !above;
-    auto receivers = placeEverywhere(city, settings.area, raysOnly ? mostCellsTraced : mostCells, stop);
+    auto receivers = placeEverywhere(city, settings.area, raysOnly ? maxCellsTraced : maxCells, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
     if (raysOnly) raiseToPlane(*receivers, *settings.planeM);
     const auto field = raysOnly

@@ -42,12 +42,11 @@ std::vector<glm::dvec2> spread(const Ring& ring, double spacingM) {
 
 Result<void> checkLines(const LineSettings& settings) {
     const auto fits = [](double metres) {
-        return metres >= LineSettings::leastOffsetM && metres <= LineSettings::mostOffsetM;
+        return metres >= LineSettings::minOffsetM && metres <= LineSettings::maxOffsetM;
     };
     if (settings.offsetsM.empty() || !std::ranges::all_of(settings.offsetsM, fits))
         return failure("The distances of the lines are out of range", "lines", "Give 0.1 to 500 m: 5,10");
-    if (!(settings.spacingM >= LineSettings::leastSpacingM &&
-          settings.spacingM <= LineSettings::mostSpacingM))
+    if (!(settings.spacingM >= LineSettings::minSpacingM && settings.spacingM <= LineSettings::maxSpacingM))
         return failure("The spacing of the points is out of range", "lines", "Give 0.1 to 100 m");
     return {};
 }
@@ -108,7 +107,7 @@ Result<PointReceivers> placeOnLines(const City& city, const std::vector<Footprin
         const auto rings = drawLines(parcels, offset);
         if (!rings) return tl::make_unexpected(rings.error());
         for (const Ring& ring : *rings) points += partsOf(ring, settings.spacingM);
-        if (points > mostReceivers)
+        if (points > maxReceivers)
             return limitReached("The lines have too many points", "lines", "Give a larger spacing");
         placer.addLine(*rings, offset);
     }

@@ -33,7 +33,7 @@ std::optional<double> widthFrom(std::string_view text) {
     double widthM = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), widthM);
     const bool isNumber = error == std::errc() && end == text.data() + text.size();
-    if (!isNumber || !(widthM >= leastRoadM && widthM <= mostRoadM)) return std::nullopt;
+    if (!isNumber || !(widthM >= minRoadM && widthM <= maxRoadM)) return std::nullopt;
     return widthM;
 }
 
@@ -47,7 +47,7 @@ Result<RoadFront> parseFront(std::string_view text) {
         equals == std::string_view::npos ? std::nullopt : widthFrom(trimmed(text.substr(equals + 1)));
     if (!width)
         return failure(fmt::format("'{}' has no width of a road", text), "road",
-                       fmt::format("Widths are {:g} to {:g} m: for example south=8", leastRoadM, mostRoadM));
+                       fmt::format("Widths are {:g} to {:g} m: for example south=8", minRoadM, maxRoadM));
     return RoadFront{*side, *width};
 }
 

@@ -26,10 +26,10 @@ std::string_view nameOf(ParcelSide side);
 /// A road, water or railway along the edges of a parcel that face about `side`.
 struct RoadFront {
     ParcelSide side = ParcelSide::north;
-    double widthM = 0;  ///< leastRoadM to mostRoadM
+    double widthM = 0;  ///< minRoadM to maxRoadM
     bool operator==(const RoadFront&) const = default;
 };
-inline constexpr double leastRoadM = 0.01, mostRoadM = 200;
+inline constexpr double minRoadM = 0.01, maxRoadM = 200;
 
 /// "south=8, east=12.5"; no road: empty.
 std::string formatText(const std::vector<RoadFront>& roads);

@@ -17,7 +17,7 @@ namespace {
 constexpr double sideDeg = 15;       // walls and windows of one side
 constexpr double onFaceM = 0.6;      // a window belongs to a wall that is at most so far away
 constexpr double inFrontOfM = 0.75;  // a wall that is nearer by this covers what is behind it
-constexpr int mostLayers = 12;
+constexpr int maxLayers = 12;
 
 double azimuthDegOf(glm::dvec2 normal) {
     const double azimuth = std::atan2(normal.x, normal.y) * 180 / std::numbers::pi;
@@ -37,8 +37,8 @@ struct SideFace {
 };
 
 /// A window and where it is in a side.
-struct SideWindow {
-    ElevationWindow drawn;
+struct SideGlazing {
+    ElevationGlazing drawn;
     glm::dvec3 middle{};
     double depthM = 0;
     std::optional<std::size_t> face{};  // that it is on
@@ -57,9 +57,9 @@ public:
 
     void add(std::size_t index, const ElevationPane& pane) {
         const PaneAxes axes = findPaneAxes(pane.normal);
-        SideWindow window{{index, glm::dvec2(1e30), glm::dvec2(-1e30)},
-                          pane.middle,
-                          glm::dot(glm::dvec2(pane.middle), normal_)};
+        SideGlazing window{{index, glm::dvec2(1e30), glm::dvec2(-1e30)},
+                           pane.middle,
+                           glm::dot(glm::dvec2(pane.middle), normal_)};
         for (const double x : {pane.size.low.x, pane.size.high.x})
             for (const double y : {pane.size.low.y, pane.size.high.y}) {
                 const glm::dvec2 place = placeOf(pane.middle + x * axes.along + y * axes.up);
@@ -73,20 +73,20 @@ public:
     [[nodiscard]] std::vector<FacadeElevation> draw() const {
         std::vector<FacadeElevation> layers;
         std::vector<bool> isShown(faces_.size(), true);
-        std::vector<const SideWindow*> left;
-        for (const SideWindow& window : windows_) left.push_back(&window);
+        std::vector<const SideGlazing*> left;
+        for (const SideGlazing& window : windows_) left.push_back(&window);
         bool onlyTheirWalls = false;  // the walls of the windows that are left
         bool coverEachOther = false;  // walls that cross, as those of a twisted tower
         while (!left.empty()) {
-            const bool isLast = int(layers.size()) + 1 == mostLayers || coverEachOther;
-            std::vector<const SideWindow*> covered;
+            const bool isLast = int(layers.size()) + 1 == maxLayers || coverEachOther;
+            std::vector<const SideGlazing*> covered;
             FacadeElevation layer = drawLayer(isShown, left, isLast, covered);
             // Nearer walls may cover all: then the windows are seen only without them.
             if (!layer.windows.empty()) layers.push_back(std::move(layer));
             coverEachOther = onlyTheirWalls && covered.size() == left.size();
             onlyTheirWalls = true;
             isShown.assign(faces_.size(), false);
-            for (const SideWindow* window : covered)
+            for (const SideGlazing* window : covered)
                 if (window->face) isShown[*window->face] = true;
             left = std::move(covered);
         }
@@ -108,7 +108,7 @@ private:
         return wall.covers({along, place.z});
     }
 
-    [[nodiscard]] std::optional<std::size_t> faceOf(const SideWindow& window) const {
+    [[nodiscard]] std::optional<std::size_t> faceOf(const SideGlazing& window) const {
         std::optional<std::size_t> nearest;
         double distance = onFaceM;
         for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -120,7 +120,7 @@ private:
         return nearest;
     }
 
-    [[nodiscard]] bool isCovered(const SideWindow& window, const std::vector<bool>& isShown) const {
+    [[nodiscard]] bool isCovered(const SideGlazing& window, const std::vector<bool>& isShown) const {
         for (std::size_t i = faces_.size(); i-- > 0;) {
             if (faces_[i].depthM <= window.depthM + inFrontOfM) return false;
             if (isShown[i] && i != window.face && covers(faces_[i], window.middle)) return true;
@@ -146,8 +146,8 @@ private:
     }
 
     [[nodiscard]] FacadeElevation drawLayer(const std::vector<bool>& isShown,
-                                            const std::vector<const SideWindow*>& windows, bool takesAll,
-                                            std::vector<const SideWindow*>& covered) const {
+                                            const std::vector<const SideGlazing*>& windows, bool takesAll,
+                                            std::vector<const SideGlazing*>& covered) const {
         FacadeElevation layer{.normal = normal_, .low = glm::dvec2(1e30), .high = glm::dvec2(-1e30)};
         layer.floorM = floorM_;
         const auto grow = [&](glm::dvec2 place) {
@@ -158,7 +158,7 @@ private:
             if (isShown[i]) layer.faces.push_back(drawFace(faces_[i]));
         for (const ElevationFace& face : layer.faces)
             for (const auto& polygon : face.polygons) std::ranges::for_each(polygon, grow);
-        for (const SideWindow* window : windows) {
+        for (const SideGlazing* window : windows) {
             if (!takesAll && isCovered(*window, isShown)) {
                 covered.push_back(window);
                 continue;
@@ -172,7 +172,7 @@ private:
     glm::dvec2 normal_, along_;
     double floorM_;
     std::vector<SideFace> faces_;
-    std::vector<SideWindow> windows_;
+    std::vector<SideGlazing> windows_;
 };
 
 /// The direction of most of these panes, to a degree.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/city/building.h"
-#include "core/receivers/points/window_pane.h"
+#include "core/receivers/points/glazing_pane.h"
 
 namespace noonmark {
 
@@ -19,7 +19,7 @@ struct ElevationFace {
     double depthM = 0;  ///< towards the viewer, the larger the nearer
     std::vector<std::vector<glm::dvec2>> polygons;
 };
-struct ElevationWindow {
+struct ElevationGlazing {
     std::size_t pane = 0;  ///< index in the list of panes
     glm::dvec2 low{}, high{};
 };
@@ -31,7 +31,7 @@ struct FacadeElevation {
     /// layers, with their own walls only. From 1.
     int layer = 1, layers = 1;
     std::vector<ElevationFace> faces;  ///< from back to front
-    std::vector<ElevationWindow> windows;
+    std::vector<ElevationGlazing> windows;
     glm::dvec2 low{}, high{};  ///< the box around faces and windows
     double floorM = 0;         ///< z of the lowest wall of the building, from which storeys are counted
 };

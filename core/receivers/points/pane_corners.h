@@ -2,12 +2,12 @@
 
 #include <array>
 
-#include "core/receivers/points/window_pane.h"
+#include "core/receivers/points/glazing_pane.h"
 
 namespace noonmark {
 
 /// The rectangle of a window that is a point: 1 x 1.2 m.
-inline constexpr PaneSize usualPane{{-0.5, -0.6}, {0.5, 0.6}};
+inline constexpr PaneSize defaultPane{{-0.5, -0.6}, {0.5, 0.6}};
 
 /// The corners of a pane in local metres, 3 cm in front of its wall, counterclockwise seen from in front.
 /// `normal`: a unit vector, outward. The size must be known.

@@ -43,15 +43,15 @@ double findMeanGroundM(const City& city, const Region& region) {
 
 Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
                                  double heightM, const std::stop_token& stop) {
-    if (!(heightM >= 0 && heightM <= mostPlaneHeightM))
+    if (!(heightM >= 0 && heightM <= maxPlaneHeightM))
         return failure(fmt::format("A plane {} m above the ground is out of range", heightM), "plane",
                        "Give 0 to 1000 m");
     const auto grid = gridOver(region, settings);
     if (!grid) return tl::make_unexpected(grid.error());
-    if (grid->size() > mostReceivers)
+    if (grid->size() > maxReceivers)
         return limitReached(
             fmt::format("The plane has {} cells", grid->size()), region.name,
-            fmt::format("Choose larger cells or a smaller region; the limit is {}", mostReceivers));
+            fmt::format("Choose larger cells or a smaller region; the limit is {}", maxReceivers));
     const SolidParts solids(city);
     const std::vector<std::uint32_t> cells = collectCells(region.polygons, *grid);
     PlanePoints plane;

@@ -19,7 +19,7 @@ struct PlanePoints {
     std::size_t belowGround = 0;  ///< cells that are left out, as the ground rises above the plane
 };
 
-inline constexpr double mostPlaneHeightM = 1000;
+inline constexpr double maxPlaneHeightM = 1000;
 
 /// Local z of the mean of a region's ground, from cells of about 1 m, or of 1/1000 of its size where that is
 /// larger.
@@ -27,7 +27,7 @@ double findMeanGroundM(const City& city, const Region& region);
 
 /// One receiver in the middle of each cell of the region, on the horizontal plane `heightM` above the mean of
 /// the region's ground, facing up. Ids are "column,row" of the grid that gridOver() makes. Error: a height
-/// outside 0 to mostPlaneHeightM, a cell out of range, more than mostReceivers cells, cancelled().
+/// outside 0 to maxPlaneHeightM, a cell out of range, more than maxReceivers cells, cancelled().
 Result<PlanePoints> placeOnPlane(const City& city, const Region& region, const ReceiverSettings& settings,
                                  double heightM, const std::stop_token& stop = {});
 

@@ -44,7 +44,7 @@ Result<ListedPoint> pointFrom(const PointFields& fields, const std::string& wher
     if (!lon || !lat || std::abs(*lon) > 180 || std::abs(*lat) > 90)
         return failure(fmt::format("'{},{}' is not a place", fields.lon, fields.lat), where, pointAdvice);
     point.at = {*lon, *lat};
-    if (!readOptional(fields.height, 0, ListedPoint::mostHeightM, point.heightM))
+    if (!readOptional(fields.height, 0, ListedPoint::maxHeightM, point.heightM))
         return failure(fmt::format("'{}' is not a height of 0 to 2000 m", fields.height), where, pointAdvice);
     if (!readOptional(fields.facing, 0, 360, point.facingDeg))
         return failure(fmt::format("'{}' is not an azimuth of 0 to 360 degrees", fields.facing), where,
@@ -123,9 +123,9 @@ Result<std::vector<ListedPoint>> parsePointList(std::string_view text, const std
     }
     const std::size_t count = rows.size() - (headed ? 1 : 0);
     if (count == 0) return failure("There are no points", source, pointAdvice);
-    if (count > mostListedPoints)
+    if (count > maxListedPoints)
         return limitReached(fmt::format("There are {} points", count), source,
-                            fmt::format("Give at most {}", mostListedPoints));
+                            fmt::format("Give at most {}", maxListedPoints));
     std::vector<ListedPoint> points;
     std::set<std::string> ids;
     for (std::size_t i = headed ? 1 : 0; i < rows.size(); ++i) {

@@ -12,7 +12,7 @@ namespace noonmark {
 
 /// A single point where sunlight is measured.
 struct ListedPoint {
-    static constexpr double mostHeightM = 2000;
+    static constexpr double maxHeightM = 2000;
 
     std::string id;  ///< never empty
     LonLat at;
@@ -20,7 +20,7 @@ struct ListedPoint {
     std::optional<double> facingDeg;  ///< azimuth from true north that a wall faces; none: a level surface
     bool operator==(const ListedPoint&) const = default;
 };
-inline constexpr std::size_t mostListedPoints = 10'000;
+inline constexpr std::size_t maxListedPoints = 10'000;
 
 /// Reads "LON,LAT[,H[,FACING]]": degrees, metres above the ground, degrees. The id is left empty. Error:
 /// anything else, or a value out of range.
@@ -31,7 +31,7 @@ std::string formatText(const ListedPoint& point);
 /// Reads a list of points as CSV, one a row. With a heading: columns lon and lat, and optionally id (or
 /// name), height (or height_m, h) and facing (or facing_deg, azimuth), in any order; other columns are not
 /// read. Without a heading: lon, lat, height, facing. A point without an id is named after its row: "point
-/// 3". `source` names the text in errors. Error: no points, more than mostListedPoints, an id that is used
+/// 3". `source` names the text in errors. Error: no points, more than maxListedPoints, an id that is used
 /// twice, a column that is missing, or a value that is no number or out of range (with its line).
 Result<std::vector<ListedPoint>> parsePointList(std::string_view text, const std::string& source);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The folder core/receivers/points places receivers that are points: windows (window_receivers.h) and planes
+// The folder core/receivers/points places receivers that are points: windows (glazing_receivers.h) and planes
 // (plane_points.h); facades are in core/receivers/point_receivers.h. solid_parts.h tells what is inside a
 // building, wall_finder.h which wall a place is at.
 

@@ -7,8 +7,8 @@
 namespace noonmark {
 
 int runsWanted(const Criterion& criterion) {
-    const bool inParts = criterion.measure == Measure::share && criterion.spot.mostParts > 0;
-    return inParts ? criterion.spot.mostParts : criterion.runs;
+    const bool inParts = criterion.measure == Measure::share && criterion.spot.maxParts > 0;
+    return inParts ? criterion.spot.maxParts : criterion.runs;
 }
 
 RunCounts countRuns(const Criterion& criterion, std::span<const std::uint32_t> lengths, double stepMin) {
@@ -43,8 +43,8 @@ bool meets(const SpotCondition& spot, const RunCounts& runs, const RunError& err
     const double total = runs.total * error.stepMin + runs.count * off + rounding;
     if ((spot.unbroken ? longest : total) >= spot.minutes) return true;
     if (spot.brokenMinutes <= 0 || longest < spot.partMinutes) return false;
-    if (spot.mostParts == 0) return total >= spot.brokenMinutes;
-    const std::uint32_t parts = std::min(runs.count, std::uint32_t(spot.mostParts));
+    if (spot.maxParts == 0) return total >= spot.brokenMinutes;
+    const std::uint32_t parts = std::min(runs.count, std::uint32_t(spot.maxParts));
     return runs.longestRuns * error.stepMin + parts * off + rounding >= spot.brokenMinutes;
 }
 

@@ -123,8 +123,8 @@ Suspects listSuspects(const PlaceShadow& shadow, Quantity quantity, const std::v
         if (isWorse(bounds[cell], worst)) cells.push_back(cell);
     std::ranges::stable_sort(cells, isWorse, [&](std::uint32_t cell) { return bounds[cell]; });
     Suspects suspects;
-    if (cells.size() > mostSuspects) suspects.next = bounds[cells[mostSuspects]];
-    cells.resize(std::min(cells.size(), mostSuspects));
+    if (cells.size() > maxSuspects) suspects.next = bounds[cells[maxSuspects]];
+    cells.resize(std::min(cells.size(), maxSuspects));
     suspects.cells = std::move(cells);
     return suspects;
 }

@@ -38,11 +38,11 @@ std::vector<std::uint32_t> boundSpots(const PlaceShadow& shadow, Quantity quanti
 /// changes steadily from centre to centre: a strip of shadow between centres that are all alike is not
 /// suspected.
 struct Suspects {
-    std::vector<std::uint32_t> cells;   ///< the first of them, mostSuspects at most, worst bound first
+    std::vector<std::uint32_t> cells;   ///< the first of them, maxSuspects at most, worst bound first
     std::optional<std::uint32_t> next;  ///< bound of the first that is not among them; none: all are
 };
 Suspects listSuspects(const PlaceShadow& shadow, Quantity quantity, const std::vector<std::uint32_t>& steps);
-inline constexpr std::size_t mostSuspects = 64;
+inline constexpr std::size_t maxSuspects = 64;
 
 /// How near the worst spots are looked for: in cells.
 inline constexpr double spotDistanceCells = 1.0 / 16;

@@ -16,7 +16,7 @@ SpotCondition readSpot(RuleFields fields) {
         RuleFields broken = fields.object("broken");
         spot.brokenMinutes = broken.number("minutes", 0, longestMinutes);
         spot.partMinutes = broken.numberOr("longest_part", 0, longestMinutes, 0);
-        spot.mostParts = broken.wholeOr("most_parts", 1, 8, 0);
+        spot.maxParts = broken.wholeOr("most_parts", 1, 8, 0);
         broken.finish();
         if (!spot.unbroken) fields.trouble("broken", "Only unbroken minutes have a broken alternative");
     }

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "core/review/library/read_criteria.h"
+#include "core/review/library/read_glazing_rule.h"
 #include "core/review/library/read_rule_parts.h"
-#include "core/review/library/read_window_rule.h"
 #include "core/review/places/review_columns.h"
 
 namespace noonmark {
@@ -128,14 +128,14 @@ void readHeading(RuleFields& fields, Rule& rule) {
 
 void readParts(RuleFields& fields, Rule& rule) {
     rule.days = readDays(fields, rule.source);
-    rule.window = readWindow(fields, rule.source);
+    rule.window = readRuleHours(fields, rule.source);
     rule.clock = readClock(fields, rule.source);
     rule.sampling = readSampling(fields, rule.source);
     rule.receivers = readReceivers(fields, rule.source);
     rule.occluders = readOccluders(fields, rule.source);
     rule.baseline = readBaseline(fields, rule.source);
     rule.criteria = readCriteria(fields, rule.source);
-    readWindowVerdicts(fields, rule);
+    readGlazingVerdicts(fields, rule);
     if (fields.has("theoretical")) {
         RuleFields sum = fields.object("theoretical");
         rule.theoreticalHours = sum.number("hours", 1, 8784);

@@ -1,7 +1,7 @@
 #include "core/review/library/read_rule_parts.h"
 
 #include "core/review/library/read_criteria.h"
-#include "core/review/library/read_window_rule.h"
+#include "core/review/library/read_glazing_rule.h"
 #include "core/review/rule/rule_times.h"
 
 namespace noonmark {
@@ -62,37 +62,37 @@ void checkDays(RuleFields& fields, const RuleDays& days) {
 }
 
 /// One bound, or a list of them.
-std::vector<WindowBound> readBounds(RuleFields& fields, const char* key, const RuleJson& json) {
-    std::vector<WindowBound> bounds;
+std::vector<HoursBound> readBounds(RuleFields& fields, const char* key, const RuleJson& json) {
+    std::vector<HoursBound> bounds;
     const std::vector<RuleJson> all =
         json.is_array() ? std::vector<RuleJson>(json.begin(), json.end()) : std::vector<RuleJson>(1, json);
     for (const RuleJson& text : all) {
-        const auto bound = text.is_string() ? parseWindowBound(text.get<std::string>()) : std::nullopt;
+        const auto bound = text.is_string() ? parseHoursBound(text.get<std::string>()) : std::nullopt;
         if (!bound) fields.trouble(key, "A time is needed here", "Write 09:18, sunrise+1.5h or sunset-90m");
-        bounds.push_back(bound.value_or(WindowBound{}));
+        bounds.push_back(bound.value_or(HoursBound{}));
     }
     if (bounds.empty() || bounds.size() > 8) fields.trouble(key, "One to eight times are needed here");
     return bounds;
 }
 
-WindowHours readHours(const RuleJson& json, const std::string& path, RuleTrouble& trouble) {
+HoursOfDay readHours(const RuleJson& json, const std::string& path, RuleTrouble& trouble) {
     RuleFields pair(RuleJson::object(), path, trouble);
     if (!json.is_array() || json.size() != 2) {
         trouble.add(path, "Two times are needed here", R"(Write ["08:51", "14:53"])");
-        return {{WindowBound{}}, {WindowBound{}}};
+        return {{HoursBound{}}, {HoursBound{}}};
     }
     return {readBounds(pair, "from", json[0]), readBounds(pair, "to", json[1])};
 }
 
-bool isOrdered(const WindowHours& hours) {
-    for (const WindowBound& from : hours.from)
-        for (const WindowBound& to : hours.to)
-            if (from.kind == WindowBound::Kind::clock && to.kind == from.kind && from.minutes >= to.minutes)
+bool isOrdered(const HoursOfDay& hours) {
+    for (const HoursBound& from : hours.from)
+        for (const HoursBound& to : hours.to)
+            if (from.kind == HoursBound::Kind::clock && to.kind == from.kind && from.minutes >= to.minutes)
                 return false;
     return true;
 }
 
-void checkWindow(RuleFields& fields, const RuleWindow& window) {
+void checkHours(RuleFields& fields, const CountedHours& window) {
     if (!isOrdered(window.hours)) fields.trouble("hours", "The hours end before they begin");
     for (const auto& [day, hours] : window.byDay)
         if (!isOrdered(hours))
@@ -140,17 +140,17 @@ RuleDays readDays(RuleFields& rule, const std::string& ruleSource) {
     return days;
 }
 
-RuleWindow readWindow(RuleFields& rule, const std::string& ruleSource) {
+CountedHours readRuleHours(RuleFields& rule, const std::string& ruleSource) {
     RuleFields fields = rule.object("window");
-    RuleWindow window;
+    CountedHours window;
     window.hours = readHours(fields.elements("hours"), fields.pathOf("hours"), fields.troubles());
     for (const auto& [key, json] : fields.members("by_day"))
         window.byDay[dayFrom(key, fields.pathOf("by_day"), fields.troubles())] =
             readHours(json, fields.pathOf("by_day"), fields.troubles());
     window.sunrise = fields.nameOr("sunrise", sunriseNames(), SunriseRule::upperLimb);
-    window.lowestSunDeg = fields.numberOr("lowest_sun_deg", 0, 89, 0);
+    window.minSunDeg = fields.numberOr("lowest_sun_deg", 0, 89, 0);
     window.evidence = readEvidence(fields, ruleSource);
-    checkWindow(fields, window);
+    checkHours(fields, window);
     fields.finish();
     return window;
 }
@@ -212,7 +212,7 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
     if (fields.has("road_shift") && !receivers.hasLines())
         fields.trouble("road_shift", "The field needs lines_m");
     receivers.roads = readRoadShift(fields);
-    if (receivers.surface == RuleSurface::windows) receivers.windows = readRuleWindows(fields, ruleSource);
+    if (receivers.surface == RuleSurface::windows) receivers.windows = readRuleGlazing(fields, ruleSource);
     receivers.evidence = readEvidence(fields, ruleSource);
     fields.finish();
     return receivers;

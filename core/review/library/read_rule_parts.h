@@ -7,7 +7,7 @@ namespace noonmark {
 // The parts of a rule; each reads the field of its name (docs/rules.md).
 
 RuleDays readDays(RuleFields& rule, const std::string& ruleSource);
-RuleWindow readWindow(RuleFields& rule, const std::string& ruleSource);
+CountedHours readRuleHours(RuleFields& rule, const std::string& ruleSource);
 RuleClock readClock(RuleFields& rule, const std::string& ruleSource);
 RuleSampling readSampling(RuleFields& rule, const std::string& ruleSource);
 RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource);

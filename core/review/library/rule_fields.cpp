@@ -11,7 +11,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t longestText = 2000;
-constexpr std::size_t mostElements = 400;
+constexpr std::size_t maxElements = 400;
 
 std::string_view kindOf(const RuleJson& json) { return json.type_name(); }
 
@@ -121,9 +121,9 @@ bool RuleFields::flagOr(const char* key, bool otherwise) {
 std::vector<RuleJson> RuleFields::elements(const char* key) {
     const RuleJson* found = find(key);
     if (!found) return {};
-    if (found->is_array() && found->size() <= mostElements)
+    if (found->is_array() && found->size() <= maxElements)
         return std::vector<RuleJson>(found->begin(), found->end());
-    trouble(key, fmt::format("A list of at most {} entries is needed here", mostElements), "Write [ ... ]");
+    trouble(key, fmt::format("A list of at most {} entries is needed here", maxElements), "Write [ ... ]");
     return {};
 }
 
@@ -131,8 +131,8 @@ std::vector<std::pair<std::string, RuleJson>> RuleFields::members(const char* ke
     const RuleJson* found = find(key);
     if (!found) return {};
     std::vector<std::pair<std::string, RuleJson>> all;
-    if (!found->is_object() || found->size() > mostElements) {
-        trouble(key, fmt::format("An object of at most {} fields is needed here", mostElements));
+    if (!found->is_object() || found->size() > maxElements) {
+        trouble(key, fmt::format("An object of at most {} fields is needed here", maxElements));
         return {};
     }
     for (const auto& [name, value] : found->items())

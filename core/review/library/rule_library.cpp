@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostRuleFiles = 1000;
+constexpr std::size_t maxRuleFiles = 1000;
 
 Result<std::vector<fs::path>> ruleFilesIn(const fs::path& folder) {
     std::error_code error;
@@ -23,9 +23,9 @@ Result<std::vector<fs::path>> ruleFilesIn(const fs::path& folder) {
     if (error)
         return failure("The folder of rules cannot be read", folder.string(),
                        "Check its name and permissions");
-    if (files.size() > mostRuleFiles)
-        return limitReached(fmt::format("The folder holds more than {} rules", mostRuleFiles),
-                            folder.string(), "Use a folder for rules only");
+    if (files.size() > maxRuleFiles)
+        return limitReached(fmt::format("The folder holds more than {} rules", maxRuleFiles), folder.string(),
+                            "Use a folder for rules only");
     std::ranges::sort(files);
     return files;
 }

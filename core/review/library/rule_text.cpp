@@ -36,11 +36,11 @@ std::string daysText(const RuleDays& days) {
     return text + fmt::format(", {}", ruleNameOf(combinationNames(), days.combination));
 }
 
-std::string windowText(const RuleWindow& window) {
+std::string ruleHoursText(const CountedHours& window) {
     std::string text = formatText(window.hours);
     for (const auto& [day, hours] : window.byDay)
         text += fmt::format("; {}: {}", formatText(day), formatText(hours));
-    if (window.lowestSunDeg > 0) text += fmt::format("; sun above {:g} deg", window.lowestSunDeg);
+    if (window.minSunDeg > 0) text += fmt::format("; sun above {:g} deg", window.minSunDeg);
     return text + fmt::format("; sunrise: {}", ruleNameOf(sunriseNames(), window.sunrise));
 }
 
@@ -51,17 +51,17 @@ std::string clockText(const RuleClock& clock) {
     return text;
 }
 
-std::string windowsText(const RuleWindows& windows) {
-    const WindowPoint& point = windows.point;
+std::string glazingText(const RuleGlazing& windows) {
+    const GlazingPoint& point = windows.point;
     std::string text = fmt::format(", {}, {} face", ruleNameOf(panePlaceNames(), point.place),
                                    ruleNameOf(faceNames(), point.insideFace));
     if (point.aboveSillM > 0) text += fmt::format(", {:g} m above the sill", point.aboveSillM);
     if (point.aboveFloorM > 0) text += fmt::format(", {:g} m above the floor", point.aboveFloorM);
-    if (windows.leastSweepDeg > 0)
-        text += fmt::format(", sun at least {:g} deg from the pane", windows.leastSweepDeg);
+    if (windows.minSweepDeg > 0)
+        text += fmt::format(", sun at least {:g} deg from the pane", windows.minSweepDeg);
     if (windows.sweepOfOpening) text += ", sun at least arctan(wall / width) from the pane";
     text += fmt::format("; by {}", ruleNameOf(unitNames(), windows.unit));
-    const WindowOpening& opening = windows.opening;
+    const GlazingOpening& opening = windows.opening;
     return text + fmt::format("; sill {:g} m, wall {:g} m, windows without a size {:g} x {:g} m {}",
                               opening.sillM, opening.wallM, opening.widthM, opening.heightM,
                               statusText(opening.evidence));
@@ -69,7 +69,7 @@ std::string windowsText(const RuleWindows& windows) {
 
 std::string receiversText(const RuleReceivers& receivers) {
     std::string text{ruleNameOf(surfaceNames(), receivers.surface)};
-    if (receivers.surface == RuleSurface::windows) return text + windowsText(receivers.windows);
+    if (receivers.surface == RuleSurface::windows) return text + glazingText(receivers.windows);
     if (receivers.surface == RuleSurface::plane)
         text += fmt::format(" {:g} m above mean ground", receivers.planeM);
     if (receivers.hasLines())
@@ -122,7 +122,7 @@ std::string diagramsText(const RuleDiagrams& diagrams) {
 
 std::string partsText(const Rule& rule) {
     std::string text = line("days", daysText(rule.days), rule.days.evidence);
-    text += line("window", windowText(rule.window), rule.window.evidence);
+    text += line("window", ruleHoursText(rule.window), rule.window.evidence);
     text += line("clock", clockText(rule.clock), rule.clock.evidence);
     text += line(
         "step",

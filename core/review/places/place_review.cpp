@@ -50,7 +50,7 @@ void PlaceEvaluation::addTotals(const ReviewRow& row) {
     ReviewTotals& totals = review_.totals;
     totals.days += row.weight;
     totals.daysWithIncremental += row.durationMin > 0 ? row.weight : 0;
-    totals.sunHours += row.weight * row.windowMin / 60;
+    totals.sunHours += row.weight * row.hoursMin / 60;
     totals.baselineM2h += row.weight * row.baselineM2h;
     totals.scenarioM2h += row.weight * row.scenarioM2h;
     totals.incrementalM2h += row.weight * row.incrementalM2h;

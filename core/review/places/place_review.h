@@ -29,7 +29,7 @@ struct ReviewRow {
     int leastSunIntervals = 0;                   ///< of that spot
     double leastLongestSunMin = 0;  ///< the longest unbroken sun of the spot where it is shortest
     double baselineM2h = 0, scenarioM2h = 0, incrementalM2h = 0, gainedM2h = 0;
-    double windowMin = 0;                         ///< minutes with the sun up in the rule's hours
+    double hoursMin = 0;                          ///< minutes with the sun up in the rule's hours
     std::vector<std::optional<double>> criteria;  ///< by criterion of the review; none: out of season
 };
 

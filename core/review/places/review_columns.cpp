@@ -215,11 +215,11 @@ const Figures<ReviewRow>& reviewRowFigures() {
                             .decimals = 1,
                             .unit = FigureUnit::squareMetreHours,
                             .inTable = true}),
-        row(&R::windowMin, {.key = "window_min",
-                            .label = "Sunlit time",
-                            .definition = "minutes with the sun up in the hours of the rule",
-                            .decimals = 2,
-                            .unit = FigureUnit::minutes}),
+        row(&R::hoursMin, {.key = "window_min",
+                           .label = "Sunlit time",
+                           .definition = "minutes with the sun up in the hours of the rule",
+                           .decimals = 2,
+                           .unit = FigureUnit::minutes}),
     };
     return figures;
 }

@@ -91,7 +91,7 @@ ReviewRow computeReviewRow(const DayShadow& day, const DayClock& clock) {
     row.durationMin = std::max(row.durationMin, row.maxPointMin);
     row.totalDurationMin = std::max(timeline.scenario.minutes, row.totalMaxPointMin);
     row.totalMaxAreaM2 = timeline.scenario.largestM2;
-    row.windowMin = timeline.sunlitMinutes;
+    row.hoursMin = timeline.sunlitMinutes;
     return row;
 }
 

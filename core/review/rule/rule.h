@@ -5,7 +5,7 @@
 // documents the fields. rule_days.h turns a rule's days, window and clock into SunSteps. place_review.h takes
 // the shadow on a place day after day and reduces it to rows, figures and a verdict: spot_runs.h counts the
 // runs of each cell, criterion_days.h a criterion over the days, verdict.h compares with a limit.
-// window_rule.h is what a rule says about windows; window_review.h evaluates them one by one, and
+// glazing_rule.h is what a rule says about windows; glazing_review.h evaluates them one by one, and
 // building_review.h by building.
 
 #include <array>
@@ -17,7 +17,7 @@
 
 #include "core/receivers/parcels/parcel_roads.h"
 #include "core/receivers/place.h"
-#include "core/review/rule/window_rule.h"
+#include "core/review/rule/glazing_rule.h"
 #include "core/sun/day_clock.h"
 #include "core/sun/sun_events.h"
 
@@ -50,24 +50,24 @@ struct RuleDays {
     Evidence evidence;
 };
 
-struct WindowBound {
+struct HoursBound {
     enum class Kind { clock, sunrise, sunset };
     Kind kind = Kind::clock;
     double minutes = 0;  ///< since midnight, 0 to 1440; or after sunrise or sunset, -720 to 720
-    bool operator==(const WindowBound&) const = default;
+    bool operator==(const HoursBound&) const = default;
 };
 
 /// The hours of a day: from the latest of `from` to the earliest of `to`.
-struct WindowHours {
-    std::vector<WindowBound> from, to;  ///< at least one each
-    bool operator==(const WindowHours&) const = default;
+struct HoursOfDay {
+    std::vector<HoursBound> from, to;  ///< at least one each
+    bool operator==(const HoursOfDay&) const = default;
 };
 
-struct RuleWindow {
-    WindowHours hours;
-    std::map<std::chrono::month_day, WindowHours> byDay;  ///< days with hours of their own
+struct CountedHours {
+    HoursOfDay hours;
+    std::map<std::chrono::month_day, HoursOfDay> byDay;  ///< days with hours of their own
     SunriseRule sunrise = SunriseRule::upperLimb;
-    double lowestSunDeg = 0;  ///< the sun counts above this altitude only
+    double minSunDeg = 0;  ///< the sun counts above this altitude only
     Evidence evidence;
 };
 
@@ -91,7 +91,7 @@ struct RuleReceivers {
     double innerLineM = 0;           ///< lines at this distance from the parcel's line, 0 to 1000;
     double outerLineM = 0;           ///< 0: the rule has no lines
     std::optional<RoadShift> roads;  ///< of the parcel's line
-    RuleWindows windows;             ///< of `windows`
+    RuleGlazing windows;             ///< of `windows`
     Evidence evidence;
     [[nodiscard]] bool hasLines() const { return outerLineM > 0; }
 };
@@ -149,7 +149,7 @@ struct SpotCondition {
     double minutes = 0;        ///< at least
     double brokenMinutes = 0;  ///< or at least this in total, if broken up; 0: no such alternative
     double partMinutes = 0;    ///< of a broken total: the longest part has at least this
-    int mostParts = 0;         ///< of a broken total: its longest parts, so many; 0: all of them; 0 to 8
+    int maxParts = 0;          ///< of a broken total: its longest parts, so many; 0: all of them; 0 to 8
 };
 
 enum class Comparison { atMost, below, atLeast, above };
@@ -218,7 +218,7 @@ struct Rule {
     std::string name, where, summary, source;
     bool isSouthern = false;  ///< its dates are seasons of the southern half of the earth
     RuleDays days;
-    RuleWindow window;
+    CountedHours window;
     RuleClock clock;
     RuleSampling sampling;
     RuleReceivers receivers;

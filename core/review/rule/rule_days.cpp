@@ -71,34 +71,34 @@ public:
     RuleHours(const Rule& rule, const DayClock& clock, const Ephemeris& sun)
         : rule_(rule), clock_(clock), sun_(sun) {}
 
-    [[nodiscard]] DayWindow on(CivilDate date) const {
-        const WindowHours& hours = hoursOn(date);
+    [[nodiscard]] DayHours on(CivilDate date) const {
+        const HoursOfDay& hours = hoursOn(date);
         const SunEvents events = computeSunEvents(sun_, clock_.instantAt(date, 0), rule_.window.sunrise);
         if (events.kind == DayKind::polarNight) return {date, clock_.instantAt(date, 0), 0};
         Instant from = boundAt(date, events, hours.from.front()),
                 to = boundAt(date, events, hours.to.front());
-        for (const WindowBound& bound : hours.from) from = std::max(from, boundAt(date, events, bound));
-        for (const WindowBound& bound : hours.to) to = std::min(to, boundAt(date, events, bound));
+        for (const HoursBound& bound : hours.from) from = std::max(from, boundAt(date, events, bound));
+        for (const HoursBound& bound : hours.to) to = std::min(to, boundAt(date, events, bound));
         return rounded(date, from, to);
     }
 
 private:
-    [[nodiscard]] const WindowHours& hoursOn(CivilDate date) const {
+    [[nodiscard]] const HoursOfDay& hoursOn(CivilDate date) const {
         const auto own = rule_.window.byDay.find(month_day{date.month(), date.day()});
         return own == rule_.window.byDay.end() ? rule_.window.hours : own->second;
     }
 
     /// Without a sunrise or sunset, as the sun stays up, the day bounds the hours.
-    [[nodiscard]] Instant boundAt(CivilDate date, const SunEvents& events, const WindowBound& bound) const {
-        if (bound.kind == WindowBound::Kind::clock) return clock_.instantAt(date, bound.minutes);
-        const bool rise = bound.kind == WindowBound::Kind::sunrise;
+    [[nodiscard]] Instant boundAt(CivilDate date, const SunEvents& events, const HoursBound& bound) const {
+        if (bound.kind == HoursBound::Kind::clock) return clock_.instantAt(date, bound.minutes);
+        const bool rise = bound.kind == HoursBound::Kind::sunrise;
         const std::optional<Instant> event = rise ? events.sunrise : events.sunset;
         if (!event) return clock_.instantAt(date, rise ? 0 : 1440);
         return *event + std::chrono::milliseconds{std::llround(bound.minutes * 60000)};
     }
 
     /// From the first full hour (or what the rule samples) on, and whole steps of it.
-    [[nodiscard]] DayWindow rounded(CivilDate date, Instant from, Instant to) const {
+    [[nodiscard]] DayHours rounded(CivilDate date, Instant from, Instant to) const {
         const double minutes = double((to - from).count()) / 60000;
         if (rule_.sampling.roundTo == 0 || minutes <= 0) return {date, from, minutes};
         constexpr double rounding = 1e-3;
@@ -160,13 +160,13 @@ Result<RuleSun> computeRuleSun(const Rule& rule, const RuleSite& site, const std
     if (!ephemeris) return tl::make_unexpected(ephemeris.error());
     const auto shared = std::make_shared<const Ephemeris>(*std::move(ephemeris));
     DayClock clock(rule.clock.settings, *zone, shared, site.observer.place.lonDeg);
-    std::vector<DayWindow> windows;
+    std::vector<DayHours> windows;
     std::vector<double> weights;
     for (const auto& [date, weight] : *dates) {
         windows.push_back(RuleHours(rule, clock, *shared).on(date));
         weights.push_back(weight);
     }
-    const StepRule steps{rule.sampling.stepMinutes, true, {rule.window.lowestSunDeg}};
+    const StepRule steps{rule.sampling.stepMinutes, true, {rule.window.minSunDeg}};
     auto sun = computeSunSteps(windows, steps, site.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     countWholeMinutes(*sun, rule.sampling.stepMinutes);

@@ -7,7 +7,7 @@
 #include "core/base/warnings.h"
 #include "core/review/rule/rule.h"
 #include "core/sun/day_clock.h"
-#include "core/sun/window_steps.h"
+#include "core/sun/day_hours.h"
 
 namespace noonmark {
 

@@ -30,7 +30,7 @@ std::vector<RuleDay> drawnDays(const Rule& rule, const RuleSun& sun, const std::
 }
 
 /// Full hours of the clock within the day's steps.
-std::vector<double> fullHours(const RuleSun& sun, const SunDay& day, int mostHours) {
+std::vector<double> fullHours(const RuleSun& sun, const SunDay& day, int maxHours) {
     if (day.count == 0) return {};
     const auto minuteOf = [&](std::uint32_t step) {
         return sun.clock.minutesOf(day.date, sun.sun.steps[step].at);
@@ -38,7 +38,7 @@ std::vector<double> fullHours(const RuleSun& sun, const SunDay& day, int mostHou
     const double begin = minuteOf(day.first), end = minuteOf(day.first + day.count - 1) + sun.sun.stepMinutes;
     const int first = int(std::ceil((begin - clockRounding) / 60)),
               last = int(std::floor((end + clockRounding) / 60));
-    const int every = mostHours > 0 ? std::max(1, (last - first) / mostHours + 1) : 1;
+    const int every = maxHours > 0 ? std::max(1, (last - first) / maxHours + 1) : 1;
     std::vector<double> hours;
     for (int hour = first; hour <= last; ++hour)
         if ((hour - 12) % every == 0) hours.push_back(hour * 60.0);
@@ -46,19 +46,19 @@ std::vector<double> fullHours(const RuleSun& sun, const SunDay& day, int mostHou
     return hours;
 }
 
-std::vector<double> timesOn(const Rule& rule, const RuleSun& sun, const SunDay& day, int mostHours) {
+std::vector<double> timesOn(const Rule& rule, const RuleSun& sun, const SunDay& day, int maxHours) {
     if (const auto& diagrams = rule.deliverables.diagrams) {
         const auto own = diagrams->byDay.find(month_day{day.date.month(), day.date.day()});
         const auto& times = own == diagrams->byDay.end() ? diagrams->timesMin : own->second;
         if (!times.empty()) return times;
     }
-    return fullHours(sun, day, mostHours);
+    return fullHours(sun, day, maxHours);
 }
 
-std::vector<RuleMoment> listMoments(const Rule& rule, const RuleSun& sun, int mostHours) {
+std::vector<RuleMoment> listMoments(const Rule& rule, const RuleSun& sun, int maxHours) {
     std::vector<RuleMoment> moments;
     for (const SunDay& day : sun.sun.days)
-        for (const double minutes : timesOn(rule, sun, day, mostHours)) {
+        for (const double minutes : timesOn(rule, sun, day, maxHours)) {
             RuleMoment& moment = moments.emplace_back(RuleMoment{day.date, minutes, {}, {}});
             moment.sun.at = sun.clock.instantAt(day.date, minutes);
             moment.clock = sun.clock.timeText(day.date, moment.sun.at);
@@ -77,10 +77,10 @@ Result<std::vector<RuleMoment>> computeRuleMoments(const Rule& rule, const RuleS
     drawn.days.fixed = drawnDays(rule, *all, settings.moreDays);
     const auto days = computeRuleSun(drawn, site, stop);
     if (!days) return tl::make_unexpected(days.error());
-    std::vector<RuleMoment> moments = listMoments(rule, *days, settings.mostHoursADay);
-    std::vector<DayWindow> windows;
+    std::vector<RuleMoment> moments = listMoments(rule, *days, settings.maxHoursADay);
+    std::vector<DayHours> windows;
     for (const RuleMoment& moment : moments) windows.push_back({moment.day, moment.sun.at, 1});
-    const StepRule one{1, true, {rule.window.lowestSunDeg}};
+    const StepRule one{1, true, {rule.window.minSunDeg}};
     const auto sun = computeSunSteps(windows, one, site.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     std::vector<RuleMoment> up;

@@ -111,8 +111,8 @@ RuleNames<bool> faceNames() {
     return names;
 }
 
-RuleNames<WindowUnit> unitNames() {
-    using enum WindowUnit;
+RuleNames<GlazingUnit> unitNames() {
+    using enum GlazingUnit;
     static constexpr std::array names{std::pair{window, std::string_view{"window"}},
                                       std::pair{room, std::string_view{"room"}},
                                       std::pair{dwelling, std::string_view{"dwelling"}}};

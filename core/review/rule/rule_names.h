@@ -27,7 +27,7 @@ RuleNames<Comparison> comparisonNames();       ///< "<=", "<", ">=", ">"
 RuleNames<LineBelt> beltNames();               ///< "between lines", "beyond lines"
 RuleNames<PanePlace> panePlaceNames();         ///< "mid pane", "sill middle", "sill ends"
 RuleNames<bool> faceNames();                   ///< "outside", "inside": whether it is the inside face
-RuleNames<WindowUnit> unitNames();             ///< "window", "room", "dwelling"
+RuleNames<GlazingUnit> unitNames();            ///< "window", "room", "dwelling"
 
 template <class E>
 std::string_view ruleNameOf(RuleNames<E> names, E value) {

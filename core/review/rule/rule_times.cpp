@@ -23,10 +23,10 @@ std::optional<double> parseOffset(std::string_view text) {
     return sign == '-' ? -minutes : minutes;
 }
 
-std::string joinBounds(const std::vector<WindowBound>& bounds, std::string_view which) {
+std::string joinBounds(const std::vector<HoursBound>& bounds, std::string_view which) {
     if (bounds.size() == 1) return formatText(bounds.front());
     std::string text{which};
-    for (const WindowBound& bound : bounds)
+    for (const HoursBound& bound : bounds)
         text += fmt::format("{}{}", &bound == &bounds.front() ? " " : ", ", formatText(bound));
     return text;
 }
@@ -53,15 +53,15 @@ std::optional<double> parseRuleTime(std::string_view text) {
     return time ? std::optional(double(time->count())) : std::nullopt;
 }
 
-std::optional<WindowBound> parseWindowBound(std::string_view text) {
-    using enum WindowBound::Kind;
+std::optional<HoursBound> parseHoursBound(std::string_view text) {
+    using enum HoursBound::Kind;
     for (const auto& [word, kind] : {std::pair{std::string_view{"sunrise"}, sunrise}, {"sunset", sunset}}) {
         if (!text.starts_with(word)) continue;
         const auto offset = parseOffset(text.substr(word.size()));
-        return offset ? std::optional(WindowBound{kind, *offset}) : std::nullopt;
+        return offset ? std::optional(HoursBound{kind, *offset}) : std::nullopt;
     }
     const auto time = parseRuleTime(text);
-    return time ? std::optional(WindowBound{clock, *time}) : std::nullopt;
+    return time ? std::optional(HoursBound{clock, *time}) : std::nullopt;
 }
 
 std::string formatText(std::chrono::month_day day) {
@@ -73,16 +73,16 @@ std::string formatRuleTime(double minutes) {
     return fmt::format("{:02}:{:02}", whole / 60, whole % 60);
 }
 
-std::string formatText(const WindowBound& bound) {
-    if (bound.kind == WindowBound::Kind::clock) return formatRuleTime(bound.minutes);
+std::string formatText(const HoursBound& bound) {
+    if (bound.kind == HoursBound::Kind::clock) return formatRuleTime(bound.minutes);
     const bool halfHours = std::fmod(bound.minutes, 30) == 0;
     const std::string offset = bound.minutes == 0 ? ""
                                : halfHours        ? fmt::format("{:+g}h", bound.minutes / 60)
                                                   : fmt::format("{:+g}m", bound.minutes);
-    return (bound.kind == WindowBound::Kind::sunrise ? "sunrise" : "sunset") + offset;
+    return (bound.kind == HoursBound::Kind::sunrise ? "sunrise" : "sunset") + offset;
 }
 
-std::string formatText(const WindowHours& hours) {
+std::string formatText(const HoursOfDay& hours) {
     return joinBounds(hours.from, "the latest of") + " to " + joinBounds(hours.to, "the earliest of");
 }
 

@@ -10,8 +10,8 @@ namespace noonmark {
 namespace {
 
 bool onFacades(const ElementSettings& elements) { return elements.places == ElementPlaces::facades; }
-bool onWindows(const ElementSettings& elements) { return elements.places == ElementPlaces::windows; }
-bool onWalls(const ElementSettings& elements) { return onFacades(elements) || onWindows(elements); }
+bool onGlazing(const ElementSettings& elements) { return elements.places == ElementPlaces::windows; }
+bool onWalls(const ElementSettings& elements) { return onFacades(elements) || onGlazing(elements); }
 bool onLines(const ElementSettings& elements) { return elements.places == ElementPlaces::lines; }
 bool onPoints(const ElementSettings& elements) { return elements.places == ElementPlaces::points; }
 bool isLevel(const ElementSettings& elements) {
@@ -22,11 +22,11 @@ bool looksAtPlace(const FaceChoice& faces) { return !faces.place.empty(); }
 constexpr std::array heightChoices{KeyedLabel{"elevation", NM_TEXT("elevations")},
                                    KeyedLabel{"ground", NM_TEXT("above the ground")}};
 
-Value getHeights(const WindowFileSettings& file) {
+Value getHeights(const GlazingFileSettings& file) {
     return std::string(heightChoices[file.aboveGround ? 1 : 0].key);
 }
 
-Result<void> setHeights(WindowFileSettings& file, const Value& value) {
+Result<void> setHeights(GlazingFileSettings& file, const Value& value) {
     file.aboveGround = value == Value(std::string(heightChoices[1].key));
     return {};
 }
@@ -38,7 +38,7 @@ const Fields<FacadeSettings>& baySizes() {
                                       .label = NM_TEXT("Bay"),
                                       .help = NM_TEXT("Facades: width of a bay, one point or window each"),
                                       .unit = "m",
-                                      .range = ValueRange{FacadeSettings::leastM, FacadeSettings::mostM}}),
+                                      .range = ValueRange{FacadeSettings::minM, FacadeSettings::maxM}}),
     };
     return fields;
 }
@@ -52,7 +52,7 @@ const Fields<FacadeSettings>& storeySizes() {
          .help =
              NM_TEXT("Height of a storey: facades have one point or window each, windows are numbered by it"),
          .unit = "m",
-         .range = ValueRange{FacadeSettings::leastM, FacadeSettings::mostM}})};
+         .range = ValueRange{FacadeSettings::minM, FacadeSettings::maxM}})};
     return fields;
 }
 
@@ -63,7 +63,7 @@ const Fields<FacadeSettings>& floorSizes() {
                                              .label = NM_TEXT("Above floor"),
                                              .help = NM_TEXT("Facades: height of the points above the floor"),
                                              .unit = "m",
-                                             .range = ValueRange{0, FacadeSettings::mostM}})};
+                                             .range = ValueRange{0, FacadeSettings::maxM}})};
     return fields;
 }
 
@@ -76,7 +76,7 @@ const Fields<LineSettings>& lineSizes() {
                .help = "Lines: their distances from the parcel, with commas",
                .hint = "M,...",
                .unit = "m",
-               .range = ValueRange{LineSettings::leastOffsetM, LineSettings::mostOffsetM},
+               .range = ValueRange{LineSettings::minOffsetM, LineSettings::maxOffsetM},
                .restated = true}),
         field(&LineSettings::spacingM,
               {.key = "spacing_m",
@@ -84,7 +84,7 @@ const Fields<LineSettings>& lineSizes() {
                .label = "Spacing",
                .help = "Lines: distance from point to point",
                .unit = "m",
-               .range = ValueRange{LineSettings::leastSpacingM, LineSettings::mostSpacingM},
+               .range = ValueRange{LineSettings::minSpacingM, LineSettings::maxSpacingM},
                .restated = true}),
     };
     return fields;
@@ -196,7 +196,7 @@ const Fields<ElementSettings>& pointsFileFields() {
     return fields;
 }
 
-const Fields<ElementSettings>& windowsFields() {
+const Fields<ElementSettings>& glazingFields() {
     static const Fields<ElementSettings> fields{
         field(&ElementSettings::windows,
               {.key = "windows",
@@ -204,19 +204,19 @@ const Fields<ElementSettings>& windowsFields() {
                .label = "File",
                .help = "Windows: a file of points or polygons with heights (fields id, azimuth, floor)",
                .hint = "FILE"})
-            .when(&onWindows)};
+            .when(&onGlazing)};
     return fields;
 }
 
-const Fields<WindowFileSettings>& windowFileFields() {
-    static const Fields<WindowFileSettings> fields{
-        field(&WindowFileSettings::idField,
+const Fields<GlazingFileSettings>& glazingFileFields() {
+    static const Fields<GlazingFileSettings> fields{
+        field(&GlazingFileSettings::idField,
               {.key = "window_id",
                .flag = "--window-id",
                .label = "Field of ids",
                .help = "Windows: the field with their ids (default: id, window, window_id, name)",
                .hint = "FIELD"}),
-        field(&WindowFileSettings::crs,
+        field(&GlazingFileSettings::crs,
               {.key = "windows_crs",
                .flag = "--windows-crs",
                .label = "Coordinate system",
@@ -263,7 +263,7 @@ const Fields<FaceChoice>& faceFields() {
                                      .label = "Within",
                                      .help = "With --facing-place: at most this far away",
                                      .unit = "m",
-                                     .range = ValueRange{1, FaceChoice::mostWithinM},
+                                     .range = ValueRange{1, FaceChoice::maxWithinM},
                                      .restated = true,
                                      .needs = "--facing-place"})
             .when(&looksAtPlace),
@@ -307,7 +307,7 @@ const Fields<ElementSettings>& planeFields() {
              .label = NM_TEXT("Height"),
              .help = NM_TEXT("Plane and lines: height above the mean of the ground, of the region or parcel"),
              .unit = "m",
-             .range = ValueRange{0, mostPlaneHeightM},
+             .range = ValueRange{0, maxPlaneHeightM},
              .hasDefault = false,
              .restated = true})
             .when(&isLevel)};
@@ -319,8 +319,8 @@ const Fields<ElementSettings>& elementFields() {
                                    .with(receiverFields())
                                    .with(buildingFields())
                                    .embed(&ElementSettings::faces, faceFields(), {}, &onWalls)
-                                   .with(windowsFields())
-                                   .embed(&ElementSettings::windowFile, windowFileFields(), {}, &onWindows)
+                                   .with(glazingFields())
+                                   .embed(&ElementSettings::glazingFile, glazingFileFields(), {}, &onGlazing)
                                    .with(planeFields())
                                    .with(lineFields())
                                    .with(pointListFields())

@@ -67,8 +67,8 @@ ElementJson whereJson(const ElementStudy& study) {
         json["above_floor_m"] = elements.facades.aboveFloorM;
     }
     addFaceJson(json, elements);
-    if (elements.places == ElementPlaces::windows && study.windowsFile)
-        json["windows"] = inputsJson({*study.windowsFile});
+    if (elements.places == ElementPlaces::windows && study.glazingInput)
+        json["windows"] = inputsJson({*study.glazingInput});
     if (elements.places == ElementPlaces::plane) {
         json["cell_m"] = study.settings.receivers.cellM;
         addPlaneJson(json, study);

@@ -48,7 +48,7 @@ MeasuredElement measureElement(const ElementStudy& study, std::size_t point,
 
 std::array<glm::vec3, 4> cornersOf(const MeasuredElement& element) {
     return computePaneCorners(glm::dvec3(element.position), glm::dvec3(element.normal),
-                              element.pane.isKnown() ? element.pane : usualPane);
+                              element.pane.isKnown() ? element.pane : defaultPane);
 }
 
 ElementMap makeElementMap(const ElementStudy& study) {

@@ -5,7 +5,7 @@
 namespace noonmark {
 
 /// Measures a sample of the study's points by rays and compares. Points are taken at equal distances in the
-/// list, beginning at a place that the seed chooses; as many as the settings ask for and as mostRays allows.
+/// list, beginning at a place that the seed chooses; as many as the settings ask for and as maxRays allows.
 /// `scene`: of the study's city; none: made here.
 Result<ElementError> sampleElementError(const ElementStudy& study, const std::optional<RayScene>& scene,
                                         Progress& progress, const std::stop_token& stop);

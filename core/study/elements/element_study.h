@@ -51,7 +51,7 @@ struct ElementStudy {
     std::map<std::string, double> seconds;  ///< by stage, and "total"
     Warnings warnings;                      ///< from reading, placing and computing
     Provenance provenance;                  ///< what the city was made from; set by the caller
-    std::optional<InputFile> windowsFile;   ///< set by the caller
+    std::optional<InputFile> glazingInput;  ///< set by the caller
     HeightFacts heights;
 
     /// Gross shadow of a point: minutes a day, mean over the days.
@@ -67,7 +67,7 @@ std::string describeEngine(const ElementStudy& study);
 /// "horizon" sweeps horizons, "ray" traces every step; "auto" sweeps, and goes on to rays where a sample of
 /// the points is off by more than pointErrorTargetPct in the mean. Points inside a building or below the
 /// ground are left out, with a warning. Error: a setting out of range, another engine, a building that does
-/// not exist or lies outside the region, no points, what readWindows() refuses, a sun that never rises,
+/// not exist or lies outside the region, no points, what readGlazing() refuses, a sun that never rises,
 /// cancelled().
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,

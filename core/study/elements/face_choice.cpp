@@ -106,15 +106,15 @@ bool takes(const FaceChoice& choice, const std::vector<Footprint>& place, const 
 }
 
 std::optional<std::string> findFaceAt(const Building& building, glm::dvec3 place, glm::dvec3 normal) {
-    constexpr double mostM = 1, leastCosine = 0.98;  // some 11 degrees
+    constexpr double maxM = 1, minCosine = 0.98;  // some 11 degrees
     const glm::dvec2 level(normal);
     if (glm::length(level) < 0.5) return std::nullopt;
     std::optional<std::string> found;
-    double nearest = mostM;
+    double nearest = maxM;
     std::size_t wall = 0;
     for (const Part& part : building.parts)
         for (const WallFace& face : findWallFaces(part)) {
-            const bool faces = glm::dot(glm::normalize(level), face.normal()) >= leastCosine;
+            const bool faces = glm::dot(glm::normalize(level), face.normal()) >= minCosine;
             if (const double distance = distanceTo(face, place); faces && distance < nearest) {
                 nearest = distance;
                 found = fmt::format("{} wall {}", building.sourceId, wall);

@@ -27,12 +27,12 @@ Result<AzimuthRange> parseAzimuthRange(std::string_view text);
 /// Which faces of buildings are measured, or which windows, by what they face. All conditions must hold; by
 /// default there are none.
 struct FaceChoice {
-    static constexpr double mostWithinM = 5000;
+    static constexpr double maxWithinM = 5000;
 
     std::vector<std::string> faces;  ///< facades: ids of faces, "way 12 wall 3"; empty: all
     std::optional<AzimuthRange> facing;
     std::string place;     ///< faces that look at this place (looksAt()); empty: all
-    double withinM = 100;  ///< of that place, 1 to mostWithinM
+    double withinM = 100;  ///< of that place, 1 to maxWithinM
     [[nodiscard]] bool takesAll() const { return faces.empty() && !facing && place.empty(); }
     bool operator==(const FaceChoice&) const = default;
 };

@@ -99,13 +99,13 @@ Result<PlacedElements> placeFacades(const City& city, const Region& region, cons
         });
 }
 
-Result<PlacedElements> placeAllWindows(const City& city, const Region& region,
+Result<PlacedElements> placeAllGlazing(const City& city, const Region& region,
                                        const ElementSettings& elements, Progress& progress,
                                        const std::stop_token& stop) {
-    auto read = readWindows(elements.windows, elements.windowFile, city, progress, stop);
+    auto read = readGlazing(elements.windows, elements.glazingFile, city, progress, stop);
     if (!read) return tl::make_unexpected(read.error());
-    WindowsPlaced placed = placeWindows(city, region, read->windows,
-                                        {elements.facades.storeyM, elements.windowFile.aboveGround}, stop);
+    GlazingPlaced placed = placeGlazing(city, region, read->windows,
+                                        {elements.facades.storeyM, elements.glazingFile.aboveGround}, stop);
     if (stop.stop_requested()) return cancelled();
     PlacedElements all{std::move(placed.receivers), std::move(placed.facts), 0, std::move(read->warnings)};
     all.warnings.insert(all.warnings.end(), placed.warnings.begin(), placed.warnings.end());
@@ -155,7 +155,7 @@ Result<PlacedElements> placeAll(const City& city, const StudySettings& settings,
         case ElementPlaces::facades:
             return placeFacades(city, settings.region, elements, stop);
         case ElementPlaces::windows:
-            return placeAllWindows(city, settings.region, elements, progress, stop);
+            return placeAllGlazing(city, settings.region, elements, progress, stop);
         case ElementPlaces::plane:
             return placePlane(city, settings, elements.planeHeightM, stop);
         case ElementPlaces::lines:
@@ -188,7 +188,7 @@ void keepTaken(const City& city, const ElementSettings& elements, PlacedElements
 
 Result<void> checkFaces(const ElementSettings& elements) {
     const FaceChoice& faces = elements.faces;
-    if (!(faces.withinM >= 1 && faces.withinM <= FaceChoice::mostWithinM))
+    if (!(faces.withinM >= 1 && faces.withinM <= FaceChoice::maxWithinM))
         return failure("The distance of the place that is faced is out of range", "facing",
                        "Give 1 to 5000 m");
     if (!faces.place.empty() && elements.parts.facedPlace.empty())

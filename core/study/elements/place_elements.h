@@ -9,7 +9,7 @@
 
 #include "core/describe/choice.h"
 #include "core/describe/text.h"
-#include "core/io/elements/read_windows.h"
+#include "core/io/elements/read_glazing.h"
 #include "core/receivers/parcels/line_points.h"
 #include "core/receivers/point_receivers.h"
 #include "core/receivers/points/point_list.h"
@@ -49,8 +49,8 @@ struct ElementSettings {
     FacadeSettings facades;  ///< its storeyM also numbers the floors of windows
     FaceChoice faces;        ///< of facades and windows, those that are measured
     std::filesystem::path windows;  ///< file of the windows
-    WindowFileSettings windowFile;
-    /// Above the mean of the region's ground, of lines of the parcel's: 0 to mostPlaneHeightM.
+    GlazingFileSettings glazingFile;
+    /// Above the mean of the region's ground, of lines of the parcel's: 0 to maxPlaneHeightM.
     double planeHeightM = 0;
     std::string parcel;  ///< lines: a lot, region or place of the project by name, or a polygon file
     LineSettings lines;
@@ -63,14 +63,14 @@ struct ElementSettings {
 /// The points of a study.
 struct PlacedElements {
     PointReceivers receivers;
-    std::vector<WindowFacts> facts;  ///< of the receivers; empty unless they are windows of a file
-    double planeM = 0;               ///< local z of a plane
-    Warnings warnings;               ///< from reading and placing
+    std::vector<GlazingFacts> facts;  ///< of the receivers; empty unless they are windows of a file
+    double planeM = 0;                ///< local z of a plane
+    Warnings warnings;                ///< from reading and placing
 };
 
 /// Places the points that the settings ask for, in the region and with the cells of `settings`; lines and
 /// listed points also outside the region. Error: a setting out of range, a building that does not exist or
-/// lies outside the region, no points, what readWindows() refuses, cancelled().
+/// lies outside the region, no points, what readGlazing() refuses, cancelled().
 Result<PlacedElements> placeElements(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop);

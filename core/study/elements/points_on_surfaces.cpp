@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double cellM = 4, leastSameWay = 0.7, mostCells = 1e6;
+constexpr double cellM = 4, minSameWay = 0.7, maxCells = 1e6;
 
 using Rings = std::vector<std::vector<glm::dvec3>>;
 
@@ -64,18 +64,18 @@ std::vector<std::size_t> PointsOnSurfaces::find(const Rings& rings) const {
     const PaneAxes axes = findPaneAxes(normal);
     glm::dvec2 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
     for (const glm::dvec3& corner : rings.front()) {
-        low = glm::min(low, glm::dvec2(corner) - mostDistanceM);
-        high = glm::max(high, glm::dvec2(corner) + mostDistanceM);
+        low = glm::min(low, glm::dvec2(corner) - maxDistanceM);
+        high = glm::max(high, glm::dvec2(corner) + maxDistanceM);
     }
-    if ((high.x - low.x) / cellM * ((high.y - low.y) / cellM) > mostCells) return found;
+    if ((high.x - low.x) / cellM * ((high.y - low.y) / cellM) > maxCells) return found;
     for (int x = cellOf(low.x); x <= cellOf(high.x); ++x)
         for (int y = cellOf(low.y); y <= cellOf(high.y); ++y) {
             const auto cell = cells_.find({x, y});
             if (cell == cells_.end()) continue;
             for (const std::size_t i : cell->second) {
                 const glm::dvec3 place(map_.elements[i].position);
-                const bool isOn = glm::dot(normal, glm::dvec3(map_.elements[i].normal)) > leastSameWay &&
-                                  std::abs(glm::dot(normal, place - middle)) <= mostDistanceM;
+                const bool isOn = glm::dot(normal, glm::dvec3(map_.elements[i].normal)) > minSameWay &&
+                                  std::abs(glm::dot(normal, place - middle)) <= maxDistanceM;
                 if (isOn && isInside(rings, axes, place)) found.push_back(i);
             }
         }

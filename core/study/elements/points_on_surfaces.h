@@ -16,7 +16,7 @@ struct SurfaceHours {
 /// Finds the points of a map that lie on a flat polygon.
 class PointsOnSurfaces {
 public:
-    static constexpr double mostDistanceM = 0.3;       ///< from the plane of the polygon
+    static constexpr double maxDistanceM = 0.3;        ///< from the plane of the polygon
     explicit PointsOnSurfaces(const ElementMap& map);  ///< the map must outlive it
 
     /// `rings`: the outer one, then holes; local metres, of finite coordinates, counterclockwise seen from

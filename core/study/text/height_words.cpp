@@ -10,7 +10,7 @@ namespace noonmark {
 using Json = nlohmann::ordered_json;
 
 std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
-    if (!(counts.assumedShare() > mostAssumedShare)) return std::nullopt;
+    if (!(counts.assumedShare() > maxAssumedShare)) return std::nullopt;
     return fmt::format("{} of {} heights are assumed ({}{:.4g} m)",
                        formatThousands(counts.of(HeightSource::assumed)), formatThousands(counts.parts),
                        counts.assumedAlike ? "" : "most of them ", counts.assumedM);

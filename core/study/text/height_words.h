@@ -9,7 +9,7 @@
 
 namespace noonmark {
 
-/// "22,133 of 22,133 heights are assumed (9.6 m)" if more than mostAssumedShare are assumed; else nothing.
+/// "22,133 of 22,133 heights are assumed (9.6 m)" if more than maxAssumedShare are assumed; else nothing.
 std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts);
 
 /// Says of each field of heights whose unit is doubtful what is, and the options that settle it; nothing

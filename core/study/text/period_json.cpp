@@ -13,8 +13,8 @@ nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun, con
     json["days"] = period.days;
     json["step_min"] = period.stepMinutes;
     json["counted_step_min"] = sun.stepMinutes;
-    json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.windowMinutes / double(sun.days.size());
-    json["day_rounding_min"] = sun.mostOffADayMin;
+    json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.countedMinutes / double(sun.days.size());
+    json["day_rounding_min"] = sun.maxOffADayMin;
     json["zone"] = period.zone;
     json["from"] = period.window ? nlohmann::ordered_json() : nlohmann::ordered_json(formatText(period.from));
     json["hours"] = period.window ? nlohmann::ordered_json() : nlohmann::ordered_json(period.hours);

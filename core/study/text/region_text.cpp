@@ -82,8 +82,8 @@ std::optional<std::string> formatBox(const Region& region, const Frame& frame) {
     if (region.polygons.size() != 1 || !region.polygons[0].holes.empty()) return std::nullopt;
     StatedBox box;
     for (const glm::vec2 point : region.polygons[0].outer) box.add(placeOf(glm::dvec2(point), frame));
-    constexpr int mostDecimals = 14;
-    for (int decimals = 2; decimals <= mostDecimals; ++decimals) {
+    constexpr int maxDecimals = 14;
+    for (int decimals = 2; decimals <= maxDecimals; ++decimals) {
         const StatedBox stated = roundDegrees(box, decimals);
         if (isBox(region, stated, frame))
             return fmt::format("{},{},{},{}", roundDegrees(wrapLongitude(stated.low.lonDeg), decimals),

@@ -7,7 +7,7 @@
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/io/files/plain_file.h"
-#include "core/io/read_window.h"
+#include "core/io/read_extent.h"
 #include "core/study/tile_tasks/plan/find_districts.h"
 #include "core/study/tiles/run_tiles.h"
 #include "core/study/tiles/shadow_measure.h"
@@ -58,11 +58,11 @@ Result<City> readFor(const std::vector<PlannedTile>& tiles, const TaskPlan& plan
     const ReadSettings& reading = question.reading;
     Box2 box;
     for (const PlannedTile& tile : tiles) box.add(tile.reads);
-    const ReadWindow window{makeLonLatBox(district.frame, glm::dvec2(box.low), glm::dvec2(box.high)),
+    const ReadExtent window{makeLonLatBox(district.frame, glm::dvec2(box.low), glm::dvec2(box.high)),
                             std::move(terrain), plan.fileBoxes};
     const auto files = pathsOf(plan.files);
-    auto read = plan.byWindow
-                    ? readCityWindow(files, readSettingsIn(district, reading), window, progress, stop)
+    auto read = plan.byExtent
+                    ? readCityExtent(files, readSettingsIn(district, reading), window, progress, stop)
                     : readCity(files, reading, progress, stop);
     if (!read) return tl::make_unexpected(read.error());
     return std::move(read->city);
@@ -130,14 +130,14 @@ public:
             if (auto same = checkInputs(plan_, question_.subject != nullptr); !same)
                 return tl::make_unexpected(same.error());
         for (const auto& window : windows)
-            if (auto done = runWindow(window, progress, stop); !done)
+            if (auto done = runExtent(window, progress, stop); !done)
                 return tl::make_unexpected(done.error());
         report_.seconds = watch.seconds();
         return report_;
     }
 
 private:
-    Result<void> runWindow(const std::vector<PlannedTile>& window, Progress& progress,
+    Result<void> runExtent(const std::vector<PlannedTile>& window, Progress& progress,
                            const std::stop_token& stop) {
         const Stopwatch watch;
         const auto city = readFor(window, plan_, district_, question_, terrain_, progress, stop);

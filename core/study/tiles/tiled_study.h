@@ -21,13 +21,13 @@ namespace noonmark {
 
 struct TiledStudySettings {
     /// As many cells as the horizon sweep computes in one piece for a year, and whole blocks of the file.
-    static constexpr int usualTileCells = 768;
+    static constexpr int defaultTileCells = 768;
     static constexpr int minTileCells = 64;
     static constexpr int maxTileCells = 4096;
 
     StudySettings study;
-    int tileCells = usualTileCells;  ///< cells along a side
-    FileTags tags = {};              ///< tags of the map: makeProvenanceTags()
+    int tileCells = defaultTileCells;  ///< cells along a side
+    FileTags tags = {};                ///< tags of the map: makeProvenanceTags()
 };
 
 /// A study whose cells were never in memory all at once.

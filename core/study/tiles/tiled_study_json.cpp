@@ -20,7 +20,7 @@ std::string tiledStudyJson(const TiledStudy& tiled) {
                      {"resumed", tiled.resumedTiles},
                      {"by_engine", tiled.tilesByEngine}};
     std::vector<CommandOption> tiles;
-    if (tiled.plan.side != TiledStudySettings::usualTileCells)
+    if (tiled.plan.side != TiledStudySettings::defaultTileCells)
         tiles.push_back({flags::tile, {std::to_string(tiled.plan.side)}});
     addRepeat(json,
               makeRepeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));

@@ -43,7 +43,7 @@ std::size_t countCells(const PlaceStudy& study) {
 
 std::string TimelineRequest::key() const {
     return fmt::format("timelines;{};{};{};{};{};{};{};{};{};{};{};{};{};{}", placesHash, kindsOf(reading),
-                       reading.streets, reading.sidewalkM, reading.unnamed, reading.leastAreaM2,
+                       reading.streets, reading.sidewalkM, reading.unnamed, reading.minAreaM2,
                        reading.farAwayM, reading.nameField, nameOf(reading.kind), reading.layer,
                        reading.crs.value_or(""), allSteps, labels.from, labels.to) +
            (reading.wholeStreets ? "" : ";cut streets");

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using FilesByName = std::multimap<std::string, fs::path>;
 
-constexpr std::size_t mostEntries = 100'000;
+constexpr std::size_t maxEntries = 100'000;
 
 FilesByName listFiles(const fs::path& folder, const std::stop_token& stop) {
     FilesByName files;
@@ -22,7 +22,7 @@ FilesByName listFiles(const fs::path& folder, const std::stop_token& stop) {
     std::size_t seen = 0;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        if (++seen > mostEntries || stop.stop_requested()) break;
+        if (++seen > maxEntries || stop.stop_requested()) break;
         std::error_code ignored;
         if (entry->is_regular_file(ignored) || entry->is_directory(ignored))
             files.emplace(entry->path().filename().string(), entry->path());

@@ -36,6 +36,6 @@ struct ResultRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws 
 Result<ResultRecord> parseResultRecord(const std::string& text, const std::string& where);
 
 /// Largest record that is read, bytes.
-inline constexpr std::uintmax_t mostBytesOfRecord = std::uintmax_t{256} << 20U;
+inline constexpr std::uintmax_t maxBytesOfRecord = std::uintmax_t{256} << 20U;
 
 }  // namespace noonmark

@@ -32,8 +32,8 @@ Grid CheckedRow::grid(int column) const {
     const Grid grid{number(column, "west_m", placeLimitsM), number(column + 1, "south_m", placeLimitsM),
                     number(column + 2, "cell_m", cellLimitsM), integer(column + 3, "columns", sideLimits),
                     integer(column + 4, "rows", sideLimits)};
-    if (grid.size() > mostGridCells)
-        refuse(fmt::format("the grid has {} cells, more than {}", grid.size(), mostGridCells));
+    if (grid.size() > maxGridCells)
+        refuse(fmt::format("the grid has {} cells, more than {}", grid.size(), maxGridCells));
     if (!isWithin(grid.eastM(), placeLimitsM) || !isWithin(grid.northM(), placeLimitsM))
         refuse("the grid lies too far from the project's origin");
     return grid;

@@ -19,7 +19,7 @@ inline constexpr NumberLimits placeLimitsM{-1e6, 1e6};      ///< local x and y
 inline constexpr NumberLimits elevationLimitsM{-2e4, 2e4};  ///< local z, and heights above the ellipsoid
 inline constexpr NumberLimits cellLimitsM{1e-3, 1e5};       ///< side of a grid's cell
 inline constexpr NumberLimits sideLimits{1, 200000};        ///< columns and rows of a grid
-inline constexpr std::size_t mostGridCells = 250'000'000;   ///< 1 GB of float32
+inline constexpr std::size_t maxGridCells = 250'000'000;    ///< 1 GB of float32
 inline constexpr NumberLimits layerLimits{-1e9, 1e9};       ///< values of a result
 
 [[nodiscard]] bool isWithin(double value, const NumberLimits& limits);  ///< false for NaN

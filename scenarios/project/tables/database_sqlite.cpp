@@ -34,9 +34,9 @@ int flagsOf(Database::Access access) {
 
 // Reading a city of a million buildings takes 100 million steps of SQLite's virtual machine.
 constexpr int stepsBetweenLooks = 1'000'000;
-constexpr int mostLooks = 5000;  // about a minute
+constexpr int maxLooks = 5000;  // about a minute
 
-int isTooLong(void* looks) { return ++*static_cast<int*>(looks) > mostLooks ? 1 : 0; }
+int isTooLong(void* looks) { return ++*static_cast<int*>(looks) > maxLooks ? 1 : 0; }
 
 void harden(sqlite3* database) {
     const auto set = [&](int option, int value) { sqlite3_db_config(database, option, value, nullptr); };

@@ -8,8 +8,8 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(BenchContestants, EveryEngineOfTheListRunsAsUsual) {
-    const StartList list = listUsualEngines(coreEngines());
+TEST(BenchContestants, EveryEngineOfTheListRunsWithItsDefaults) {
+    const StartList list = listDefaultEngines(coreEngines());
     EXPECT_EQ(list.contestants.size() + list.absent.size(), coreEngines().size());
     for (const Contestant& contestant : list.contestants) EXPECT_TRUE(contestant.setting.empty());
 }
@@ -25,7 +25,7 @@ TEST(BenchContestants, SettingsAreTriedOnceEach) {
     EXPECT_TRUE(titles.contains("Inverse accrual map, levels 8"));  // 12 clamped
 }
 
-TEST(BenchContestants, ALadderHasTheUsualRungToo) {
+TEST(BenchContestants, ALadderHasTheDefaultRungToo) {
     const auto ladder = listVariants(coreEngines(), "iam", "levels", {1, 2, 3});
     ASSERT_EQ(ladder.size(), 3U);
     EXPECT_EQ(ladder[0].setting, "levels 1");

@@ -14,7 +14,7 @@ protected:
     static const BenchReport& report() {
         static const BenchReport made = [] {
             NoProgress silent;
-            Extent extent = tests::leastExtent();
+            Extent extent = tests::minExtent();
             extent.binsDeg = {0.5, 2};
             return runHorizonBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
         }();

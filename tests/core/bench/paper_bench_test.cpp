@@ -17,7 +17,7 @@ protected:
     static const BenchReport& report() {
         static const BenchReport made = [] {
             NoProgress silent;
-            return runPaperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {}).value();
+            return runPaperBench(tests::tinySite(), tests::minExtent(), coreEngines(), silent, {}).value();
         }();
         return made;
     }
@@ -97,7 +97,7 @@ std::size_t leftOut(const std::string& key, const BenchReport& report) {
 // As on a machine that is too slow for any optional experiment.
 TEST(PaperBench, WithoutTimeTheSummaryIsMadeAllTheSame) {
     NoProgress silent;
-    Extent extent = tests::leastExtent();
+    Extent extent = tests::minExtent();
     extent.budgetS = 0;
     extent.resolutions = {16, 24, 32};
     const BenchReport report = runPaperBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
@@ -107,7 +107,7 @@ TEST(PaperBench, WithoutTimeTheSummaryIsMadeAllTheSame) {
         EXPECT_FALSE(json[key].is_null()) << key;
     std::map<std::string, std::size_t> rows;
     for (const Finding& finding : report.findings) rows[finding.key] = finding.table.rows.size();
-    const std::size_t engines = listUsualEngines(coreEngines()).contestants.size();
+    const std::size_t engines = listDefaultEngines(coreEngines()).contestants.size();
     EXPECT_EQ(rows["time_by_resolution"], 3 * engines);
     EXPECT_EQ(rows["memory_by_resolution"], 2 * engines) << "two resolutions are measured in any case";
     EXPECT_EQ(leftOut("engine_times", report), engines) << "the second of two days";
@@ -123,14 +123,14 @@ TEST(PaperBench, StopsWhenAsked) {
     stop.request_stop();
     NoProgress silent;
     const auto report =
-        runPaperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, stop.get_token());
+        runPaperBench(tests::tinySite(), tests::minExtent(), coreEngines(), silent, stop.get_token());
     ASSERT_FALSE(report);
     EXPECT_TRUE(isCancelled(report.error()));
 }
 
 TEST(PaperBench, ACityWithoutBuildingsIsRefused) {
     NoProgress silent;
-    const auto report = runPaperBench({}, tests::leastExtent(), coreEngines(), silent, {});
+    const auto report = runPaperBench({}, tests::minExtent(), coreEngines(), silent, {});
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().what.find("no buildings"), std::string::npos);
 }

@@ -11,7 +11,7 @@ namespace {
 
 TEST(PointBench, MeasuresEveryFigureOfItsSummary) {
     NoProgress silent;
-    const auto report = runPointBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {});
+    const auto report = runPointBench(tests::tinySite(), tests::minExtent(), coreEngines(), silent, {});
     ASSERT_TRUE(report) << report.error().text();
     ASSERT_EQ(report->findings.size(), pointBenchKeys.size());
     EXPECT_EQ(report->findings[0].key, pointBenchKeys[0]) << report->findings[0].text;

@@ -61,7 +61,7 @@ TEST(GraphBound, DirectionsAreAlikeWithinTheBound) {
 
 TEST(GraphError, AreaErrorIsNeverMoreThanWhatIsMistagged) {
     NoProgress silent;
-    Extent extent = tests::leastExtent();
+    Extent extent = tests::minExtent();
     extent.graphHours = 6;
     const Finding finding = benchGraphError(tests::tinySite(), extent, {silent, {}}).value();
     ASSERT_GE(finding.table.rows.size(), 5U);

@@ -16,7 +16,7 @@ inline BenchSite tinySite() {
 }
 
 /// One of each quantity.
-inline Extent leastExtent() {
+inline Extent minExtent() {
     Extent extent;
     extent.sunTimes = 100;
     extent.hours = 2;

@@ -74,16 +74,16 @@ TEST(AreaOutside, LiesWithinItsBounds) {
         const std::vector<Footprint> others{star(random), star(random), star(random)};
         const OutsideArea bound = boundAreaOutside({whole}, others);
         const double outside = computeAreaOutside(whole, others);
-        EXPECT_LE(bound.leastM2, outside + 0.05) << round;
-        EXPECT_GE(bound.mostM2, outside - 0.05) << round;
+        EXPECT_LE(bound.minM2, outside + 0.05) << round;
+        EXPECT_GE(bound.maxM2, outside - 0.05) << round;
     }
 }
 
 TEST(AreaOutside, IsExactWhereCoversAreDisjoint) {
     const OutsideArea bound = boundAreaOutside({rectangle(0, 0, 10, 10), rectangle(20, 0, 10, 10)},
                                                {rectangle(0, 0, 4, 10), rectangle(4, 0, 22, 5)});
-    EXPECT_NEAR(bound.leastM2, 200 - 40 - 30 - 30, 1e-9);
-    EXPECT_NEAR(bound.mostM2, bound.leastM2, 1e-9);
+    EXPECT_NEAR(bound.minM2, 200 - 40 - 30 - 30, 1e-9);
+    EXPECT_NEAR(bound.maxM2, bound.minM2, 1e-9);
 }
 
 TEST(AreaOutside, OfShapesWithTooManyPointsIsNotBounded) {
@@ -92,8 +92,8 @@ TEST(AreaOutside, OfShapesWithTooManyPointsIsNotBounded) {
         round.outer.emplace_back(50 * std::cos(float(i) * 0.00314159F),
                                  50 * std::sin(float(i) * 0.00314159F));
     const OutsideArea bound = boundAreaOutside({round}, {round});
-    EXPECT_EQ(bound.leastM2, 0);
-    EXPECT_NEAR(bound.mostM2, area(round), 1e-6);
+    EXPECT_EQ(bound.minM2, 0);
+    EXPECT_NEAR(bound.maxM2, area(round), 1e-6);
 }
 
 }  // namespace

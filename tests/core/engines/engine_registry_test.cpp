@@ -29,12 +29,12 @@ TEST(Engines, BothEndsOfEveryRangeAreTakenAndNothingBeyond) {
             const auto made = [&](double value) {
                 return makeEngine(engine.info.key, {{std::string(option.key), value}});
             };
-            EXPECT_TRUE(made(option.lowest)) << option.key;
+            EXPECT_TRUE(made(option.min)) << option.key;
             // The available OpenCL devices depend on the machine.
-            EXPECT_TRUE(made(option.highest) || option.key == "device") << option.key;
-            EXPECT_TRUE(made(option.usual)) << option.key;
+            EXPECT_TRUE(made(option.max) || option.key == "device") << option.key;
+            EXPECT_TRUE(made(option.standard)) << option.key;
             for (const double wrong :
-                 {option.lowest - 1, option.highest + 1, std::numeric_limits<double>::quiet_NaN()}) {
+                 {option.min - 1, option.max + 1, std::numeric_limits<double>::quiet_NaN()}) {
                 const auto refused = made(wrong);
                 ASSERT_FALSE(refused) << option.key << ' ' << wrong;
                 EXPECT_THAT(refused.error().text(), HasSubstr("Choose"));

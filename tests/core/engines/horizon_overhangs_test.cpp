@@ -27,11 +27,11 @@ Off offOf(const City& city, const Receivers& receivers, const SunSteps& sun) {
     return {off.gross / whole, off.continuous / whole};
 }
 
-void expectAgreement(const City& city, double mostGross = 0.1, double mostContinuous = 0.3) {
+void expectAgreement(const City& city, double maxGross = 0.1, double maxContinuous = 0.3) {
     const Receivers receivers = receiversOver(city, -60.3F, -40.3F, 80.7F, 110.7F);
     const Off off = offOf(city, receivers, threeDays());
-    EXPECT_LE(off.gross, mostGross);
-    EXPECT_LE(off.continuous, mostContinuous);
+    EXPECT_LE(off.gross, maxGross);
+    EXPECT_LE(off.continuous, maxContinuous);
 }
 
 // A slab 10 m above the ground lets the sun in below it: the sun is hidden above atan(10 / distance to the

@@ -16,11 +16,11 @@ Receivers placeReceiversAt(ReceiverPlaces places, const City& city, float west, 
         .value();
 }
 
-void expectAgreement(const City& city, const Receivers& receivers, double mostGross, double mostContinuous) {
+void expectAgreement(const City& city, const Receivers& receivers, double maxGross, double maxContinuous) {
     const SunSteps sun = threeDays();
     const Errors errors = errorsOf(swept(city, receivers, sun), traced(city, receivers, sun), receivers);
-    EXPECT_LE(errors.mean, mostGross);
-    EXPECT_LE(errors.meanContinuous, mostContinuous);
+    EXPECT_LE(errors.mean, maxGross);
+    EXPECT_LE(errors.meanContinuous, maxContinuous);
 }
 
 /// Gabled houses in rows, some rotated, some with a lower wing attached.

@@ -154,7 +154,7 @@ TEST(InverseAccrualMap, ASunAtTheHorizonIsTraced) {
     const SunSteps sun = oneDay(dawn);
     const ShadowField truth = traced(city, receivers, sun);
     EXPECT_LT(areaErrorPercent(accrued(city, receivers, sun, {}), truth), 1.5);
-    EXPECT_GT(areaErrorPercent(accrued(city, receivers, sun, {.lowestSunDeg = 0}), truth), 2.6);
+    EXPECT_GT(areaErrorPercent(accrued(city, receivers, sun, {.minSunDeg = 0}), truth), 2.6);
 }
 
 // The steps on both sides of the limit are combined in the right order: no step is lost.
@@ -186,7 +186,7 @@ TEST(InverseAccrualMap, RefusesSettingsOutOfRange) {
     EXPECT_FALSE(InverseAccrualMap::make({.levels = 9}).has_value());
     EXPECT_FALSE(InverseAccrualMap::make({.nearestHitM = 0}).has_value());
     EXPECT_FALSE(InverseAccrualMap::make({.marginM = -1}).has_value());
-    EXPECT_FALSE(InverseAccrualMap::make({.lowestSunDeg = 46}).has_value());
+    EXPECT_FALSE(InverseAccrualMap::make({.minSunDeg = 46}).has_value());
     EXPECT_FALSE(InverseAccrualMap::make({.openClDevice = 99}).has_value());
 }
 

@@ -25,7 +25,7 @@ TEST(PartialPace, FiveASecondHoweverOftenTheWorkLooksUp) {
     for (const double stepS : {0.001, 0.03, 0.07, 0.11, 0.17}) {
         const auto taken = takenBy(stepS, 21);
         EXPECT_GE(double(taken.size()) / (taken.back() - 1), 5) << stepS;
-        EXPECT_LE(double(taken.size()), 20 / PartialPace::usualS + 2) << "and no more than that, " << stepS;
+        EXPECT_LE(double(taken.size()), 20 / PartialPace::defaultS + 2) << "and no more than that, " << stepS;
     }
 }
 
@@ -39,14 +39,14 @@ TEST(PartialPace, ALongPauseIsNotMadeGood) {
     ASSERT_TRUE(pace.due(10));
     pace.taken(10);
     EXPECT_FALSE(pace.due(10.1));
-    EXPECT_TRUE(pace.due(10 + PartialPace::usualS));
+    EXPECT_TRUE(pace.due(10 + PartialPace::defaultS));
 }
 
 TEST(PartialPace, OnesThatComeUnaskedDoNotAddUp) {
     PartialPace pace;
     for (int i = 0; i < 10; ++i) pace.taken(1 + 0.01 * i);
     EXPECT_FALSE(pace.due(1.1));
-    EXPECT_TRUE(pace.due(1.1 + PartialPace::usualS));
+    EXPECT_TRUE(pace.due(1.1 + PartialPace::defaultS));
 }
 
 }  // namespace

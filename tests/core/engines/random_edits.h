@@ -49,9 +49,9 @@ private:
                 .topM = footM_ + topM,
                 .isOverhanging = isOverhanging};
     }
-    Part slab(Footprint footprint, float mostM = 12) {
+    Part slab(Footprint footprint, float maxM = 12) {
         const float bottom = 8 + between(2, 40);
-        return part(std::move(footprint), bottom, bottom + between(0.5, mostM), true);
+        return part(std::move(footprint), bottom, bottom + between(0.5, maxM), true);
     }
     std::shared_ptr<const Building> bridge(glm::vec2 corner) {
         const float high = between(20, 60);
@@ -75,12 +75,12 @@ private:
 
 /// Adds, removes, replaces, swaps or doubles a building.
 inline void editAnything(City& city, std::mt19937& random, bool overhanging = false) {
-    constexpr std::size_t mostBuildings = 40;
+    constexpr std::size_t maxBuildings = 40;
     AnyBuilding anyBuilding(random, {.terrain = city.terrain}, overhanging);
     const std::uint32_t kind = std::uint32_t(random() % 4);
     if (kind == 0 || city.buildings.size() < 5) {
         city.buildings.push_back(anyBuilding());
-    } else if ((kind == 1 && city.buildings.size() > 12) || city.buildings.size() > mostBuildings) {
+    } else if ((kind == 1 && city.buildings.size() > 12) || city.buildings.size() > maxBuildings) {
         city.buildings.erase(city.buildings.begin() + std::ptrdiff_t(random() % city.buildings.size()));
     } else if (kind == 2) {
         city.buildings[random() % city.buildings.size()] = anyBuilding();

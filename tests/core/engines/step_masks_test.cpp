@@ -9,7 +9,7 @@
 #include "core/city/city_observer.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/horizon/horizon_sweep.h"
-#include "core/engines/projected/masks/receiver_windows.h"
+#include "core/engines/projected/masks/dense_blocks.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/samples/sample_city.h"
@@ -54,7 +54,7 @@ Receivers receiversInSquares(const City& city, double cellM) {
 }
 
 SunSteps sunOver(const City& city, CivilDate start, int days, double stepMinutes) {
-    Period period{.start = start, .days = days, .stepMinutes = stepMinutes, .window = SolarWindow{}};
+    Period period{.start = start, .days = days, .stepMinutes = stepMinutes, .window = SolarHours{}};
     period.zone = "America/New_York";
     return computeSunSteps(period, placeObserver(city, {0, 0})).value();
 }
@@ -67,7 +67,7 @@ TEST(ReceiverWindows, HoldEveryReceiverOnceAndAreDense) {
     const Receivers receivers = receiversInSquares(city, 1);
     std::vector<int> seen(receivers.cells.size());
     std::size_t cells = 0;
-    for (const ReceiverWindow& window : divideIntoWindows(receivers)) {
+    for (const ReceiverBlock& window : divideIntoBlocks(receivers)) {
         cells += std::size_t(window.east - window.west) * std::size_t(window.band.rows());
         for (const ReceiverRun& run : window.runs)
             for (int i = 0; i < run.count; ++i) {

@@ -37,7 +37,7 @@ TEST(OutlineLimits, ABuildingOfMorePointsIsLeftOutWithAWarning) {
     const tests::TemporaryFolder folder;
     NoProgress quiet;
     const auto file = folder.file(
-        "city.geojson", collection(roundFeature(mostOutlinePoints + 1, 0) + "," + roundFeature(50, 0.01)));
+        "city.geojson", collection(roundFeature(maxOutlinePoints + 1, 0) + "," + roundFeature(50, 0.01)));
     const auto piece = readFootprints(file, {}, quiet, {});
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_EQ(piece->buildings.size(), 1U);
@@ -47,7 +47,7 @@ TEST(OutlineLimits, ABuildingOfMorePointsIsLeftOutWithAWarning) {
 TEST(OutlineLimits, ARegionOrAParcelOfMorePointsIsRefusedWithItsLimit) {
     const tests::TemporaryFolder folder;
     const Frame frame({-73.98, 40.75});
-    const auto file = folder.file("lot.geojson", collection(roundFeature(mostOutlinePoints + 1, 0)));
+    const auto file = folder.file("lot.geojson", collection(roundFeature(maxOutlinePoints + 1, 0)));
     const auto region = readRegion(file.string(), frame);
     ASSERT_FALSE(region);
     EXPECT_THAT(region.error().what, HasSubstr("more than 100000"));

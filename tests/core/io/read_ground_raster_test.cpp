@@ -121,7 +121,7 @@ TEST_F(ReadGroundRaster, OtherProjectionsAreReprojected) {
 }
 
 TEST_F(ReadGroundRaster, SidesStayWithinTheLimit) {
-    const auto raster = read(made({}), aroundOrigin, {.mostPixels = 100});
+    const auto raster = read(made({}), aroundOrigin, {.maxPixels = 100});
     ASSERT_TRUE(raster);
     EXPECT_LE(std::max(raster->grid.columns, raster->grid.rows), 100);
     EXPECT_NEAR(raster->grid.cellM, 1.6, 0.01);

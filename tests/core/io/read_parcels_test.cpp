@@ -73,7 +73,7 @@ TEST_F(ReadParcels, WhatIsWrongIsSaid) {
 
 TEST_F(ReadParcels, ARegisterOfAWholeCityIsRefusedAndStops) {
     std::vector<std::string> many;
-    for (std::size_t i = 0; i <= ParcelSettings::mostParcels; ++i)
+    for (std::size_t i = 0; i <= ParcelSettings::maxParcels; ++i)
         many.push_back(squareAt(-73.98, fmt::format(R"("lot":{})", i)));
     file_ = folder_.file("many.geojson", collection(many));
     EXPECT_THAT(read({}).error().text(), HasSubstr("more than 5000 parcels"));

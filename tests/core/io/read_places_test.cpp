@@ -239,7 +239,7 @@ TEST_F(ReadPlaces, PolygonsOfAnyFileWithANameField) {
     EXPECT_EQ(placeNamed(read, "Yard")->kind, PlaceKind::schoolyard);
     ASSERT_EQ(read.warnings.size(), 2U);  // the bow tie is mended, the one in Germany left out
     EXPECT_EQ(readFrom(file, {.kinds = {PlaceKind::schoolyard}}).value().places.size(), 1U);
-    EXPECT_TRUE(readFrom(file, {.leastAreaM2 = 1e6}).value().places.empty());
+    EXPECT_TRUE(readFrom(file, {.minAreaM2 = 1e6}).value().places.empty());
 }
 
 TEST_F(ReadPlaces, WhatIsWrongWithAFileIsReported) {

@@ -298,7 +298,7 @@ protected:
         return difference;
     }
 
-    void expectSameField(const City& city, const char* engine, double mostMeanMin) const {
+    void expectSameField(const City& city, const char* engine, double maxMeanMin) const {
         const SunSteps sun = tests::oneDay(tests::arc(270, 41), 2);
         NoProgress progress;
         const auto made = makeEngine(engine).value();
@@ -308,14 +308,14 @@ protected:
         double off = 0;
         for (const std::uint32_t cell : receivers.cells)
             off += double(std::abs(a.grossMin[cell] - b.grossMin[cell])) / double(receivers.cells.size());
-        EXPECT_LE(off, mostMeanMin) << engine;
+        EXPECT_LE(off, maxMeanMin) << engine;
         RecordProperty(std::string("meanMin_") + engine, std::to_string(off));
     }
 
-    void expectSame(const City& city, double mostKindPercent) const {
+    void expectSame(const City& city, double maxKindPercent) const {
         const Difference difference = computeDifference(city);
         EXPECT_GT(difference.roofs, 10'000U);
-        EXPECT_LE(difference.kindPercent, mostKindPercent);
+        EXPECT_LE(difference.kindPercent, maxKindPercent);
         EXPECT_LE(difference.roofPercent, 0.1);
         expectSameField(city, "ray", 0.05);
         expectSameField(city, "projected", 0.05);

@@ -109,7 +109,7 @@ TEST(TerrainFromBases, ReliefIsThatOfNeighbours) {
     // Across the rows, along the rows, and one diagonal per square
     EXPECT_EQ(relief.pairs, 5U + 2U * 4U + 4U);
     EXPECT_EQ(relief.uneven, 3U);
-    EXPECT_DOUBLE_EQ(relief.mostM, 3);
+    EXPECT_DOUBLE_EQ(relief.maxM, 3);
     EXPECT_TRUE(relief.matters());
     EXPECT_FALSE(measureRelief({}).matters());
     EXPECT_FALSE(interpolateBases({}));

@@ -221,7 +221,7 @@ TEST(PlaceStudy, AgreesWithRaysOnEveryCellAndStep) {
     after.buildings.push_back(buildingOf({{30, -20, 0}, {60, 10, 150}}));
     const std::vector<Place> places{squareAt("a", -150, 60, 60), squareAt("b", 10, 30, 90),
                                     squareAt("inside b", 30, 40, 20), squareAt("c", 150, 120, 50)};
-    PlaceStudySettings settings{.period = {.start = equinox, .stepMinutes = 5, .window = SolarWindow{}}};
+    PlaceStudySettings settings{.period = {.start = equinox, .stepMinutes = 5, .window = SolarHours{}}};
     NoProgress quiet;
     const auto fast = runPlaceStudy(before, &after, places, settings, ProjectedShadows(), quiet, {}).value();
     const auto rays = runPlaceStudy(before, &after, places, settings, RayReference(), quiet, {}).value();
@@ -248,7 +248,7 @@ TEST(PlaceStudy, AgreesWithRaysOnEveryCellAndStep) {
 
 TEST(PlaceStudy, WhatIsWrongIsReported) {
     const City city = cityOf({{{0, 0, 0}, {20, 20, 10}}});
-    PlaceStudySettings settings{.period = {.start = equinox, .stepMinutes = 30, .window = SolarWindow{}}};
+    PlaceStudySettings settings{.period = {.start = equinox, .stepMinutes = 30, .window = SolarHours{}}};
     NoProgress quiet;
     EXPECT_THAT(runPlaceStudy(city, nullptr, {}, settings, ProjectedShadows(), quiet, {}).error().text(),
                 HasSubstr("no place"));

@@ -39,12 +39,12 @@ TEST(FacadeElevations, ABoxHasFourSidesWithTheirWindowsAtTheirPlaces) {
         EXPECT_EQ(sides[side].floorM, 0);
     }
     // From the south, east is at the right; from the north, west is.
-    for (const ElevationWindow& window : sides[2].windows) {
+    for (const ElevationGlazing& window : sides[2].windows) {
         const ElevationPane& pane = panes[window.pane];
         EXPECT_NEAR(window.low.x, pane.middle.x - 0.75, 1e-5);
         EXPECT_NEAR(window.high.y, pane.middle.z + 0.75, 1e-5);
     }
-    for (const ElevationWindow& window : sides[0].windows)
+    for (const ElevationGlazing& window : sides[0].windows)
         EXPECT_NEAR(window.high.x, -panes[window.pane].middle.x + 0.75, 1e-5);
 }
 
@@ -64,7 +64,7 @@ TEST(FacadeElevations, WindowsOfACourtHaveALayerOfTheirOwn) {
         if (side.layer == 2) {
             EXPECT_NEAR(side.high.x - side.low.x, 10, 1e-5) << "its own wall only";
         }
-        for (const ElevationWindow& window : side.windows) drawn.insert(window.pane);
+        for (const ElevationGlazing& window : side.windows) drawn.insert(window.pane);
     }
     EXPECT_EQ(drawn.size(), panes.size()) << "each window once";
 }
@@ -139,7 +139,7 @@ TEST(FacadeElevations, WindowsOfWallsThatCoverEachOtherAreDrawn) {
                                            {{32, 0, 5}, {0, -1, 0}, size}};
     std::set<std::size_t> drawn;
     for (const FacadeElevation& side : drawElevations(&building, panes))
-        for (const ElevationWindow& window : side.windows) drawn.insert(window.pane);
+        for (const ElevationGlazing& window : side.windows) drawn.insert(window.pane);
     EXPECT_EQ(drawn.size(), panes.size());
 }
 

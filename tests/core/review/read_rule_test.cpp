@@ -160,13 +160,13 @@ TEST(ReadRule, AppliesTheChosenOptionAndRefusesOthers) {
 
 TEST(RuleTimes, ReadsAndWritesBounds) {
     for (const std::string text : {"09:18", "24:00", "sunrise", "sunrise+1.5h", "sunset-1h", "sunrise-20m"}) {
-        const auto bound = parseWindowBound(text);
+        const auto bound = parseHoursBound(text);
         ASSERT_TRUE(bound) << text;
         EXPECT_EQ(formatText(*bound), text);
     }
     for (const std::string text : {"", "9:18", "25:00", "sunrise+", "sunrise+h", "sunrise+13h",
                                    "sunrise+nanh", "noon", "sunset-1e99h", "sunrise+1.5"})
-        EXPECT_FALSE(parseWindowBound(text)) << text;
+        EXPECT_FALSE(parseHoursBound(text)) << text;
     for (const std::string text : {"3-21", "13-01", "00-10", "02-30", "ab-cd", "03-21x", ""})
         EXPECT_FALSE(parseRuleDay(text)) << text;
     EXPECT_TRUE(parseRuleDay("02-29"));

@@ -43,7 +43,7 @@ TEST(RuleMoments, WithoutTimesAreTheFullHoursOfItsHours) {
                 testing::ElementsAre("08:00", "09:00", "10:00", "11:00", "12:00", "13:00", "14:00", "15:00",
                                      "16:00"));
     // At most some three a day, noon among them: every third of eight hours.
-    const auto few = computeRuleMoments(rule, manhattan, {.mostHoursADay = 3}).value();
+    const auto few = computeRuleMoments(rule, manhattan, {.maxHoursADay = 3}).value();
     EXPECT_THAT(clocksOn(few, 3), testing::ElementsAre("09:00", "12:00", "15:00"));
 }
 
@@ -51,7 +51,7 @@ TEST(RuleMoments, OfARangeOfDaysAreThoseOfPlannersAndOneMore) {
     const Rule rule = shippedRule("san-francisco-295", {});
     using namespace std::chrono;
     const auto moments = computeRuleMoments(rule, momentSite(-122.42, 37.78, "America/Los_Angeles"),
-                                            {.moreDays = {February / 3}, .mostHoursADay = 2})
+                                            {.moreDays = {February / 3}, .maxHoursADay = 2})
                              .value();
     std::set<std::string> days;
     for (const RuleMoment& moment : moments) days.insert(formatText(moment.day).substr(5));

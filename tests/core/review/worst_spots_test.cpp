@@ -90,7 +90,7 @@ TEST(WorstSpots, AreFoundInANookWhoseCentreIsNoWorseThanMany) {
 // all pairs have 3 and 2, a hundred cells may hold 4, and not all of them are looked at.
 TEST(WorstSpots, AreSuspectedWhereTheirCellsMayHoldMore) {
     constexpr std::uint32_t pairs = 100;
-    static_assert(pairs > mostSuspects);
+    static_assert(pairs > maxSuspects);
     const std::vector<NeighbourCells> beside{{0, pairs, pairs}};
     PlaceShadow shadow;
     shadow.neighbours = beside;
@@ -104,7 +104,7 @@ TEST(WorstSpots, AreSuspectedWhereTheirCellsMayHoldMore) {
     EXPECT_FALSE(one.next);
     for (std::uint32_t pair = 0; pair < pairs; ++pair) steps[pair] = 3, steps[pairs + pair] = 2;
     const Suspects many = listSuspects(shadow, Quantity::shadow, steps);
-    EXPECT_EQ(many.cells.size(), mostSuspects);
+    EXPECT_EQ(many.cells.size(), maxSuspects);
     EXPECT_EQ(many.next, 4U);
     EXPECT_EQ(listSuspects(shadow, Quantity::sun, steps).next, 1U)
         << "least sun: 2 steps, less the one between";

@@ -8,9 +8,9 @@
 #include "core/review/library/rule_library.h"
 #include "core/study/elements/element_study.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/glazing/glazing_study.h"
 #include "core/study/study.h"
 #include "core/study/tiles/tiled_study.h"
-#include "core/study/windows/window_study.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -108,7 +108,7 @@ StudySettings atPoints(const std::string& engine) {
     settings.region = makeRegionFromLocalBox({{-50, -50}, {80, 60}});
     settings.period.start = std::chrono::year(2026) / 4 / 10;
     settings.period.days = 10;
-    settings.period.window = SolarWindow{};
+    settings.period.window = SolarHours{};
     return settings;
 }
 
@@ -130,23 +130,23 @@ TEST(AutoStudy, PointsGoOnToRaysAndSaySo) {
     EXPECT_GT(horizons.error->gross.meanPct, pointErrorTargetPct);
 }
 
-WindowStudy reviewedBy(const City& city, std::optional<ShadedStepFinder::By> by) {
+GlazingStudy reviewedBy(const City& city, std::optional<ShadedStepFinder::By> by) {
     const Rule rule = RuleLibrary::load().value().find("bre-209-windows", {}).value();
     NoProgress progress;
-    const WindowReviewSettings settings{{.buildings = {"house"}},
-                                        makeRegionFromLocalBox({{-50, -50}, {80, 60}}),
-                                        "America/New_York",
-                                        2026,
-                                        by};
-    return runWindowReview(rule, city, city, settings, progress, {}).value();
+    const GlazingReviewSettings settings{{.buildings = {"house"}},
+                                         makeRegionFromLocalBox({{-50, -50}, {80, 60}}),
+                                         "America/New_York",
+                                         2026,
+                                         by};
+    return runGlazingReview(rule, city, city, settings, progress, {}).value();
 }
 
 TEST(AutoStudy, ReviewsOfWindowsGoOnToRaysAndSaySo) {
     const City city = cityWithHiddenOverhang();
-    const WindowStudy study = reviewedBy(city, {});
-    ASSERT_GT(study.steps, mostTracedSteps);
+    const GlazingStudy study = reviewedBy(city, {});
+    ASSERT_GT(study.steps, maxTracedSteps);
     EXPECT_THAT(study.engine, HasSubstr("rays, since horizons of 48 windows are off by"));
-    const WindowStudy rays = reviewedBy(city, ShadedStepFinder::By::rays);
+    const GlazingStudy rays = reviewedBy(city, ShadedStepFinder::By::rays);
     ASSERT_EQ(study.windows.size(), rays.windows.size());
     for (std::size_t i = 0; i < rays.windows.size(); ++i)
         EXPECT_EQ(study.windows[i].results.back().value->value, rays.windows[i].results.back().value->value);

@@ -33,7 +33,7 @@ MeasuredBox measure(const std::filesystem::path& file) {
     StudySettings settings;
     settings.region = makeRegionFromLocalBox(bounds(city));
     settings.period = {
-        .start = std::chrono::year(2026) / 3 / 21, .days = 1, .window = SolarWindow{}, .zone = "UTC"};
+        .start = std::chrono::year(2026) / 3 / 21, .days = 1, .window = SolarHours{}, .zone = "UTC"};
     ElementStudy study = runElementStudy(city, settings, {}, quiet, {}).value();
     study.provenance.inputs = {describeInputFile(file).value()};
     ElementMap map = makeElementMap(study);

@@ -39,7 +39,7 @@ StudySettings ofOneDay(const Region& region) {
     settings.period = {.start = std::chrono::year(2026) / 3 / 21,
                        .days = 1,
                        .stepMinutes = 1,
-                       .window = SolarWindow{},
+                       .window = SolarHours{},
                        .zone = "America/New_York"};
     return settings;
 }

@@ -108,7 +108,7 @@ TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
                                {"-x.shx", 10, "ab"},
                                {"sample:grid", 0, ""}};
     study.settings.region = {"triangle", {{{{0, 0}, {100, 0}, {100, 100}}, {}}}};
-    study.settings.period.window = SolarWindow{90min, 30min};
+    study.settings.period.window = SolarHours{90min, 30min};
     study.settings.period.refraction = false;
     study.settings.engine = "iam";
     study.settings.engineSettings = {{"levels", 4}, {"bound", 2.5}};

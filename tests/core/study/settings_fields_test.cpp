@@ -30,7 +30,7 @@ static_assert(countMembers<ElementSettings>() == 13);
 TEST(SettingsFields, NoneOfAPeriodIsForgotten) {
     expectNoticed(periodFields(), Period{});
     Period bySun;
-    bySun.window = SolarWindow{std::chrono::minutes(30), std::chrono::minutes(0)};
+    bySun.window = SolarHours{std::chrono::minutes(30), std::chrono::minutes(0)};
     EXPECT_EQ(namesOf(listOptions(periodFields().of(bySun))),
               (std::set<std::string>{"--start", "--days", "--window", "--step", "--zone"}));
     bySun.window->rule = SunriseRule::centre;
@@ -95,7 +95,7 @@ TEST(QuestionHash, OfAnEarlierVersionKnowsHoursOfTheSunRoofsAndOptions) {
     settings.period.days = 365;
     settings.period.refraction = false;
     settings.period.window =
-        SolarWindow{std::chrono::minutes(90), std::chrono::minutes(75), SunriseRule::centre};
+        SolarHours{std::chrono::minutes(90), std::chrono::minutes(75), SunriseRule::centre};
     settings.receivers = {2.5, ReceiverPlaces::roofs};
     settings.engine = "horizon";
     settings.engineSettings["bin"] = 0.5;

@@ -238,7 +238,7 @@ TEST(ErrorLines, SayWhatWasMeasuredOrWhyNot) {
 
 TEST(StudyJson, ASolarWindowReplacesTheHours) {
     StudySettings settings = aroundTheTower();
-    settings.period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(60)};
+    settings.period.window = SolarHours{std::chrono::minutes(90), std::chrono::minutes(60)};
     const auto study = run(settings);
     ASSERT_TRUE(study) << errorOf(study);
     const auto period = nlohmann::json::parse(studyJson(*study))["period"];

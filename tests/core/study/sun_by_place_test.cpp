@@ -38,7 +38,7 @@ SunByPlaceSettings ofDays(int days, double cellM = 2) {
     settings.study.period = {.start = std::chrono::year(2026) / 2 / 20,
                              .days = days,
                              .stepMinutes = 10,
-                             .window = SolarWindow{},
+                             .window = SolarHours{},
                              .zone = "America/New_York"};
     return settings;
 }

@@ -34,7 +34,7 @@ TEST(Period, IsTakenAsItIsWhereItIsInRange) {
     EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 24, p.from = 24h; }), "");
     EXPECT_EQ(fieldOfError([](Period& p) { p.days = 3660; }), "");
     EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 1.0 / 60; }), "");
-    EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarWindow{-12h, -12h}; }), "");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarHours{-12h, -12h}; }), "");
 }
 
 TEST(Period, SaysWhichFieldIsOutOfRange) {
@@ -54,7 +54,7 @@ TEST(Period, SaysWhichFieldIsOutOfRange) {
     EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 0; }), "step");
     EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 241; }), "step");
     EXPECT_EQ(fieldOfError([=](Period& p) { p.stepMinutes = nan; }), "step");
-    EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarWindow{13h, 0min}; }), "window");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarHours{13h, 0min}; }), "window");
     EXPECT_EQ(fieldOfError([](Period& p) { p.zone = "America/Gotham"; }), "zone");
 }
 
@@ -65,40 +65,40 @@ TEST(PeriodText, SaysItInOneLine) {
     period.hours = 0;
     period.refraction = false;
     EXPECT_EQ(formatText(period), "2026-03-21, 365 days, at 09:00, America/New_York, no refraction");
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     period.stepMinutes = 0.5;
     EXPECT_EQ(
         formatText(period),
         "2026-03-21, 365 days, sunrise+1.5h..sunset-1.5h, every 0.5 min, America/New_York, no refraction");
 }
 
-TEST(SolarWindowText, IsReadInItsForms) {
-    const auto read = [](const char* text) { return parseSolarWindow(text).value(); };
-    EXPECT_EQ(read("sunrise+1.5h..sunset-1.5h"), (SolarWindow{90min, 90min}));
-    EXPECT_EQ(read("sunrise-30m..sunset+30m"), (SolarWindow{-30min, -30min}));
-    EXPECT_EQ(read("sunrise..sunset"), (SolarWindow{}));
-    EXPECT_EQ(read("+1h..-1h"), (SolarWindow{60min, 60min}));
-    EXPECT_EQ(read("90m..1.5h"), (SolarWindow{90min, 90min}));
-    EXPECT_EQ(read("sunrise + 20 min .. sunset"), (SolarWindow{20min, 0min}));
-    EXPECT_EQ(read("Sunrise..Sunset-2H"), (SolarWindow{0min, 120min}));
-    EXPECT_EQ(read(".."), (SolarWindow{}));
+TEST(SolarHoursText, IsReadInItsForms) {
+    const auto read = [](const char* text) { return parseSolarHours(text).value(); };
+    EXPECT_EQ(read("sunrise+1.5h..sunset-1.5h"), (SolarHours{90min, 90min}));
+    EXPECT_EQ(read("sunrise-30m..sunset+30m"), (SolarHours{-30min, -30min}));
+    EXPECT_EQ(read("sunrise..sunset"), (SolarHours{}));
+    EXPECT_EQ(read("+1h..-1h"), (SolarHours{60min, 60min}));
+    EXPECT_EQ(read("90m..1.5h"), (SolarHours{90min, 90min}));
+    EXPECT_EQ(read("sunrise + 20 min .. sunset"), (SolarHours{20min, 0min}));
+    EXPECT_EQ(read("Sunrise..Sunset-2H"), (SolarHours{0min, 120min}));
+    EXPECT_EQ(read(".."), (SolarHours{}));
 }
 
-TEST(SolarWindowText, RoundTrips) {
+TEST(SolarHoursText, RoundTrips) {
     for (int after = -720; after <= 720; after += 45) {
         for (int before = -720; before <= 720; before += 31) {
-            const SolarWindow window{minutes{after}, minutes{before}};
-            EXPECT_EQ(parseSolarWindow(formatText(window)).value(), window) << formatText(window);
+            const SolarHours window{minutes{after}, minutes{before}};
+            EXPECT_EQ(parseSolarHours(formatText(window)).value(), window) << formatText(window);
         }
     }
 }
 
-TEST(SolarWindowText, SaysWhatItCannotRead) {
+TEST(SolarHoursText, SaysWhatItCannotRead) {
     for (const char* text :
          {"", "sunrise", "sunset..sunrise", "sunrise+1.5..sunset", "sunrise+h..sunset",
           "sunrise+1.5.5h..sunset", "sunrise+13h..sunset", "sunrise+1h..sunset-1h..", "09:00..15:00",
           "sunrise+0.33h..sunset", "sunrise++1h..sunset", "sunrise+1e1m..sunset", "sunrise+.h..sunset"}) {
-        const auto window = parseSolarWindow(text);
+        const auto window = parseSolarHours(text);
         ASSERT_FALSE(window) << text;
         EXPECT_THAT(window.error().text(), HasSubstr("Write it like"));
     }

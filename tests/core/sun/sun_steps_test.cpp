@@ -105,7 +105,7 @@ TEST(SunSteps, FillHoursThatTheStepDoesNotDivide) {
         ASSERT_EQ(sun.steps.size(), asked.steps);
         EXPECT_DOUBLE_EQ(sun.stepMinutes, asked.counted);
         EXPECT_NEAR(sun.sunlitMinutes(), asked.hours * 60, 1e-9);
-        EXPECT_NEAR(sun.mostOffADayMin, 0, 1e-9);
+        EXPECT_NEAR(sun.maxOffADayMin, 0, 1e-9);
         const double lastS = (asked.hours * 60 - asked.counted) * 60;
         EXPECT_LE(secondsBetween(sun.steps.back().at, utc(2026, 3, 21, 13)), lastS + 0.01);
         EXPECT_GE(secondsBetween(sun.steps.back().at, utc(2026, 3, 21, 13)), lastS - 0.01);
@@ -120,13 +120,13 @@ TEST(SunSteps, OfASolarWindowCountAllOfItsMinutes) {
     const double minutes = duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     ASSERT_NEAR(minutes, 375.2, 2);  // 9 h 15 min of daylight
     Period period = periodIn("America/New_York", date);
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     for (const double step : {1.0, 7.0, 60.0, 240.0}) {
         period.stepMinutes = step;
         const SunSteps sun = stepsOf(period, newYork);
         EXPECT_EQ(sun.steps.size(), std::size_t(std::lround(minutes / step))) << step;
         EXPECT_NEAR(sun.sunlitMinutes(), minutes, 1e-6) << step;
-        EXPECT_NEAR(sun.windowMinutes, minutes, 1e-6) << step;
+        EXPECT_NEAR(sun.countedMinutes, minutes, 1e-6) << step;
         // The last step begins one step before the window ends.
         const Instant end = *events.sunset - 90min;
         EXPECT_NEAR(secondsBetween(sun.steps.back().at, end), sun.stepMinutes * 60, 0.01) << step;
@@ -136,7 +136,7 @@ TEST(SunSteps, OfASolarWindowCountAllOfItsMinutes) {
 TEST(SunSteps, OfManySolarWindowsCountAllOfTheirMinutes) {
     Period period = periodIn("America/New_York", 2026y / January / 1);
     period.days = 365;
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     double minutes = 0;
     for (int i = 0; i < 365; ++i) {
         const CivilDate date{sys_days{period.start} + days{i}};
@@ -149,8 +149,8 @@ TEST(SunSteps, OfManySolarWindowsCountAllOfTheirMinutes) {
         const SunSteps sun = stepsOf(period, newYork);
         EXPECT_NEAR(sun.sunlitMinutes(), minutes, 0.01) << step;
         EXPECT_NEAR(sun.stepMinutes, step, step / 50) << step;
-        EXPECT_GT(sun.mostOffADayMin, 0) << step;
-        EXPECT_LE(sun.mostOffADayMin, step * 0.6) << step;
+        EXPECT_GT(sun.maxOffADayMin, 0) << step;
+        EXPECT_LE(sun.maxOffADayMin, step * 0.6) << step;
     }
 }
 
@@ -212,7 +212,7 @@ TEST(SunSteps, PolarNightHasDaysWithoutSteps) {
     EXPECT_EQ(sun.days[1].belowHorizon, 360);
     EXPECT_EQ(sun.belowHorizon, 720);
     EXPECT_EQ(sun.sunlitMinutes(), 0);
-    period.window = SolarWindow{};
+    period.window = SolarHours{};
     EXPECT_EQ(stepsOf(period, longyearbyen).belowHorizon, 0);
 }
 
@@ -245,7 +245,7 @@ TEST(SunSteps, RefractionLengthensTheDay) {
 TEST(SunSteps, OfASolarWindowAreCountedFromSunrise) {
     Period period = periodIn("America/New_York", 2026y / March / 7);
     period.days = 3;
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     const SunSteps sun = stepsOf(period, newYork);
     for (const SunDay& day : sun.days) {
         const Instant midnight = Zone::named(period.zone)->instantAt(day.date, 0min);
@@ -261,7 +261,7 @@ TEST(SunSteps, OfASolarWindowAreCountedFromSunrise) {
 
 TEST(SunSteps, WindowBeforeSunriseCountsTheStepsWithoutSun) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
-    period.window = SolarWindow{-30min, -30min};
+    period.window = SolarHours{-30min, -30min};
     period.window->rule = SunriseRule::centre;
     period.refraction = false;
     const SunSteps sun = stepsOf(period, newYork);
@@ -271,7 +271,7 @@ TEST(SunSteps, WindowBeforeSunriseCountsTheStepsWithoutSun) {
 
 TEST(SunSteps, WindowThatEndsBeforeItBeginsIsEmpty) {
     Period period = periodIn("Europe/Oslo", 2026y / January / 20);
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     const SunSteps sun = stepsOf(period, observerAt(69.65, 18.96));  // Tromso: the sun is up for an hour
     EXPECT_EQ(sun.days.front().count, 0);
     EXPECT_EQ(sun.belowHorizon, 0);
@@ -279,7 +279,7 @@ TEST(SunSteps, WindowThatEndsBeforeItBeginsIsEmpty) {
 
 TEST(SunSteps, WindowOfAPolarDayIsTheCivilDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     const SunSteps sun = stepsOf(period, longyearbyen);
     EXPECT_EQ(sun.steps.size(), 1440);
     EXPECT_EQ(sun.steps.front().at, utc(2026, 6, 20, 22));
@@ -289,7 +289,7 @@ TEST(SunSteps, WindowOfADayWithoutSunsetLastsToMidnight) {
     // Tromso in May: the days from the first night without sunset.
     Period period = periodIn("Europe/Oslo", 2026y / May / 10);
     period.days = 20;
-    period.window = SolarWindow{90min, 90min};
+    period.window = SolarHours{90min, 90min};
     const Observer tromso = observerAt(69.65, 18.96);
     const SunSteps sun = stepsOf(period, tromso);
     const Zone oslo = Zone::named(period.zone).value();
@@ -339,8 +339,7 @@ TEST(SunSteps, OfAYearAreEightHoursADay) {
 TEST(SunSteps, WorkAtBothEndsOfTheirYears) {
     for (const char* zone : {"Pacific/Kiritimati", "Etc/GMT+12", "America/New_York"}) {
         for (const CivilDate date : {CivilDate{1900y / January / 1}, CivilDate{2100y / December / 31}}) {
-            for (const auto& window :
-                 {std::optional<SolarWindow>{}, std::optional{SolarWindow{-12h, -12h}}}) {
+            for (const auto& window : {std::optional<SolarHours>{}, std::optional{SolarHours{-12h, -12h}}}) {
                 Period period = periodIn(zone, date);
                 period.window = window;
                 EXPECT_FALSE(stepsOf(period, newYork).days.empty());

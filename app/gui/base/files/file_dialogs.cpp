@@ -62,7 +62,7 @@ QString askWhereToSavePhotograph(QWidget* parent) {
     return file + QStringLiteral(".tif");
 }
 
-QString askForWindows(QWidget* parent) {
+QString askForGlazing(QWidget* parent) {
     return QFileDialog::getOpenFileName(
         parent, QObject::tr("Windows from file"), {},
         orAllFiles(QObject::tr("Points and polygons"), endingsOf({FileKind::footprints})));

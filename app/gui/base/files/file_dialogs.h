@@ -14,7 +14,7 @@ QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
 QString askForPhotograph(QWidget* parent);
 QString askWhereToSavePhotograph(QWidget* parent);  ///< .tif; asks before replacing a file
-QString askForWindows(QWidget* parent);
+QString askForGlazing(QWidget* parent);
 QString askForPoints(QWidget* parent);  ///< .csv
 QStringList askForPlaces(QWidget* parent);
 QString askForSky(QWidget* parent);                              ///< likewise: .svg, .png or .csv

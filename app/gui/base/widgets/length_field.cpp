@@ -13,7 +13,7 @@ namespace noonmark {
 namespace {
 
 constexpr int imperialDecimals = 4;  // of metres: finer than the hundredth of an inch that is shown
-constexpr double leastFootStepM = 0.3;
+constexpr double minFootStepM = 0.3;
 
 bool showsFeet() { return unitsInUse() == UnitSystem::imperial; }
 
@@ -67,7 +67,7 @@ void LengthField::setZero(double zeroM) {
 
 LengthField* lengthField(double lowM, double highM, int decimals, double stepM) {
     auto* field = new LengthField;
-    const double footStepM = stepM < leastFootStepM ? metresPerFoot / 12 : metresPerFoot;
+    const double footStepM = stepM < minFootStepM ? metresPerFoot / 12 : metresPerFoot;
     field->setDecimals(showsFeet() ? imperialDecimals : decimals);
     field->setRange(lowM, highM);
     field->setSingleStep(showsFeet() ? footStepM : stepM);

@@ -18,16 +18,17 @@ namespace noonmark {
 
 namespace {
 
-struct UsualWidth {
+struct OfferedWidth {
     const char* name;
     int pixels;
 };
-constexpr UsualWidth usualWidths[] = {{QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Screen"), pictureWidth},
-                                      {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Large screen"), 3840},
-                                      {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "A4 in print"), 2480},
-                                      {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "A3 in print"), 4961},
-                                      {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "A1 in print"), 9933},
-                                      {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Other"), 0}};
+constexpr OfferedWidth offeredWidths[] = {
+    {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Screen"), pictureWidth},
+    {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Large screen"), 3840},
+    {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "A4 in print"), 2480},
+    {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "A3 in print"), 4961},
+    {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "A1 in print"), 9933},
+    {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Other"), 0}};
 
 QCheckBox* makeCheck(const QString& text, const char* name, const QString& tip, bool on) {
     auto* box = new QCheckBox(text);
@@ -62,7 +63,7 @@ ExportDialog::ExportDialog(const std::vector<Subject>& subjects, const ExportCho
     makeButtons(*form);
     connect(subject_, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(width_, &QComboBox::currentIndexChanged, this, [this](int index) {
-        if (usualWidths[index].pixels > 0) pixels_->setValue(usualWidths[index].pixels);
+        if (offeredWidths[index].pixels > 0) pixels_->setValue(offeredWidths[index].pixels);
     });
     for (QCheckBox* box : {cells_, sheets_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::update);
     update();
@@ -72,10 +73,10 @@ ExportDialog::ExportDialog(const std::vector<Subject>& subjects, const ExportCho
 void ExportDialog::makeFields(QFormLayout& form) {
     width_ = new QComboBox;
     width_->setObjectName(QStringLiteral("exportWidth"));
-    for (const UsualWidth& width : usualWidths) width_->addItem(tr(width.name));
+    for (const OfferedWidth& width : offeredWidths) width_->addItem(tr(width.name));
     pixels_ = new QSpinBox;
     pixels_->setObjectName(QStringLiteral("exportPixels"));
-    pixels_->setRange(leastPictureWidth, mostPictureWidth);
+    pixels_->setRange(minPictureWidth, maxPictureWidth);
     pixels_->setSuffix(tr(" pixels wide"));
     pixels_->setValue(first_.pictureWidth);
     form.addRow(tr("Picture"), makeRow({width_, pixels_}));

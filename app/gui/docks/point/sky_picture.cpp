@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int leastWidthPx = 420;
+constexpr int minWidthPx = 420;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void SkyPicture::setDrawing(const QByteArray& svg) {
 void SkyPicture::fitInto(QSize room) {
     room_ = room;
     const int width = std::min(
-        room.width(), std::max(leastWidthPx, int(room.height() * skylineSvgWidthPx / skylineSvgUpperPx)));
+        room.width(), std::max(minWidthPx, int(room.height() * skylineSvgWidthPx / skylineSvgUpperPx)));
     setFixedSize(width, heightFor(width));
 }
 

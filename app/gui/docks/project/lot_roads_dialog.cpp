@@ -44,7 +44,7 @@ std::pair<int, int> cellOf(ParcelSide side) {
 }
 
 QDoubleSpinBox* widthField(ParcelSide side, const std::vector<RoadFront>& roads) {
-    QDoubleSpinBox* field = lengthField(0, mostRoadM, 2, 0.5);
+    QDoubleSpinBox* field = lengthField(0, maxRoadM, 2, 0.5);
     field->setObjectName(QString::fromUtf8(nameOf(side).data(), qsizetype(nameOf(side).size())));
     field->setSpecialValueText(LotRoadsDialog::tr("no road"));
     const auto road = std::ranges::find(roads, side, &RoadFront::side);

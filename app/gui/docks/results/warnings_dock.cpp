@@ -7,7 +7,7 @@ namespace noonmark {
 namespace {
 
 // Limits the rows per kind; study.json lists all.
-constexpr std::size_t mostPlaces = 2000;
+constexpr std::size_t maxPlaces = 2000;
 
 QTreeWidgetItem* itemOf(const WarningGroup& group) {
     auto* item = new QTreeWidgetItem(
@@ -15,7 +15,7 @@ QTreeWidgetItem* itemOf(const WarningGroup& group) {
              .arg(group.where.size())
              .arg(QString::fromUtf8(nameOf(group.kind).data()), QString::fromStdString(group.what))});
     item->setToolTip(0, item->text(0));
-    const std::size_t shown = std::min(group.where.size(), mostPlaces);
+    const std::size_t shown = std::min(group.where.size(), maxPlaces);
     for (std::size_t i = 0; i < shown; ++i)
         item->addChild(new QTreeWidgetItem({QString::fromStdString(group.where[i])}));
     if (shown < group.where.size())

@@ -19,10 +19,10 @@
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/docks/review/day_panel.h"
-#include "app/gui/docks/review/glazing/window_form.h"
-#include "app/gui/docks/review/glazing/window_panel.h"
-#include "app/gui/docks/review/glazing/window_session.h"
-#include "app/gui/docks/review/glazing/window_table.h"
+#include "app/gui/docks/review/glazing/glazing_form.h"
+#include "app/gui/docks/review/glazing/glazing_panel.h"
+#include "app/gui/docks/review/glazing/glazing_session.h"
+#include "app/gui/docks/review/glazing/glazing_table.h"
 #include "app/gui/docks/review/place_list.h"
 #include "app/gui/docks/review/range_panel.h"
 #include "app/gui/docks/review/rule_form.h"
@@ -69,7 +69,7 @@ QString listOf(const QString& title, const std::vector<std::string>& texts) {
 
 }  // namespace
 
-ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSession& project,
+ReviewDock::ReviewDock(ReviewSession& review, GlazingSession& windows, ProjectSession& project,
                        QWidget* parent)
     : QWidget(parent),
       review_(review),
@@ -78,7 +78,7 @@ ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSes
       form_(new RuleForm(review.library())),
       subjects_(new QStackedWidget),
       places_(new PlaceList),
-      windowForm_(new WindowForm),
+      glazingForm_(new GlazingForm),
       run_(new QPushButton(tr("Run review"))),
       copy_(new QPushButton(tr("Copy"))),
       export_(new QPushButton(tr("Export..."))),
@@ -88,8 +88,8 @@ ReviewDock::ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSes
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       tables_(new QStackedWidget),
       table_(new VerdictTable),
-      windowPanel_(new WindowPanel),
-      windowTable_(windowPanel_->table()),
+      glazingPanel_(new GlazingPanel),
+      glazingTable_(glazingPanel_->table()),
       tabs_(new QTabWidget),
       day_(new DayPanel),
       range_(new RangePanel),
@@ -121,7 +121,7 @@ QWidget* ReviewDock::makeForm() {
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
     column->addWidget(form_);
-    for (QWidget* subject : {static_cast<QWidget*>(places_), static_cast<QWidget*>(windowForm_)})
+    for (QWidget* subject : {static_cast<QWidget*>(places_), static_cast<QWidget*>(glazingForm_)})
         subjects_->addWidget(subject);
     column->addWidget(subjects_, 1);
     content->setMinimumWidth(formWidth);
@@ -150,7 +150,7 @@ QWidget* ReviewDock::makeTable() {
     column->addWidget(progress_);
     column->addWidget(state_);
     tables_->addWidget(table_);
-    tables_->addWidget(windowPanel_);
+    tables_->addWidget(glazingPanel_);
     column->addWidget(tables_, 1);
     details_->setObjectName(QStringLiteral("verdictDetails"));
     details_->setWordWrap(true);
@@ -180,14 +180,14 @@ void ReviewDock::connectSession() {
     connect(&review_, &ReviewSession::answered, this, &ReviewDock::showAnswer);
     connect(&review_, &ReviewSession::estimated, this,
             [this](const QString& words) { showEstimate(words, false); });
-    connect(&windows_, &WindowSession::estimated, this,
+    connect(&windows_, &GlazingSession::estimated, this,
             [this](const QString& words) { showEstimate(words, true); });
     connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::tellScreening);
     connect(run_, &QPushButton::clicked, this,
             [this] { windows_.applies() ? windows_.run() : review_.run(); });
     progress_->follow(windows_.running());
-    connect(&windows_, &WindowSession::answered, this, &ReviewDock::showAnswer);
-    connect(windowForm_, &WindowForm::edited, this, [this](const ElementSettings& windows) {
+    connect(&windows_, &GlazingSession::answered, this, &ReviewDock::showAnswer);
+    connect(glazingForm_, &GlazingForm::edited, this, [this](const ElementSettings& windows) {
         ReviewChoice choice = review_.choice();
         choice.windows = windows;
         review_.choose(choice);
@@ -203,8 +203,8 @@ void ReviewDock::connectSession() {
     });
 }
 
-void ReviewDock::showEstimate(const QString& words, bool ofWindows) {
-    if (ofWindows != windows_.applies()) return;
+void ReviewDock::showEstimate(const QString& words, bool ofGlazing) {
+    if (ofGlazing != windows_.applies()) return;
     estimate_->setText(words);
     estimate_->setToolTip(words.isEmpty() ? QString() : tr("The expected time of this review"));
 }
@@ -212,7 +212,7 @@ void ReviewDock::showEstimate(const QString& words, bool ofWindows) {
 void ReviewDock::connectTable() {
     connect(copy_, &QPushButton::clicked, this, &ReviewDock::copyTable);
     connect(export_, &QPushButton::clicked, this, &ReviewDock::exportRequested);
-    connect(&windowTable_, &WindowTable::described, this, [this](const QString& words) {
+    connect(&glazingTable_, &GlazingTable::described, this, [this](const QString& words) {
         if (!windows_.applies()) return;
         details_->setText(words);
         details_->setVisible(!words.isEmpty());
@@ -246,19 +246,19 @@ void ReviewDock::showChoice() {
     const ReviewChoice& choice = review_.choice();
     form_->show(choice, project_.project().scenarios, project_.scenario());
     places_->show(review_.candidates(), choice.allPlaces, choice.places, review_.screened());
-    windowForm_->show(choice.windows);
-    const bool ofWindows = windows_.applies();
-    subjects_->setCurrentIndex(ofWindows ? 1 : 0);
-    tables_->setCurrentIndex(ofWindows ? 1 : 0);
+    glazingForm_->show(choice.windows);
+    const bool ofGlazing = windows_.applies();
+    subjects_->setCurrentIndex(ofGlazing ? 1 : 0);
+    tables_->setCurrentIndex(ofGlazing ? 1 : 0);
     estimate_->clear();
     estimateSoon_->start();
-    ofWindows ? windowTable_.describeCurrent() : showDetails();
+    ofGlazing ? glazingTable_.describeCurrent() : showDetails();
     showRule();
 }
 
 void ReviewDock::showAnswer() {
     if (!isVisible()) return;
-    if (windows_.applies()) return showWindows();
+    if (windows_.applies()) return showGlazing();
     const auto shown = review_.shown();
     showUnits();
     if (shown != answer_) {
@@ -275,32 +275,32 @@ void ReviewDock::showAnswer() {
     showState();
 }
 
-void ReviewDock::showWindows() {
-    if (std::exchange(windowAnswer_, windows_.answer()) != windows_.answer()) {
-        windowTable_.show(windowAnswer_);
+void ReviewDock::showGlazing() {
+    if (std::exchange(glazingAnswer_, windows_.answer()) != windows_.answer()) {
+        glazingTable_.show(glazingAnswer_);
         showRule();
     }
     const QString hint =
         tr("A rule about windows has no timeline: click a row to read when its window has sun.");
     day_->clear(hint);
     range_->clear(hint);
-    showWindowState();
+    showGlazingState();
 }
 
-void ReviewDock::showWindowState() {
-    copy_->setEnabled(windowAnswer_ != nullptr);
-    export_->setEnabled(windowAnswer_ != nullptr);
-    if (!windowAnswer_) {
+void ReviewDock::showGlazingState() {
+    copy_->setEnabled(glazingAnswer_ != nullptr);
+    export_->setEnabled(glazingAnswer_ != nullptr);
+    if (!glazingAnswer_) {
         const auto question = windows_.question();
         return state_->setText(question ? tr("Press Run review to evaluate the rule on the windows.")
                                         : describeError(question.error()));
     }
-    const WindowQuestion& asked = windowAnswer_->question;
+    const GlazingQuestion& asked = glazingAnswer_->question;
     QString text = tr("<b>%1</b>: %2 compared with %3. %4")
                        .arg(QString::fromStdString(asked.rule.name).toHtmlEscaped(),
                             QString::fromStdString(asked.to).toHtmlEscaped(),
                             QString::fromStdString(asked.from).toHtmlEscaped(),
-                            describeWindowVerdicts(windowAnswer_->study));
+                            describeGlazingVerdicts(glazingAnswer_->study));
     if (const QString why = windows_.whyOutdated(); !why.isEmpty())
         text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
                     .arg(errorTextColour(themeInUse()).name(), why.toHtmlEscaped());
@@ -376,9 +376,9 @@ void ReviewDock::showRule() {
                             QString::fromStdString(rule->summary).toHtmlEscaped(),
                             describeStatus(*rule).toHtmlEscaped());
     const bool same = answer_ && answer_->study.rule.key == rule->key;
-    const bool ofWindows = windowAnswer_ && windowAnswer_->study.rule.key == rule->key;
+    const bool ofGlazing = glazingAnswer_ && glazingAnswer_->study.rule.key == rule->key;
     html += listOf(tr("Not checked"), same        ? answer_->study.notChecked
-                                      : ofWindows ? windowAnswer_->study.notChecked
+                                      : ofGlazing ? glazingAnswer_->study.notChecked
                                                   : rule->notChecked);
     html += listOf(tr("How Noonmark reads what the rule leaves open"), rule->readings);
     if (same)
@@ -399,12 +399,12 @@ void ReviewDock::showRule() {
     about_->setProperty("shown", html);
 }
 
-ElementForm& ReviewDock::elements() { return windowForm_->elements(); }
+ElementForm& ReviewDock::elements() { return glazingForm_->elements(); }
 
-void ReviewDock::setSelectedBuilding(const QString& id) { windowForm_->setBuilding(id); }
+void ReviewDock::setSelectedBuilding(const QString& id) { glazingForm_->setBuilding(id); }
 
 void ReviewDock::copyTable() {
-    QGuiApplication::clipboard()->setText(windows_.applies() ? windowTable_.text() : table_->text());
+    QGuiApplication::clipboard()->setText(windows_.applies() ? glazingTable_.text() : table_->text());
 }
 
 }  // namespace noonmark

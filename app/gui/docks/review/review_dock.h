@@ -22,11 +22,11 @@ class ProgressStrip;
 class RangePanel;
 class RuleForm;
 class VerdictTable;
-struct WindowAnswer;
-class WindowForm;
-class WindowPanel;
-class WindowSession;
-class WindowTable;
+struct GlazingAnswer;
+class GlazingForm;
+class GlazingPanel;
+class GlazingSession;
+class GlazingTable;
 
 /// Chooses a rule, scenarios and places or windows, runs the review, and shows the verdicts with the numbers
 /// behind them, the timeline of the chosen place, and what the rule rests on. Empty, it states what to do
@@ -35,12 +35,12 @@ class ReviewDock final : public QWidget {
     Q_OBJECT
 public:
     /// All must outlive it.
-    ReviewDock(ReviewSession& review, WindowSession& windows, ProjectSession& project,
+    ReviewDock(ReviewSession& review, GlazingSession& windows, ProjectSession& project,
                QWidget* parent = nullptr);
 
     [[nodiscard]] VerdictTable& table() { return *table_; }
-    [[nodiscard]] WindowPanel& windowPanel() { return *windowPanel_; }
-    [[nodiscard]] WindowTable& windowTable() { return windowTable_; }
+    [[nodiscard]] GlazingPanel& glazingPanel() { return *glazingPanel_; }
+    [[nodiscard]] GlazingTable& glazingTable() { return glazingTable_; }
     [[nodiscard]] DayPanel& day() { return *day_; }
     [[nodiscard]] RangePanel& range() { return *range_; }
     void copyTable();
@@ -64,23 +64,23 @@ private:
     void connectSession();
     void connectTable();
     void showChoice();
-    void showEstimate(const QString& words, bool ofWindows);
+    void showEstimate(const QString& words, bool ofGlazing);
     void showAnswer();
     void showUnits();
     void showState();
-    void showWindows();
-    void showWindowState();
+    void showGlazing();
+    void showGlazingState();
     void showChart();
     void showDetails();
     void showRule();
 
     ReviewSession& review_;
-    WindowSession& windows_;
+    GlazingSession& windows_;
     ProjectSession& project_;
     RuleForm* form_;
-    QStackedWidget* subjects_;  ///< places_ or windowForm_
+    QStackedWidget* subjects_;  ///< places_ or glazingForm_
     PlaceList* places_;
-    WindowForm* windowForm_;
+    GlazingForm* glazingForm_;
     QPushButton* run_;
     QPushButton* copy_;
     QPushButton* export_;
@@ -88,17 +88,17 @@ private:
     QLabel* state_;
     QLabel* details_;  ///< of the chosen place
     ProgressStrip* progress_;
-    QStackedWidget* tables_;  ///< table_ or windowPanel_
+    QStackedWidget* tables_;  ///< table_ or glazingPanel_
     VerdictTable* table_;
-    WindowPanel* windowPanel_;
-    WindowTable& windowTable_;  ///< of windowPanel_
+    GlazingPanel* glazingPanel_;
+    GlazingTable& glazingTable_;  ///< of glazingPanel_
     QTabWidget* tabs_;
     DayPanel* day_;
     RangePanel* range_;
     QTextBrowser* about_;
     QTimer* estimateSoon_;
     std::shared_ptr<const ReviewAnswer> answer_;  ///< in the table
-    std::shared_ptr<const WindowAnswer> windowAnswer_;
+    std::shared_ptr<const GlazingAnswer> glazingAnswer_;
     UnitSystem units_ = UnitSystem::metric;  ///< in which all is shown
     std::size_t chosen_ = 0;                 ///< review whose charts are shown
     std::optional<CivilDate> chosenDay_;

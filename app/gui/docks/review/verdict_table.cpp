@@ -18,7 +18,7 @@ namespace {
 
 constexpr int reviewRole = Qt::UserRole, dayRole = Qt::UserRole + 1;
 constexpr int verdictColumn = 1, firstRuleColumn = 2;
-constexpr std::size_t mostExpanded = 8;  // places whose days are shown at first
+constexpr std::size_t maxExpanded = 8;  // places whose days are shown at first
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
@@ -38,9 +38,9 @@ std::vector<const ReviewRow*> rowsToList(const PlaceReview& review, bool fewDays
     std::vector<const ReviewRow*> rows;
     for (const ReviewRow& row : review.rows)
         if (fewDays || row.incrementalM2h > 0) rows.push_back(&row);
-    if (fewDays || rows.size() <= VerdictTable::mostDays) return rows;
+    if (fewDays || rows.size() <= VerdictTable::maxDays) return rows;
     std::ranges::stable_sort(rows, std::greater(), &ReviewRow::incrementalM2h);
-    rows.resize(VerdictTable::mostDays);
+    rows.resize(VerdictTable::maxDays);
     std::ranges::sort(rows, {}, &ReviewRow::day);
     return rows;
 }
@@ -106,7 +106,7 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer, UnitS
     for (int i = 0; i < topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = topLevelItem(i);
         const auto was = open.find(item->text(0));
-        item->setExpanded(was == open.end() ? std::size_t(topLevelItemCount()) <= mostExpanded : was->second);
+        item->setExpanded(was == open.end() ? std::size_t(topLevelItemCount()) <= maxExpanded : was->second);
         if (item->text(0) != name) continue;
         setCurrentItem(item);
         for (int child = 0; child < item->childCount(); ++child)

@@ -22,7 +22,7 @@ public:
     /// The whole table as text with tabs, for spreadsheets: a line for each place and day.
     [[nodiscard]] QString text() const;
 
-    static constexpr std::size_t mostDays = 12;  ///< listed of a range, for each place
+    static constexpr std::size_t maxDays = 12;  ///< listed of a range, for each place
 
 Q_SIGNALS:
     /// A place, and the day in the row, or else the one that decides its verdict or has most incremental

@@ -4,8 +4,8 @@
 #include <QString>
 
 #include "core/review/criteria/verdict.h"
+#include "core/review/glazing/building_review.h"
 #include "core/review/rule/rule.h"
-#include "core/review/windows/building_review.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/workbench.h"
@@ -15,8 +15,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostKnown =
-    192;  // figures, of three kinds; each holds the list of its city's buildings
+constexpr std::size_t maxKnown = 192;  // figures, of three kinds; each holds the list of its city's buildings
 
 ScenarioVerdicts countVerdicts(const ReviewAnswer& answer) {
     ScenarioVerdicts verdicts{answer.question.rule.name, answer.question.from, {}};
@@ -24,7 +23,7 @@ ScenarioVerdicts countVerdicts(const ReviewAnswer& answer) {
     return verdicts;
 }
 
-ScenarioVerdicts countVerdicts(const WindowAnswer& answer) {
+ScenarioVerdicts countVerdicts(const GlazingAnswer& answer) {
     return {answer.question.rule.name, answer.question.from, answer.study.windowChanges.after};
 }
 
@@ -59,13 +58,13 @@ LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObje
         if (!from_.review.isShaping()) update();
     };
     connect(&from_.review, &ReviewSession::answered, this, unlessShaping);
-    connect(&from_.windows, &WindowSession::answered, this, unlessShaping);
+    connect(&from_.windows, &GlazingSession::answered, this, unlessShaping);
     connect(&from_.weights, &WeightsModel::chosen, this, &LatestAnswers::update);
 }
 
 void LatestAnswers::add(Known known) {
     known_.push_back(std::move(known));
-    if (known_.size() > mostKnown) known_.erase(known_.begin());
+    if (known_.size() > maxKnown) known_.erase(known_.begin());
 }
 
 template <class Holds>

@@ -12,7 +12,7 @@ namespace noonmark {
 class ReviewSession;
 class ScenarioTable;
 class WeightsModel;
-class WindowSession;
+class GlazingSession;
 class Workbench;
 
 /// The latest figures, impact, score and verdicts of each scenario, from what the window computed, from the
@@ -24,7 +24,7 @@ public:
     struct Sources {
         Workbench& workbench;
         ReviewSession& review;
-        WindowSession& windows;
+        GlazingSession& windows;
         WeightsModel& weights;  ///< of the chosen table
     };
     /// All must outlive it.

@@ -24,7 +24,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::array usualScales{500, 1000, 1250, 2000, 2500, 5000};
+constexpr std::array offeredScales{500, 1000, 1250, 2000, 2500, 5000};
 constexpr int logoHeightPx = 36;
 
 QString scaleText(double scale) { return QStringLiteral("1:%1").arg(scale, 0, 'g', 10); }
@@ -58,12 +58,12 @@ void SheetForm::makePaper(QFormLayout& form) {
         addList(form, tr("Scale of diagrams"), "sheetScale",
                 tr("A scale from 1:%1 to 1:%2 may be typed. Where a place or its shadows are larger than "
                    "the paper at that scale, the diagram shows the part around the place.")
-                    .arg(BookSettings::leastScale)
-                    .arg(BookSettings::mostScale));
+                    .arg(BookSettings::minScale)
+                    .arg(BookSettings::maxScale));
     scale_->setEditable(true);
     scale_->setInsertPolicy(QComboBox::NoInsert);
     scale_->addItem(tr("fits the page"));
-    for (const int scale : usualScales) scale_->addItem(scaleText(scale));
+    for (const int scale : offeredScales) scale_->addItem(scaleText(scale));
     connect(scale_->lineEdit(), &QLineEdit::editingFinished, this, &SheetForm::edited);
     units_ = addList(form, tr("Units"), "sheetUnits", tr("Of areas, lengths and heights"));
     for (const KeyedLabel& choice : std::ranges::find(sheetFields().rows(), "--units", &Field::flag)->choices)
@@ -125,7 +125,7 @@ BookSettings SheetForm::settings() const {
     const QString typed = scale_->currentText().section(QLatin1Char(':'), -1).trimmed();
     bool isNumber = false;
     const double scale = typed.toDouble(&isNumber);
-    if (isNumber) settings.scale = std::clamp(scale, BookSettings::leastScale, BookSettings::mostScale);
+    if (isNumber) settings.scale = std::clamp(scale, BookSettings::minScale, BookSettings::maxScale);
     settings.units = UnitSystem(units_->currentData().toInt());
     title_->take(titleFields().of(settings.titleBlock));
     settings.titleBlock.logo = logo_;

@@ -22,7 +22,7 @@ inline constexpr std::array allAccuracyChoices{AccuracyChoice::quick, AccuracyCh
 QString nameOf(AccuracyChoice choice);    ///< "Quick"
 QString describe(AccuracyChoice choice);  ///< one line
 
-/// The settings with the engine of the choice and its usual options; `own` changes nothing. `terrain`: the
+/// The settings with the engine of the choice and its default options; `own` changes nothing. `terrain`: the
 /// city has terrain.
 StudySettings applied(AccuracyChoice choice, StudySettings settings, bool terrain);
 

@@ -21,10 +21,10 @@ QString tipOf(const EngineOption& option) {
     if (option.kind == OptionKind::yesNo)
         return QObject::tr("%1.\nDefault: %2")
             .arg(translateEngineWord(option.about),
-                 translateEngineWord(formatOptionValue(option, option.usual)));
+                 translateEngineWord(formatOptionValue(option, option.standard)));
     return QObject::tr("%1.\n%2 to %3 %4, usually %5")
-        .arg(translateEngineWord(option.about), formatShort(option.lowest, 6), formatShort(option.highest, 6),
-             text(option.unit), formatShort(option.usual, 6));
+        .arg(translateEngineWord(option.about), formatShort(option.min, 6), formatShort(option.max, 6),
+             text(option.unit), formatShort(option.standard, 6));
 }
 
 // As many decimals as the option's own values have.
@@ -35,7 +35,7 @@ int decimalsOf(const EngineOption& option) {
         const auto shows = [grains](double value) {
             return std::abs(std::round(value * grains) - value * grains) < 1e-6;
         };
-        if (shows(option.usual) && shows(option.lowest)) return decimals;
+        if (shows(option.standard) && shows(option.min)) return decimals;
     }
     return 9;
 }
@@ -43,13 +43,13 @@ int decimalsOf(const EngineOption& option) {
 QDoubleSpinBox* numberFieldOf(const EngineOption& option) {
     const QString unit = option.unit.empty() ? QString() : QLatin1Char(' ') + text(option.unit);
     // A default of 0 that is also the minimum means that the engine chooses.
-    const bool byItself = option.usual == 0 && option.lowest == 0;
+    const bool byItself = option.standard == 0 && option.min == 0;
     const double step = option.kind != OptionKind::number ? 1
-                        : byItself                        ? option.highest / 20
-                                                          : option.usual / 10;
-    QDoubleSpinBox* box = numberField(option.lowest, option.highest, decimalsOf(option), step, unit);
+                        : byItself                        ? option.max / 20
+                                                          : option.standard / 10;
+    QDoubleSpinBox* box = numberField(option.min, option.max, decimalsOf(option), step, unit);
     if (byItself) box->setSpecialValueText(QObject::tr("automatic"));
-    if (option.usual == -1 && option.lowest == -1)
+    if (option.standard == -1 && option.min == -1)
         box->setSpecialValueText(QObject::tr("none: the processor"));
     return box;
 }
@@ -112,7 +112,7 @@ void AccuracyForm::addField(const EngineOption& option) {
     const Field& field = fields_.back();
     field.widget->setObjectName(QStringLiteral("option_") + text(option.key));
     field.widget->setToolTip(tipOf(option));
-    setValue(field, option.usual);
+    setValue(field, option.standard);
 }
 
 void AccuracyForm::setValue(const Field& field, double value) {
@@ -127,7 +127,7 @@ void AccuracyForm::show(const StudySettings& settings) {
     engine_->setCurrentIndex(engine_->findData(QString::fromStdString(settings.engine)));
     for (const Field& field : fields_) {
         const auto set = settings.engineSettings.find(field.option.key);
-        setValue(field, set == settings.engineSettings.end() ? field.option.usual : set->second);
+        setValue(field, set == settings.engineSettings.end() ? field.option.standard : set->second);
     }
 }
 
@@ -138,7 +138,7 @@ StudySettings AccuracyForm::applied(StudySettings settings) const {
         const double value =
             field.check != nullptr ? double(field.check->isChecked()) : field.number->value();
         const double halfGrain = field.check != nullptr ? 0.5 : 0.5 * std::pow(10, -field.number->decimals());
-        if (std::abs(value - field.option.usual) >= halfGrain)
+        if (std::abs(value - field.option.standard) >= halfGrain)
             settings.engineSettings.emplace(field.option.key, value);
     }
     return settings;

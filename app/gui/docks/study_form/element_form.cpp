@@ -153,7 +153,7 @@ void ElementForm::connectFields() {
 }
 
 void ElementForm::browse() {
-    const QString file = askForWindows(this);
+    const QString file = askForGlazing(this);
     if (file.isEmpty()) return;
     settings_.windows = file.toStdString();
     Q_EMIT edited(settings_, tr("windows"));

@@ -86,7 +86,7 @@ void FaceForm::makeFields() {
     place_->setToolTip(
         tr("Only points from which a level line straight out from the wall meets this place, as the windows "
            "along a park"));
-    within_ = lengthField(1, FaceChoice::mostWithinM, 0, 10);
+    within_ = lengthField(1, FaceChoice::maxWithinM, 0, 10);
     within_->setObjectName(QStringLiteral("facingWithin"));
     within_->setToolTip(tr("How far away the place may be"));
     for (QWidget* field : std::initializer_list<QWidget*>{from_, to_, place_, within_})

@@ -29,8 +29,7 @@ std::vector<double> offsetsIn(const QString& text, const QRegularExpression& bet
     std::vector<double> offsetsM;
     for (const QString& one : text.split(between, Qt::SkipEmptyParts)) {
         const auto offsetM = parseLength(one.toStdString(), unitsInUse());
-        if (!offsetM || *offsetM < LineSettings::leastOffsetM || *offsetM > LineSettings::mostOffsetM)
-            return {};
+        if (!offsetM || *offsetM < LineSettings::minOffsetM || *offsetM > LineSettings::maxOffsetM) return {};
         offsetsM.push_back(*offsetM);
     }
     return offsetsM;
@@ -72,7 +71,7 @@ void LineForm::makeFields() {
     offsets_ = new QLineEdit;
     offsets_->setObjectName(QStringLiteral("lineOffsets"));
     offsets_->setToolTip(tr("Distances of the lines from the parcel, with commas: 5, 10"));
-    spacing_ = lengthField(LineSettings::leastSpacingM, LineSettings::mostSpacingM, 2, 0.5);
+    spacing_ = lengthField(LineSettings::minSpacingM, LineSettings::maxSpacingM, 2, 0.5);
     spacing_->setObjectName(QStringLiteral("lineSpacing"));
     spacing_->setToolTip(tr("Distance from point to point on a line"));
 }

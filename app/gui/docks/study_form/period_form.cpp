@@ -143,8 +143,8 @@ Period PeriodForm::period() const {
     period.zone = zone_->currentText().trimmed().toStdString();
     period.refraction = refraction_->isChecked();
     if (window_->isChecked())
-        period.window = SolarWindow{minutesOf(afterSunrise_->value()), minutesOf(beforeSunset_->value()),
-                                    SunriseRule(rule_->currentIndex())};
+        period.window = SolarHours{minutesOf(afterSunrise_->value()), minutesOf(beforeSunset_->value()),
+                                   SunriseRule(rule_->currentIndex())};
     return period;
 }
 
@@ -156,7 +156,7 @@ void PeriodForm::show(const Period& period) {
         QTime(0, 0).addSecs(int(std::chrono::seconds(period.from % std::chrono::days{1}).count())));
     zone_->setCurrentText(QString::fromStdString(period.zone));
     window_->setChecked(period.window.has_value());
-    const SolarWindow window = period.window.value_or(SolarWindow{});
+    const SolarHours window = period.window.value_or(SolarHours{});
     afterSunrise_->setValue(hoursOf(window.afterSunrise));
     beforeSunset_->setValue(hoursOf(window.beforeSunset));
     rule_->setCurrentIndex(int(window.rule));

@@ -6,15 +6,15 @@ namespace noonmark {
 
 namespace {
 
-using Kind = WindowBound::Kind;
+using Kind = HoursBound::Kind;
 
 bool isWhole(double minutes) { return minutes == std::floor(minutes); }
 
-bool takesSteps(const Rule& rule) { return rule.sampling.roundTo == 0 && rule.window.lowestSunDeg == 0; }
+bool takesSteps(const Rule& rule) { return rule.sampling.roundTo == 0 && rule.window.minSunDeg == 0; }
 
-std::optional<Period> withHours(const Rule& rule, const WindowHours& hours, Period period) {
+std::optional<Period> withHours(const Rule& rule, const HoursOfDay& hours, Period period) {
     if (hours.from.size() != 1 || hours.to.size() != 1) return std::nullopt;
-    const WindowBound from = hours.from.front(), to = hours.to.front();
+    const HoursBound from = hours.from.front(), to = hours.to.front();
     if (!isWhole(from.minutes) || !isWhole(to.minutes)) return std::nullopt;
     if (from.kind == Kind::clock && to.kind == Kind::clock) {
         if (rule.clock.settings.kind != ClockKind::civil) return std::nullopt;
@@ -25,8 +25,8 @@ std::optional<Period> withHours(const Rule& rule, const WindowHours& hours, Peri
     }
     if (from.kind != Kind::sunrise || to.kind != Kind::sunset || from.minutes < 0 || to.minutes > 0)
         return std::nullopt;
-    period.window = SolarWindow{std::chrono::minutes(int(from.minutes)),
-                                std::chrono::minutes(-int(to.minutes)), rule.window.sunrise};
+    period.window = SolarHours{std::chrono::minutes(int(from.minutes)),
+                               std::chrono::minutes(-int(to.minutes)), rule.window.sunrise};
     return period;
 }
 

@@ -25,7 +25,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int leastScreenPx = 248;  // of the forms; where they need more, they scroll
+constexpr int minScreenPx = 248;  // of the forms; where they need more, they scroll
 
 QGroupBox* groupOf(const QString& title, std::initializer_list<QWidget*> content) {
     auto* group = new QGroupBox(title);
@@ -40,7 +40,7 @@ double fieldsOfPlaces(std::size_t dates) { return 2.4 + 0.2 * double(dates); }
 
 Period wholeYear(const Period& period) {
     Period year = applied(PeriodPreset::year, period, period.start, 0);
-    year.window = SolarWindow{};
+    year.window = SolarHours{};
     return year;
 }
 
@@ -92,7 +92,7 @@ void StudyDock::placeForms() {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     formsWidth_ = forms->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
-    scroll->setMinimumWidth(std::min(leastScreenPx, formsWidth_));
+    scroll->setMinimumWidth(std::min(minScreenPx, formsWidth_));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 0, 4, 4);
     column->addWidget(scroll, 1);

@@ -14,7 +14,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double usualPlaneM = 4;  // Japan's height in most zones
+constexpr double defaultPlaneM = 4;  // Japan's height in most zones
 
 QString aboutOf(StudyKind kind) {
     switch (kind) {
@@ -90,7 +90,7 @@ void WhatForm::choosePlaces(int chosen) {
     ElementSettings elements = elements_->settings();
     elements.places = elementPlaceChoices[place - receiverPlaceChoices.size()].value;
     const bool level = elements.places == ElementPlaces::plane || elements.places == ElementPlaces::lines;
-    if (level && elements.planeHeightM == 0) elements.planeHeightM = usualPlaneM;
+    if (level && elements.planeHeightM == 0) elements.planeHeightM = defaultPlaneM;
     Q_EMIT elementsChosen(elements, tr("receivers"));
 }
 

@@ -84,7 +84,7 @@ void WeightsDock::makeView() {
 // Keeps all columns visible in the narrowest dock: each is as wide as its longest content, and names take the
 // rest.
 void WeightsDock::fitColumns() {
-    constexpr int padding = 8, leastName = 60;
+    constexpr int padding = 8, minName = 60;
     const QString day = QStringLiteral("30 May"), hour = QStringLiteral("00:00");
     const std::pair<int, QString> widest[] = {{WeightsModel::firstDay, day},
                                               {WeightsModel::lastDay, day},
@@ -96,7 +96,7 @@ void WeightsDock::fitColumns() {
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(WeightsModel::intervalName, QHeaderView::Stretch);
-    int sum = leastName + view_->verticalScrollBar()->sizeHint().width() + 2 * view_->frameWidth();
+    int sum = minName + view_->verticalScrollBar()->sizeHint().width() + 2 * view_->frameWidth();
     for (const auto& [column, text] : widest) {
         header->resizeSection(column, view_->fontMetrics().horizontalAdvance(text) + padding);
         sum += header->sectionSize(column);

@@ -23,7 +23,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr float leastShownM = 150;  // side of the ground shown with a small place
+constexpr float minShownM = 150;  // side of the ground shown with a small place
 
 // By the files' endings: they are read only after the user's choice.
 bool mayHoldPlaces(const QStringList& files) {
@@ -194,7 +194,7 @@ void PlaceActions::zoomTo(const std::string& name) {
     if (!place) return panel_.messages().showError(place.error());
     Box2 box = bounds(*place);
     const glm::vec2 border =
-        glm::max((box.high - box.low) * 0.25F, (glm::vec2(leastShownM) - (box.high - box.low)) * 0.5F);
+        glm::max((box.high - box.low) * 0.25F, (glm::vec2(minShownM) - (box.high - box.low)) * 0.5F);
     panel_.navigator().show({box.low - border, box.high + border});
     panel_.highlightPlace(place->name);
 }

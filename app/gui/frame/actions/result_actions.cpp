@@ -9,7 +9,7 @@
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
-#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/mode_switch.h"
@@ -28,7 +28,7 @@ QString text(const std::string& name) { return QString::fromStdString(name); }
 
 ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
                              ViewPanel& panel, ProjectDock& tree, ReviewSession& review,
-                             WindowSession& windowReview, QWidget& window)
+                             GlazingSession& glazingReview, QWidget& window)
     : workbench_(workbench),
       mode_(mode),
       display_(display),
@@ -43,7 +43,7 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
       saveResult_(makeAction(this, tr("&Save result"), {},
                              tr("Stores the displayed map and figures in the project"))),
       review_(review),
-      windowReview_(windowReview) {
+      glazingReview_(glazingReview) {
     connect(savePicture_, &QAction::triggered, this, [this] { savePicture(askForPicture(&window_)); });
     export_->setObjectName(QStringLiteral("exportResults"));
     connect(export_, &QAction::triggered, this, &ResultActions::askForExport);
@@ -95,7 +95,7 @@ void ResultActions::askForExport() {
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
                                      .arg(formatCount(measured.size()))});
-    if (windowReview_.applies() ? windowReview_.finished().has_value() : review_.finished().has_value())
+    if (glazingReview_.applies() ? glazingReview_.finished().has_value() : review_.finished().has_value())
         subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
     if (subjects.empty()) return workbench_.exportShown({}, {});
     last_.scale = panel_.legend().changeScale();

@@ -15,7 +15,7 @@ class ModeSwitch;
 class ExportDialog;
 class ProjectDock;
 class ReviewSession;
-class WindowSession;
+class GlazingSession;
 class ResultDisplay;
 class ViewPanel;
 class Workbench;
@@ -27,7 +27,7 @@ class ResultActions final : public QObject {
 public:
     /// Dialogs belong to `window`. All must outlive this object.
     ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
-                  ViewPanel& panel, ProjectDock& tree, ReviewSession& review, WindowSession& windowReview,
+                  ViewPanel& panel, ProjectDock& tree, ReviewSession& review, GlazingSession& glazingReview,
                   QWidget& window);
 
     [[nodiscard]] QList<QAction*> fileActions() const { return {savePicture_, export_}; }
@@ -60,7 +60,7 @@ private:
     QAction* export_;
     QAction* saveResult_;
     ReviewSession& review_;
-    WindowSession& windowReview_;
+    GlazingSession& glazingReview_;
     ExportChoice last_;
     QString lastFolder_;
 };

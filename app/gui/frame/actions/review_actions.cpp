@@ -4,7 +4,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
-#include "app/gui/docks/review/glazing/window_session.h"
+#include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "app/gui/docks/review/verdict_words.h"
 #include "app/gui/docks/sheets/page_settings.h"
@@ -13,11 +13,11 @@
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/preview/edit_preview.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "app/report/files/window_files.h"
+#include "app/report/files/glazing_files.h"
 
 namespace noonmark {
 
-ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, WindowSession& windows,
+ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, GlazingSession& windows,
                              ReviewDock& dock, EditPreview& preview, PlaceActions& places, ViewPanel& panel,
                              QSettings& settings, QWidget& window)
     : workbench_(workbench),
@@ -39,8 +39,8 @@ ReviewActions::ReviewActions(Workbench& workbench, ReviewSession& review, Window
     connect(&dock, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
     connect(&dock, &ReviewDock::zoomRequested, &places, &PlaceActions::zoomTo);
     connect(&review_, &ReviewSession::failed, &panel_.messages(), &MessageBar::showError);
-    connect(&windows_, &WindowSession::failed, &panel_.messages(), &MessageBar::showError);
-    connect(&windows_, &WindowSession::written, &panel_.messages(), [this](const QString& folder) {
+    connect(&windows_, &GlazingSession::failed, &panel_.messages(), &MessageBar::showError);
+    connect(&windows_, &GlazingSession::written, &panel_.messages(), [this](const QString& folder) {
         panel_.messages().showNote(tr("The review was exported to %1").arg(folder));
     });
     connect(&review_, &ReviewSession::noted, &panel_.messages(), &MessageBar::showNote);
@@ -57,15 +57,15 @@ void ReviewActions::tellVerdicts(EditPreview& preview) const {
 
 void ReviewActions::closeSheets() { delete sheets_; }
 
-void ReviewActions::exportReview() { windows_.applies() ? exportWindows() : showSheets(); }
+void ReviewActions::exportReview() { windows_.applies() ? exportGlazing() : showSheets(); }
 
-void ReviewActions::exportWindows() {
+void ReviewActions::exportGlazing() {
     const auto answer = windows_.finished();
     if (!answer) return panel_.messages().showError(answer.error());
     const QString folder = askForFolder(&window_, tr("Export the review"));
     if (folder.isEmpty()) return;
     QStringList inTheWay;
-    for (const std::string& name : windowFileNames())
+    for (const std::string& name : glazingFileNames())
         if (QFileInfo::exists(folder + '/' + QString::fromStdString(name)))
             inTheWay << QString::fromStdString(name);
     if (mayReplace(&window_, folder, inTheWay)) windows_.write(*answer, folder);

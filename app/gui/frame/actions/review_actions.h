@@ -13,7 +13,7 @@ class EditPreview;
 class PlaceActions;
 class ReviewDock;
 class ReviewSession;
-class WindowSession;
+class GlazingSession;
 class SheetsDialog;
 class ViewPanel;
 class Workbench;
@@ -24,7 +24,7 @@ class ReviewActions final : public QObject {
     Q_OBJECT
 public:
     /// Dialogs belong to `window`. All must outlive this object.
-    ReviewActions(Workbench& workbench, ReviewSession& review, WindowSession& windows, ReviewDock& dock,
+    ReviewActions(Workbench& workbench, ReviewSession& review, GlazingSession& windows, ReviewDock& dock,
                   EditPreview& preview, PlaceActions& places, ViewPanel& panel, QSettings& settings,
                   QWidget& window);
 
@@ -37,13 +37,13 @@ Q_SIGNALS:
 private:
     void tellVerdicts(EditPreview& preview) const;
     void exportReview();
-    void exportWindows();
+    void exportGlazing();
     void showSheets();
     void closeSheets();
 
     Workbench& workbench_;
     ReviewSession& review_;
-    WindowSession& windows_;
+    GlazingSession& windows_;
     ViewPanel& panel_;
     QSettings& settings_;  // the paper last chosen
     QWidget& window_;

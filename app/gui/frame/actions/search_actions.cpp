@@ -10,11 +10,11 @@ namespace noonmark {
 
 namespace {
 
-constexpr float leastSideM = 120;  // of the ground that is shown around what was found
+constexpr float minSideM = 120;  // of the ground that is shown around what was found
 
 Box2 widened(Box2 box) {
     const glm::vec2 middle = (box.low + box.high) / 2.0F;
-    const glm::vec2 half = glm::max((box.high - box.low) * 0.75F, glm::vec2(leastSideM / 2));
+    const glm::vec2 half = glm::max((box.high - box.low) * 0.75F, glm::vec2(minSideM / 2));
     return {middle - half, middle + half};
 }
 

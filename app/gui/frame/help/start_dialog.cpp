@@ -13,7 +13,7 @@ namespace noonmark {
 namespace {
 
 constexpr int iconPx = 24;
-constexpr qsizetype mostRecent = 5;
+constexpr qsizetype maxRecent = 5;
 
 QLabel* makeHeading(const QString& text) {
     auto* label = new QLabel(text);
@@ -64,7 +64,7 @@ void StartDialog::addTours(QVBoxLayout& column) {
 }
 
 void StartDialog::addRecent(QVBoxLayout& column, const RecentFiles& recent) {
-    const QStringList entries = recent.entries().mid(0, mostRecent);
+    const QStringList entries = recent.entries().mid(0, maxRecent);
     if (entries.isEmpty()) return;
     column.addWidget(makeHeading(tr("Recent")));
     for (const QString& entry : entries) {

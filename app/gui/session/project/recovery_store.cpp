@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int mostWindows = 50;
+constexpr int maxWindows = 50;
 
 fs::path asideName(const fs::path& recovery, int number) {
     return recovery.string() + ".left" + (number > 1 ? std::to_string(number) : "") + projectEnding;
@@ -34,7 +34,7 @@ void dropOldest(const fs::path& recovery, int count) {
 std::optional<fs::path> putAside(const fs::path& recovery) {
     std::error_code error;
     if (fs::exists(recovery, error)) {
-        for (int count = countAside(recovery); count >= RecoveryStore::mostLeft; --count)
+        for (int count = countAside(recovery); count >= RecoveryStore::maxLeft; --count)
             dropOldest(recovery, count);
         moveProject(recovery, asideName(recovery, countAside(recovery) + 1));
     }
@@ -46,7 +46,7 @@ std::optional<fs::path> putAside(const fs::path& recovery) {
 
 RecoveryStore::RecoveryStore(const QString& folder) {
     if (!QDir().mkpath(folder)) return;
-    for (int i = 1; i <= mostWindows && !lock_; ++i) {
+    for (int i = 1; i <= maxWindows && !lock_; ++i) {
         const QString name = QDir(folder).filePath(QStringLiteral("Untitled %1").arg(i));
         auto lock = std::make_unique<QLockFile>(name + QStringLiteral(".lock"));
         lock->setStaleLockTime(0);  // only a process that has ended leaves a stale lock

@@ -10,11 +10,11 @@ namespace noonmark {
 
 /// The recovery file of a project that was never saved. Its name in a folder is used by no other running
 /// window. Work that an earlier run left under that name is moved aside and offered for recovery, the newest
-/// first, then the one before. If there are `mostLeft` already, the oldest is removed. Recovered work that is
+/// first, then the one before. If there are `maxLeft` already, the oldest is removed. Recovered work that is
 /// then saved or discarded is removed and not offered again.
 class RecoveryStore {
 public:
-    static constexpr int mostLeft = 5;
+    static constexpr int maxLeft = 5;
 
     explicit RecoveryStore(const QString& folder);  ///< created if missing
 

@@ -52,8 +52,8 @@ void renameOldFields(Json& study) {
     if (period.contains("from_min"))
         period["from"] = formatText(std::chrono::minutes(period.at("from_min").get<int>()));
     if (const Json window = period.value("window", Json()); window.is_object()) {
-        const SolarWindow read{std::chrono::minutes(window.at("after_sunrise_min").get<int>()),
-                               std::chrono::minutes(window.at("before_sunset_min").get<int>())};
+        const SolarHours read{std::chrono::minutes(window.at("after_sunrise_min").get<int>()),
+                              std::chrono::minutes(window.at("before_sunset_min").get<int>())};
         period["window"] = formatText(read);
         period["centre"] = window.at("rule") == int(SunriseRule::centre);
     }

@@ -8,10 +8,10 @@ namespace {
 
 // If more buildings than this differ from the arrays, new arrays are made: drawing them separately would cost
 // at each change.
-constexpr std::size_t mostAdded = 1000;
+constexpr std::size_t maxAdded = 1000;
 
 bool serves(const std::shared_ptr<const CityArrays>& drawn, const City& city) {
-    return drawn && computeDifference(*drawn, city).added.buildings.size() <= mostAdded;
+    return drawn && computeDifference(*drawn, city).added.buildings.size() <= maxAdded;
 }
 
 }  // namespace

@@ -12,13 +12,13 @@ namespace noonmark {
 
 namespace {
 
-constexpr qsizetype mostNames = 6;
+constexpr qsizetype maxNames = 6;
 
 QString namesOf(const QStringList& files) {
     QStringList names;
-    for (const QString& file : files.first(std::min(files.size(), mostNames)))
+    for (const QString& file : files.first(std::min(files.size(), maxNames)))
         names << QFileInfo(file).fileName();
-    if (files.size() > mostNames) names << QObject::tr("and %1 more").arg(files.size() - mostNames);
+    if (files.size() > maxNames) names << QObject::tr("and %1 more").arg(files.size() - maxNames);
     return names.join(QLatin1Char('\n'));
 }
 

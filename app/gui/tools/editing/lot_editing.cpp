@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double leastDragPx = 4;  // as for a drag of the camera
+constexpr double minDragPx = 4;  // as for a drag of the camera
 
 std::optional<std::size_t> findCornerAt(const Footprint& lot, glm::vec2 at) {
     const auto found = std::ranges::find(lot.outer, at);
@@ -111,7 +111,7 @@ void LotEditing::dragTo(QPointF pixel) {
 void LotEditing::follow() {
     if (!drag_) return;
     const QPointF far = pixel_ - drag_->fromPx;
-    if (!drag_->moved && std::hypot(far.x(), far.y()) < leastDragPx) return;
+    if (!drag_->moved && std::hypot(far.x(), far.y()) < minDragPx) return;
     drag_->moved = true;
     const auto ground = context_.panel.navigator().groundAt(pixel_);
     if (!ground) return;

@@ -103,8 +103,8 @@ double PlacingPanel::clockwiseDeg() const { return turn_->value(); }
 
 // Less than 2 m is no storey.
 double PlacingPanel::storeyHeightM() const {
-    constexpr double leastM = 2;
-    return storeyHeight_->value() < leastM ? 0 : storeyHeight_->value();
+    constexpr double minM = 2;
+    return storeyHeight_->value() < minM ? 0 : storeyHeight_->value();
 }
 
 }  // namespace noonmark

@@ -43,14 +43,14 @@ double wallAreaM2(const FacadeScene& scene) {
 FacadeSettings coarsened(FacadeSettings facades, double areaM2, std::size_t points) {
     const double times = std::sqrt(areaM2 / (facades.bayM * facades.storeyM) / double(points));
     if (times <= 1) return facades;
-    facades.bayM = std::min(facades.bayM * times, FacadeSettings::mostM);
-    facades.storeyM = std::min(facades.storeyM * times, FacadeSettings::mostM);
+    facades.bayM = std::min(facades.bayM * times, FacadeSettings::maxM);
+    facades.storeyM = std::min(facades.storeyM * times, FacadeSettings::maxM);
     facades.aboveFloorM = facades.storeyM / 2;
     return facades;
 }
 
 OwnStoreys scaled(OwnStoreys storeys, double times) {
-    for (auto& [id, metres] : storeys) metres = std::min(metres * times, FacadeSettings::mostM);
+    for (auto& [id, metres] : storeys) metres = std::min(metres * times, FacadeSettings::maxM);
     return storeys;
 }
 

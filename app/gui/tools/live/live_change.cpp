@@ -57,7 +57,7 @@ std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<P
     std::vector<PlaceChange> changes;
     for (const PlaceCells& place : places) {
         PlaceChange change{place.name, place.whole,
-                           computeFigures(impact, place.cells, usualThresholdsMin.front())};
+                           computeFigures(impact, place.cells, defaultThresholdsMin.front())};
         if (change.figures.gross.touchedM2 > 0) changes.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes, std::greater(), [](const PlaceChange& one) {
@@ -92,7 +92,7 @@ LiveChange computeLiveChange(const Receivers& before, const ShadowField& fieldBe
     LiveChange change{.impact = computeDifference(fieldBefore, fieldAfter, std::move(kinds))};
     keepOpenGround(before, after, change.impact);
     for (std::size_t i = 0; i < change.figures.size(); ++i)
-        change.figures[i] = computeFigures(change.impact, usualThresholdsMin[i]);
+        change.figures[i] = computeFigures(change.impact, defaultThresholdsMin[i]);
     change.worst = findWorst(change.impact);
     change.reachesBeyond = changesAtEdge(after, change.impact);
     change.places = measurePlaces(change.impact, places);

@@ -31,7 +31,7 @@ struct PlaceChange {
 /// What a shape changes: gross and continuous shadow of the ground that is open with and without it.
 struct LiveChange {
     Impact impact;
-    std::array<ImpactFigures, usualThresholdsMin.size()> figures;  ///< by threshold
+    std::array<ImpactFigures, defaultThresholdsMin.size()> figures;  ///< by threshold
     /// Shadow changes beside the edge of what is measured: probably beyond it, too.
     bool reachesBeyond = false;
     /// The cell with the most new gross shadow; none: there is no new shadow.

@@ -9,7 +9,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::chrono::milliseconds facadeRest{300};
-constexpr std::size_t firstPoints = 100, fewestPoints = 24, mostPoints = 4000;
+constexpr std::size_t firstPoints = 100, fewestPoints = 24, maxPoints = 4000;
 
 Result<std::shared_ptr<const SunSteps>> findSun(const FacadeQuestion& question, const SunQuestion& sun,
                                                 const std::stop_token& stop) {
@@ -92,7 +92,7 @@ void LiveFacades::fitBudget(const FacadeAnswer& answer) {
     const auto measured = double(std::max<std::size_t>(1, answer.map.elements.size()));
     const double secondsOfPoint = std::max(answer.sweepSeconds / measured, 1e-7);
     const double fits = std::max(0.0, budgetSeconds - answer.buildSeconds) / secondsOfPoint;
-    points_ = std::size_t(std::clamp(fits, double(fewestPoints), double(mostPoints)));
+    points_ = std::size_t(std::clamp(fits, double(fewestPoints), double(maxPoints)));
 }
 
 }  // namespace noonmark

@@ -18,7 +18,7 @@ QString describeStep(std::size_t steps) {
 std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps) {
     const bool level = !city.terrain && places == ReceiverPlaces::ground;
     if (!level) return {LiveEngine::horizons};
-    if (steps <= LiveRule::mostSteps) return {LiveEngine::shadows, LiveEngine::horizons};
+    if (steps <= LiveRule::maxSteps) return {LiveEngine::shadows, LiveEngine::horizons};
     return {LiveEngine::horizons, LiveEngine::moments};
 }
 

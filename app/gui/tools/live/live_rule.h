@@ -22,12 +22,12 @@ enum class LiveEngine {
 
 struct LiveRule {
     /// Up to this many steps, polygons of each step are cached: twelve hours minute by minute.
-    static constexpr std::size_t mostSteps = 720;
-    /// Number of moments of a longer period. Fewer than mostSteps, since moments far apart cost more each.
+    static constexpr std::size_t maxSteps = 720;
+    /// Number of moments of a longer period. Fewer than maxSteps, since moments far apart cost more each.
     static constexpr std::size_t someMoments = 120;
     /// A region with more cells is too slow to follow, and the horizons of a year would not fit into the
     /// cache: a square around the shape is used instead.
-    static constexpr std::size_t mostCells = std::size_t{1} << 20U;
+    static constexpr std::size_t maxCells = std::size_t{1} << 20U;
 };
 
 /// The methods for a city, receivers and number of steps, the best first; if one refuses (too many overhangs,

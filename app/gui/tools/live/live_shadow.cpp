@@ -39,7 +39,7 @@ double lowestM(const City& city) {
 bool suits(const LiveQuestion& question, const LivePlace& place, const SunSteps& sun) {
     if (!question.onRegion || question.region.polygons.empty()) return false;
     const auto grid = gridOver(question.region, question.receivers);
-    if (!grid || grid->size() > LiveRule::mostCells) return false;
+    if (!grid || grid->size() > LiveRule::maxCells) return false;
     return ShadowReach(sun).touches(place.volume.box, double(place.volume.topM) - lowestM(place.rest),
                                     bounds(question.region));
 }

@@ -29,7 +29,7 @@ const Field& towerField(std::string_view flag) {
     return *std::ranges::find(massingFields().rows(), flag, &Field::flag);
 }
 
-int mostStoreys() { return int(towerField("--storeys").range->max); }
+int maxStoreys() { return int(towerField("--storeys").range->max); }
 
 QDoubleSpinBox* rotationField() {
     const ValueRange range = *towerField("--turn").range;
@@ -42,7 +42,7 @@ void explain(QWidget& widget, std::string_view flag) { widget.setToolTip(transla
 
 MassingForm::MassingForm(QWidget* parent)
     : QWidget(parent),
-      storeys_(wholeField(1, mostStoreys(), {})),
+      storeys_(wholeField(1, maxStoreys(), {})),
       storeyHeight_(lengthField(towerField("--storey-height").range->min,
                                 towerField("--storey-height").range->max, 2, 0.1)),
       height_(lengthField(2, tallestBuildingM, 1, 3.5)),
@@ -51,7 +51,7 @@ MassingForm::MassingForm(QWidget* parent)
       turn_(rotationField()),
       walls_(new WallField),
       podium_(new QGroupBox(tr("Podium"))),
-      podiumStoreys_(wholeField(1, mostStoreys() - 1, {})),
+      podiumStoreys_(wholeField(1, maxStoreys() - 1, {})),
       podiumPlate_(new PlateField),
       podiumWalls_(new WallField),
       setbacks_(new SetbackTable),

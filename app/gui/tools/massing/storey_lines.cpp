@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int mostFloors = 1000;
+constexpr int maxFloors = 1000;
 constexpr double sameLevelM = 0.01;
 
 void addRing(const Ring& ring, double z, std::vector<std::vector<glm::vec3>>& lines) {
@@ -32,7 +32,7 @@ std::vector<std::vector<glm::vec3>> makeStoreyLines(const Building& building, do
                                                     double storeyHeightM) {
     std::vector<std::vector<glm::vec3>> lines;
     const double topM = double(noonmark::topM(building));
-    for (int floor = 1; floor <= mostFloors; ++floor) {
+    for (int floor = 1; floor <= maxFloors; ++floor) {
         const double z = groundM + floor * storeyHeightM;
         if (z > topM - sameLevelM) break;
         for (const Part& part : building.parts)

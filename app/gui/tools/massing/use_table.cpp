@@ -28,7 +28,7 @@ UseTable::UseTable(QWidget* parent)
     connect(this, &UseTable::addRequested, this, &UseTable::addNext);
 }
 
-QStringList UseTable::usualUses() const {
+QStringList UseTable::defaultUses() const {
     return {tr("Retail"),    tr("Offices"), tr("Homes"), tr("Hotel"),
             tr("Community"), tr("Parking"), tr("Plant")};
 }
@@ -54,7 +54,7 @@ void UseTable::add(const FloorUse& use) {
     auto* name = new QComboBox;
     name->setEditable(true);
     name->setInsertPolicy(QComboBox::NoInsert);
-    name->addItems(usualUses());
+    name->addItems(defaultUses());
     name->setCurrentText(QString::fromStdString(use.use));
     name->lineEdit()->setMaxLength(longestUse);
     name->setToolTip(tr("A use of the list, or any other text"));
@@ -72,7 +72,7 @@ void UseTable::add(const FloorUse& use) {
 void UseTable::addNext() {
     std::vector<FloorUse> now = uses();
     if (!now.empty() && now.back().storeys == 0) now.back().storeys = 1;
-    const QStringList usual = usualUses();
+    const QStringList usual = defaultUses();
     now.push_back({usual[int(now.size()) % usual.size()].toStdString(), 0});
     show(now);
     Q_EMIT edited();

@@ -20,7 +20,7 @@ public:
 private:
     void add(const FloorUse& use);
     void addNext();
-    [[nodiscard]] QStringList usualUses() const;
+    [[nodiscard]] QStringList defaultUses() const;
 };
 
 }  // namespace noonmark

@@ -13,8 +13,8 @@ namespace noonmark {
 namespace {
 
 constexpr int atOnce = 4;  // as a browser: more would burden the server
-constexpr qint64 mostTileBytes = 4'000'000;
-constexpr int mostTilePixels = 512;
+constexpr qint64 maxTileBytes = 4'000'000;
+constexpr int maxTilePixels = 512;
 constexpr int patienceMs = 30000;
 
 /// Keeps nothing.
@@ -42,7 +42,7 @@ QImage decode(QByteArray bytes) {
     QImageReader reader(&buffer);
     reader.setDecideFormatFromContent(true);
     const QSize size = reader.size();
-    if (size.width() != size.height() || size.width() < 1 || size.width() > mostTilePixels) return {};
+    if (size.width() != size.height() || size.width() < 1 || size.width() > maxTilePixels) return {};
     return reader.read().convertToFormat(QImage::Format_RGBA8888);
 }
 
@@ -80,7 +80,7 @@ void TileFetch::fetchNext() {
         address_, range_.zoom, range_.west + tile % range_.columns, range_.north + tile / range_.columns)));
     running_ << reply;
     connect(reply, &QNetworkReply::downloadProgress, this, [reply](qint64 received, qint64) {
-        if (received > mostTileBytes) reply->abort();
+        if (received > maxTileBytes) reply->abort();
     });
     connect(reply, &QNetworkReply::finished, this, [this, reply, tile] { take(*reply, tile); });
 }

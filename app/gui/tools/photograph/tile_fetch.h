@@ -23,7 +23,7 @@ public:
     explicit TileFetch(QObject* parent = nullptr);
     ~TileFetch() override;
 
-    /// `address`: checkTemplate() accepts it. `range`: at most mostTiles. Not while it is busy.
+    /// `address`: checkTemplate() accepts it. `range`: at most maxTiles. Not while it is busy.
     void start(const QString& address, const TileRange& range);
     void cancel();  ///< ends without a signal
     [[nodiscard]] bool busy() const { return left_ > 0; }

@@ -11,7 +11,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostPlaces = 4;
+constexpr std::size_t maxPlaces = 4;
 
 QString minutesOf(double minutes) { return groupDigits(minutes, minutes < 10 ? 1 : 0); }
 
@@ -61,7 +61,7 @@ QString describeEffect(const LiveChange& change, const QString& verdicts) {
     QStringList lines{describeNewShadow(change)};
     if (!instant && change.worst) lines << describeWorst(change);
     if (change.figures.front().gross.easedM2 > 0) lines << describeLess(change);
-    const std::size_t shown = std::min(change.places.size(), mostPlaces);
+    const std::size_t shown = std::min(change.places.size(), maxPlaces);
     for (std::size_t i = 0; i < shown; ++i) lines << describePlace(change.places[i], instant);
     if (const std::size_t more = change.places.size() - shown; more > 0)
         lines << QObject::tr("and %1 more place(s)", "", pluralNumber(more)).arg(formatCount(more));

@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double leastSine = 0.1392;  // sine of 8 degrees
+constexpr double minSine = 0.1392;  // sine of 8 degrees
 
 }  // namespace
 
@@ -18,7 +18,7 @@ constexpr double leastSine = 0.1392;  // sine of 8 degrees
 std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot) {
     const glm::dvec2 along(ray.direction);
     const double level2 = along.x * along.x + along.y * along.y;  // squared sine of the angle to the vertical
-    if (level2 < leastSine * leastSine) return std::nullopt;
+    if (level2 < minSine * minSine) return std::nullopt;
     const glm::dvec3 away = foot - ray.origin;
     const double distance = (along.x * away.x + along.y * away.y) / level2;
     if (!(distance > 0)) return std::nullopt;

@@ -8,7 +8,7 @@ namespace noonmark {
 namespace {
 
 constexpr double reachPx = 8;
-constexpr double leastShare = 0.02;  // so that the divider can be found again
+constexpr double minShare = 0.02;  // so that the divider can be found again
 
 }  // namespace
 
@@ -33,7 +33,7 @@ bool DividerHandle::grab(QPointF pixel) { return isAt(pixel); }
 
 void DividerHandle::dragTo(QPointF pixel) {
     ViewSides sides = view_.sides();
-    sides.divider = std::clamp(pixel.x() / std::max(1, view_.width()), leastShare, 1 - leastShare);
+    sides.divider = std::clamp(pixel.x() / std::max(1, view_.width()), minShare, 1 - minShare);
     view_.setSides(sides);
 }
 

@@ -71,11 +71,11 @@ WantedDays wantedDays(const ViewAnswer& answer) {
     return {answer.coarseDays, answer.level == finestLevel ? answer.view.days : answer.coarseDays};
 }
 
-ViewTurn turnOf(const ViewAnswer& answer, const ViewEngine& engine, double mostTests) {
+ViewTurn turnOf(const ViewAnswer& answer, const ViewEngine& engine, double maxTests) {
     // The first picture of a view takes all points, so that it has no holes.
     const WantedDays wanted = wantedDays(answer);
     if (!engine.inParts || answer.first) return allTheRest(answer.view, wanted.all, *answer.sun);
-    return nextTurn(answer.view, wanted, *answer.sun, mostTests);
+    return nextTurn(answer.view, wanted, *answer.sun, maxTests);
 }
 
 Result<ViewAnswer> withMore(ViewAnswer answer, const ViewQuestion& question, const ViewEngine& engine,
@@ -160,7 +160,7 @@ void take(const std::vector<float>& running, bool onWhatWasKnown, std::vector<fl
 
 double turnTestsAfter(const ViewAnswer& answer) {
     const double asFast = answer.turn.tests * turnSeconds / std::max(answer.turnSeconds, 1e-6);
-    return std::clamp(asFast, leastTurnTests, 1e10);
+    return std::clamp(asFast, minTurnTests, 1e10);
 }
 
 Result<ViewAnswer> refineView(const ViewQuestion& question, const ViewAnswer* before,

@@ -54,10 +54,10 @@ int coarseDays(std::size_t points, const SunSteps& sun) {
     return int(std::clamp(days, 1.0, double(sun.dayCount())));
 }
 
-ViewTurn nextTurn(const ExploredView& view, const WantedDays& wanted, const SunSteps& sun, double mostTests) {
+ViewTurn nextTurn(const ExploredView& view, const WantedDays& wanted, const SunSteps& sun, double maxTests) {
     const std::size_t all = view.surface->points.size();
     const int days = view.daysDone == 0 ? wanted.first : 1;
-    const double pointDays = mostTests / stepsADay(sun);
+    const double pointDays = maxTests / stepsADay(sun);
     const double whole = std::floor(pointDays / std::max(1.0, double(all)));
     if (view.pointsDone == 0 && whole >= days)
         return countTurn({0, all, int(std::min(whole, double(wanted.all - view.daysDone)))}, sun);

@@ -17,7 +17,7 @@ struct ViewTurn {
 };
 
 /// Smallest turn worth its overhead: some hundredths of a second of rays.
-inline constexpr double leastTurnTests = 1e6;
+inline constexpr double minTurnTests = 1e6;
 /// Size of the first turn, before the machine's speed is known.
 inline constexpr double firstTurnTests = 5e6;
 
@@ -34,8 +34,8 @@ struct WantedDays {
     int all = 1;
 };
 
-/// The next turn of a view: at most `mostTests` tests, but at least one point.
-ViewTurn nextTurn(const ExploredView& view, const WantedDays& wanted, const SunSteps& sun, double mostTests);
+/// The next turn of a view: at most `maxTests` tests, but at least one point.
+ViewTurn nextTurn(const ExploredView& view, const WantedDays& wanted, const SunSteps& sun, double maxTests);
 
 /// The rest of `days`, in one turn.
 ViewTurn allTheRest(const ExploredView& view, int days, const SunSteps& sun);

@@ -22,14 +22,14 @@ namespace {
 
 constexpr int stripHeight = 58;
 constexpr int legendRowHeight = 46;  // if the strip is narrow
-constexpr int leastWidth = 784;      // minimum for a single row, with a scale bar and a note of a few words
-constexpr int leastLegendWidth = 250;
-constexpr int mostLegendWidth = 640;
+constexpr int minWidth = 784;        // minimum for a single row, with a scale bar and a note of a few words
+constexpr int minLegendWidth = 250;
+constexpr int maxLegendWidth = 640;
 constexpr int measureWidth = 190;
 constexpr int margin = 10;
 constexpr int needleRoom = 56;
-constexpr int scaleRoom = 104;       // of the scale bar left of the needle
-constexpr int leastWithScale = 560;  // a narrower strip has no scale bar
+constexpr int scaleRoom = 104;     // of the scale bar left of the needle
+constexpr int minWithScale = 560;  // a narrower strip has no scale bar
 constexpr int longestBarPx = 72;
 constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
@@ -56,7 +56,7 @@ void paintCompass(const Canvas& canvas, QPointF centre, double headingDeg) {
     painter.restore();
 }
 
-int compassWidth(int stripWidth) { return needleRoom + (stripWidth < leastWithScale ? 0 : scaleRoom); }
+int compassWidth(int stripWidth) { return needleRoom + (stripWidth < minWithScale ? 0 : scaleRoom); }
 
 QSizeF sizeOf(const QString& words, const QFont& font, double width) {
     return QFontMetricsF(font).boundingRect({0, 0, width, 1e4}, Qt::TextWordWrap, words).size();
@@ -65,7 +65,7 @@ QSizeF sizeOf(const QString& words, const QFont& font, double width) {
 QSpinBox* changeScaleField() {
     auto* field = new QSpinBox;
     field->setObjectName(QStringLiteral("changeScale"));
-    field->setRange(0, int(ChangeScale::mostMin));
+    field->setRange(0, int(ChangeScale::maxLockedMin));
     field->setSingleStep(15);
     field->setKeyboardTracking(false);
     field->setPrefix(QStringLiteral("±"));
@@ -256,7 +256,7 @@ void LegendStrip::setScale(double pixelsPerM) {
 
 // Distances in a slanting view shrink with depth; the bar holds for its middle.
 void LegendStrip::paintScale(const Canvas& canvas) const {
-    if (pixelsPerM_ <= 0 || width() < leastWithScale) return;
+    if (pixelsPerM_ <= 0 || width() < minWithScale) return;
     const QRectF area(width() - compassWidth(width()) + 8.0, 16, scaleRoom - 8.0, stripHeight - 24.0);
     paintScaleBar(canvas, area, scaleBarWithin(longestBarPx / pixelsPerM_), pixelsPerM_);
 }
@@ -265,7 +265,7 @@ ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->curr
 
 void LegendStrip::setMeasure(ShadowMeasure measure) { measure_->setCurrentIndex(int(measure)); }
 
-bool LegendStrip::narrow() const { return width() < leastWidth; }
+bool LegendStrip::narrow() const { return width() < minWidth; }
 
 QFont LegendStrip::noteFont() const {
     QFont font = this->font();
@@ -277,7 +277,7 @@ QFont LegendStrip::noteFont() const {
 // The room between measure and compass, without that of a legend beside the note.
 QSizeF LegendStrip::noteRoom() const {
     const double between = width() - measureWidth - compassWidth(width()) - 4 * margin;
-    const double most = narrow() ? between : std::min(between / 2, between - leastLegendWidth);
+    const double most = narrow() ? between : std::min(between / 2, between - minLegendWidth);
     return {std::max(0.0, most), stripHeight - 12.0};
 }
 
@@ -301,7 +301,7 @@ QRectF LegendStrip::legendArea() const {
     if (narrow()) return {12, stripHeight - 2.0, width() - 24.0, legendRowHeight - 2.0};
     const double right = note_.isEmpty() ? width() - compassWidth(width()) : noteArea().left();
     const double left = measureWidth + margin;
-    return {left, 8, std::min(double(mostLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
+    return {left, 8, std::min(double(maxLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
 }
 
 // On amber if the result is partial.

@@ -28,9 +28,9 @@ GroundPicture pictureOf(const QImage& image, const Grid& grid) {
 
 }  // namespace
 
-GroundPicture paintContextPicture(const MapContext& context, const Box2& around, int mostPixels) {
+GroundPicture paintContextPicture(const MapContext& context, const Box2& around, int maxPixels) {
     const glm::dvec2 size(around.high - around.low);
-    const double cell = std::max(finestM, std::max(size.x, size.y) / mostPixels);
+    const double cell = std::max(finestM, std::max(size.x, size.y) / maxPixels);
     const Grid grid{double(around.low.x), double(around.low.y), cell,
                     std::max(1, int(std::ceil(size.x / cell))), std::max(1, int(std::ceil(size.y / cell)))};
     QImage image(grid.columns, grid.rows, QImage::Format_RGBA8888_Premultiplied);

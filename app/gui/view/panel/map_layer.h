@@ -38,8 +38,8 @@ private:
     JobSlot painting_;
 };
 
-/// A picture of the context around the city, north up, of 0.25 m a pixel or more: at most `mostPixels` a
+/// A picture of the context around the city, north up, of 0.25 m a pixel or more: at most `maxPixels` a
 /// side.
-GroundPicture paintContextPicture(const MapContext& context, const Box2& around, int mostPixels = 4096);
+GroundPicture paintContextPicture(const MapContext& context, const Box2& around, int maxPixels = 4096);
 
 }  // namespace noonmark

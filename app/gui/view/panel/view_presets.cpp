@@ -37,7 +37,7 @@ CameraPose lookFromSide(CameraPose pose, double fromDeg) {
 
 CameraPose lookFromSun(CameraPose pose, const SunAtMoment& sun) {
     pose.headingDeg = opposite(sun.azimuthDeg);
-    pose.pitchDeg = std::clamp(sun.altitudeDeg, CameraLimits::lowestPitchDeg, 90.0);
+    pose.pitchDeg = std::clamp(sun.altitudeDeg, CameraLimits::minPitchDeg, 90.0);
     return pose;
 }
 

@@ -17,7 +17,7 @@ constexpr double shareOfDistance = 0.27;  // of the camera: near and far side fi
 constexpr double liftShare = 0.005;       // of the radius: the horizon does not lie in the ground
 constexpr double driftM = 0.02, leapM = 0.6, leapSize = 1.5;  // shares of the radius
 constexpr double tickShare = 0.06, quarterNameShare = 1.2, monthNameShare = 1.06, hourNameShare = 1.04;
-constexpr double leastHourZ = 0.07;  // of 1: an hour that stays lower has no name
+constexpr double minHourZ = 0.07;  // of 1: an hour that stays lower has no name
 constexpr int horizonStepDeg = 3;
 
 glm::dvec3 onDome(const DomePlace& place, const glm::dvec3& towards, double share = 1) {
@@ -80,7 +80,7 @@ std::optional<glm::dvec3> findHourName(const std::vector<SunCurve>& curves) {
     for (const SunCurve& curve : curves)
         for (const glm::dvec3& towards : curve.towards)
             if (towards.z > highest.z) highest = towards;
-    return highest.z < leastHourZ ? std::nullopt : std::optional(highest);
+    return highest.z < minHourZ ? std::nullopt : std::optional(highest);
 }
 
 void drawHours(const SunPaths& paths, const DomePlace& place, DomeMarks::Net& net) {

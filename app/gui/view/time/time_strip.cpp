@@ -24,8 +24,8 @@ namespace {
 
 constexpr int minutesADay = 24 * 60;
 constexpr int tickMs = 40;
-constexpr int leastWidth = 256;  // with what cannot be left out
-constexpr int fullWidth = 600;   // narrower strips hide loop, speed and the words about the sun
+constexpr int minWidth = 256;   // with what cannot be left out
+constexpr int fullWidth = 600;  // narrower strips hide loop, speed and the words about the sun
 constexpr std::array playSpeeds{0.5, 1.5, 4.0};  // hours of the day, or weeks of the year, in a second
 
 MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
@@ -130,7 +130,7 @@ void TimeStrip::place() {
     grid->setSizeConstraint(QLayout::SetNoConstraint);
 }
 
-QSize TimeStrip::minimumSizeHint() const { return {leastWidth, QWidget::minimumSizeHint().height()}; }
+QSize TimeStrip::minimumSizeHint() const { return {minWidth, QWidget::minimumSizeHint().height()}; }
 
 void TimeStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);

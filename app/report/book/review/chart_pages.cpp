@@ -8,9 +8,9 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostFixedDays = 31;
+constexpr std::size_t maxFixedDays = 31;
 constexpr double carpetRowMin = 10;
-constexpr std::size_t mostDaysDrawn = 6;
+constexpr std::size_t maxDaysDrawn = 6;
 
 /// Charts of one place.
 class PlaceCharts {
@@ -25,7 +25,7 @@ public:
             return day.incremental.areaHoursM2 > 0 || day.gained.areaHoursM2 > 0;
         });
     }
-    [[nodiscard]] bool coversARange() const { return days_.size() > mostFixedDays; }
+    [[nodiscard]] bool coversARange() const { return days_.size() > maxFixedDays; }
 
     [[nodiscard]] QString name() const { return plainText(review_.name); }
 
@@ -67,7 +67,7 @@ private:
     /// All days, or of a long range those next to solstices and equinoxes, and the one of most shadow.
     [[nodiscard]] std::vector<const DayTimeline*> drawnDays() const {
         std::vector<const DayTimeline*> drawn;
-        if (days_.size() <= mostDaysDrawn) {
+        if (days_.size() <= maxDaysDrawn) {
             for (const DayTimeline& day : days_) drawn.push_back(&day);
             return drawn;
         }

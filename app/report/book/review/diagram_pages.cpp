@@ -12,10 +12,10 @@ namespace noonmark {
 
 namespace {
 
-constexpr double mostFanScale = 10000;
+constexpr double maxFanScale = 10000;
 constexpr double pictureDpi = 200;
-constexpr double mostPicturePixels = 2200;  // a picture for large paper need not be finer
-constexpr std::size_t mostSunViewsADay = 3;
+constexpr double maxPicturePixels = 2200;  // a picture for large paper need not be finer
+constexpr std::size_t maxSunViewsADay = 3;
 
 QString sunText(const SunStep& sun) {
     return QStringLiteral("Sun: azimuth %1°, altitude %2°")
@@ -74,7 +74,7 @@ std::vector<DayMoments> byDay(const std::vector<DiagramMoment>& moments) {
 
 /// The first moment of a day, the one nearest to noon, and the last.
 std::vector<DiagramMoment> fewOf(const std::vector<DiagramMoment>& all) {
-    if (all.size() <= mostSunViewsADay) return all;
+    if (all.size() <= maxSunViewsADay) return all;
     const auto noon = std::ranges::min_element(
         all, {}, [](const DiagramMoment& moment) { return std::abs(moment.minute - 720); });
     std::vector<DiagramMoment> few{all.front()};
@@ -178,10 +178,10 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     double commonScale = 0;  // the foot of a page states one
     for (const auto& [day, moments] : byDay(scene.moments))
         commonScale =
-            std::max(commonScale, fitInto(areas.front(), scale, reachOf(scene, moments), mostFanScale).scale);
+            std::max(commonScale, fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale).scale);
     for (const auto& [day, moments] : byDay(scene.moments)) {
         progress.report(0, "drawing shadow fans");
-        DiagramLayout layout = fitInto(areas.front(), scale, reachOf(scene, moments), mostFanScale);
+        DiagramLayout layout = fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale);
         layout.scale = commonScale;
         const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
         std::vector<SunStep> steps;
@@ -213,7 +213,7 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
                                      "North is up.")
                           .arg(plainText(scene.source.labels.to)),
                       areas);
-    for (std::size_t i = 0; i < std::min(mostIsochroneDays, scene.sun.sun.days.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(maxIsochroneDays, scene.sun.sun.days.size()); ++i) {
         progress.report(0, "drawing lines of equal hours");
         auto diagram = makeIsochrones(scene, i, areas.front(), stop);
         if (!diagram) return tl::make_unexpected(diagram.error());
@@ -228,7 +228,7 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
     const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 3);
     const double scale = textScale(setup);
     const QSizeF picture = mapAreaOf(areas.front(), scale).size() * pictureDpi / 72;
-    const QSize size = (picture * std::min(1.0, mostPicturePixels / picture.width())).toSize();
+    const QSize size = (picture * std::min(1.0, maxPicturePixels / picture.width())).toSize();
     const DiagramLayout layout = layoutOf(scene);
     const QRectF shown = mapAreaOf(diagramAreas(setup, layout.columns, layout.rows).front(), scale);
     const auto views =

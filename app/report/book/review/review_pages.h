@@ -53,8 +53,8 @@ Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments
 /// What changes, and the places as far as its shadows reach.
 Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
 DiagramLayout layoutOf(const ReviewScene& scene);
-/// One view in an area, at the largest round scale at which it shows a box; else at 1:mostScale.
-DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double mostScale = 5000);
+/// One view in an area, at the largest round scale at which it shows a box; else at 1:maxScale.
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double maxScale = 5000);
 
 /// The moment at which most of any place is in incremental shadow; else the moment nearest to noon. Nothing
 /// without any sun.

@@ -12,8 +12,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr int mostHoursADay = 6;
-constexpr float lowestSunDeg = 0.5F;  // shadows of a lower sun leave every page
+constexpr int maxHoursADay = 6;
+constexpr float minSunDeg = 0.5F;  // shadows of a lower sun leave every page
 constexpr double farthestM = 1500;
 constexpr double marginM = 12;
 constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 4000.0, 5000.0};
@@ -125,7 +125,7 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
     const RuleSite site{observerOfPlaces(source.baseline), source.study.settings.zone, source.study.year};
     auto sun = computeRuleSun(rule, site, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    const auto moments = computeReviewMoments(source.study, source.baseline, mostHoursADay, stop);
+    const auto moments = computeReviewMoments(source.study, source.baseline, maxHoursADay, stop);
     if (!moments) return tl::make_unexpected(moments.error());
     auto diagrams = std::make_shared<DiagramScene>();
     diagrams->proposal = keepOwnBuildings(source.scenario, source.baseline);
@@ -139,7 +139,7 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
         source,        settings,       diagrams, std::move(casting.before), std::move(casting.after),
         site.observer, *std::move(sun)};
     for (const RuleMoment& moment : *moments)
-        if (moment.sun.altitudeDeg > lowestSunDeg)
+        if (moment.sun.altitudeDeg > minSunDeg)
             scene.moments.push_back(
                 {moment.day, moment.minutes, QString::fromStdString(moment.clock), moment.sun});
     return scene;
@@ -193,7 +193,7 @@ Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments
     return focus;
 }
 
-DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double mostScale) {
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double maxScale) {
     const QSizeF map = mapAreaOf(area, textScale).size();
     const glm::dvec2 size = glm::max(glm::dvec2(shown.high - shown.low), glm::dvec2(1));
     const auto holds = [&](double scale) {
@@ -201,7 +201,7 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, d
                size.y * pointsPerMetre(scale) <= map.height();
     };
     const auto scale = std::ranges::find_if(roundScales, holds);
-    return {1, 1, scale == roundScales.end() ? mostScale : *scale, glm::dvec2(shown.low + shown.high) / 2.0};
+    return {1, 1, scale == roundScales.end() ? maxScale : *scale, glm::dvec2(shown.low + shown.high) / 2.0};
 }
 
 DiagramLayout layoutOf(const ReviewScene& scene) {

@@ -12,7 +12,7 @@ namespace noonmark {
 namespace {
 
 constexpr double tablePt = 7.4;
-constexpr std::size_t mostDaysAll = 31;  // of longer ranges only days with incremental shadow are listed
+constexpr std::size_t maxDaysAll = 31;  // of longer ranges only days with incremental shadow are listed
 
 /// The rule's own table.
 std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
@@ -24,7 +24,7 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     std::size_t leftOut = 0;
     for (const PlaceReview& review : study.places)
         for (const ReviewRow& row : review.rows) {
-            if (review.rows.size() > mostDaysAll && row.durationMin <= 0) {
+            if (review.rows.size() > maxDaysAll && row.durationMin <= 0) {
                 ++leftOut;
                 continue;
             }
@@ -85,7 +85,7 @@ QString shareText(const ReviewTotals& totals, double m2h) {
 /// Sums over the rule's days, for rules about a range of days.
 std::optional<NamedTable> sumTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
-    if (scene.sun.sun.days.size() <= mostDaysAll) return std::nullopt;
+    if (scene.sun.sun.days.size() <= maxDaysAll) return std::nullopt;
     PageTable table{{QStringLiteral("Place"), QStringLiteral("Theoretical sun"),
                      QStringLiteral("Existing shadow"), QStringLiteral("share"),
                      QStringLiteral("With proposal"), QStringLiteral("share"), QStringLiteral("Incremental"),
@@ -113,7 +113,7 @@ std::optional<NamedTable> sumTable(const ReviewScene& scene) {
 /// Time and extent of incremental shadow by season, for rules about a range of days.
 std::optional<NamedTable> seasonTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
-    if (scene.sun.sun.days.size() <= mostDaysAll || study.rule.days.mirrored) return std::nullopt;
+    if (scene.sun.sun.days.size() <= maxDaysAll || study.rule.days.mirrored) return std::nullopt;
     PageTable table{
         {QStringLiteral("Place"), QStringLiteral("Months"), QStringLiteral("Days with shadow"),
          QStringLiteral("Enters at the earliest"), QStringLiteral("Exits at the latest"),

@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t numbersATask = mostShortNumbers;
+constexpr std::size_t numbersATask = maxShortNumbers;
 constexpr std::uint32_t numbersALine = 32;
 
 bool hasReceivers(const ReceiverBlocks& blocks, std::size_t first, std::size_t end) {

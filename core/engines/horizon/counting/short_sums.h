@@ -12,17 +12,17 @@
 namespace noonmark {
 
 /// Accumulates sums in 16 bits for as long as they cannot overflow, so that they stay in the first-level
-/// cache through all bins. `lines`: ranges of numbers from `first` on, up to `mostNumbers` in total; call
+/// cache through all bins. `lines`: ranges of numbers from `first` on, up to `maxNumbers` in total; call
 /// flush() before reading `all`. `lines` and `all` must outlive it.
-template <std::size_t mostNumbers>
+template <std::size_t maxNumbers>
 class ShortSums {
 public:
     ShortSums(std::size_t first, std::span<const NumberRange> lines, std::uint32_t* all)
         : first_(first), lines_(lines), all_(all) {}
 
     void add(const SunChange& change, const HorizonCode* horizons) {
-        constexpr int mostShort = std::numeric_limits<std::int16_t>::max();
-        if (most_ + change.most() > mostShort) flush();
+        constexpr int maxShort = std::numeric_limits<std::int16_t>::max();
+        if (most_ + change.most() > maxShort) flush();
         most_ += change.most();
         for (const auto& [first, end] : lines_)
             change.addTo(horizons + first, end - first, sums_.data() + (first - first_));
@@ -40,11 +40,11 @@ private:
     std::span<const NumberRange> lines_;
     std::uint32_t* all_;
     int most_ = 0;
-    std::array<std::int16_t, mostNumbers> sums_{};
+    std::array<std::int16_t, maxNumbers> sums_{};
 };
 
 /// For the numbers of a tile: half of a first-level cache.
-inline constexpr std::size_t mostShortNumbers = 16'384;
-using TileShortSums = ShortSums<mostShortNumbers>;
+inline constexpr std::size_t maxShortNumbers = 16'384;
+using TileShortSums = ShortSums<maxShortNumbers>;
 
 }  // namespace noonmark

@@ -16,8 +16,8 @@ std::vector<HorizonCode> lacking(std::span<const HorizonCode> from, std::span<co
 }
 
 std::span<const HorizonCode> some(const std::vector<HorizonCode>& suns, std::size_t turn) {
-    const std::size_t first = std::min(suns.size(), turn * SunChange::mostSuns);
-    return std::span(suns).subspan(first, std::min(suns.size() - first, SunChange::mostSuns));
+    const std::size_t first = std::min(suns.size(), turn * SunChange::maxSuns);
+    return std::span(suns).subspan(first, std::min(suns.size() - first, SunChange::maxSuns));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::vector<SunChange> findSunChanges(std::span<const HorizonCode> suns,
                                       std::span<const HorizonCode> before) {
     const std::vector<HorizonCode> come = lacking(suns, before), gone = lacking(before, suns);
     std::vector<SunChange> changes;
-    for (std::size_t turn = 0; turn * SunChange::mostSuns < std::max(come.size(), gone.size()); ++turn)
+    for (std::size_t turn = 0; turn * SunChange::maxSuns < std::max(come.size(), gone.size()); ++turn)
         changes.emplace_back(some(come, turn), some(gone, turn));
     return changes;
 }

@@ -15,9 +15,9 @@ namespace noonmark {
 /// change.
 class SunChange {
 public:
-    static constexpr std::size_t mostSuns = 32'767;  ///< limit for added suns, and for removed suns
+    static constexpr std::size_t maxSuns = 32'767;  ///< limit for added suns, and for removed suns
 
-    /// Both ascending, at most mostSuns each; no sun is in both.
+    /// Both ascending, at most maxSuns each; no sun is in both.
     SunChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
 
     /// Largest absolute change of any horizon.

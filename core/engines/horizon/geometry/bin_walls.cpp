@@ -10,7 +10,7 @@ namespace {
 // Exceeds the rounding of the distance, in cells, to a wall that the azimuth crosses at a right angle.
 constexpr float onTheWall = 1e-4F;
 
-constexpr double mostAcross = 32;  // cells per piece
+constexpr double maxAcross = 32;  // cells per piece
 
 // A receiver on a wall counts as just east and north of it. A position this close behind the wall would be
 // inside the building and hence no receiver.
@@ -143,7 +143,7 @@ void BinWalls::addUpwards(const End& a, const End& b, const WallPiece& piece) {
 
 void BinWalls::addPieces(const End& a, const End& b, WallPiece piece) {
     const glm::dvec2 size = b.at - a.at;
-    const double parts = std::max(std::abs(size.x) / mostAcross, std::abs(size.y) / rowDepth);
+    const double parts = std::max(std::abs(size.x) / maxAcross, std::abs(size.y) / rowDepth);
     const int count = parts <= 1 ? 1 : int(std::ceil(parts));
     const auto cut = [&](int i) { return i == count ? b.at : a.at + size * (double(i) / count); };
     for (int i = 0; i < count; ++i) {

@@ -46,10 +46,10 @@ bool horizonsFit(const Receivers& receivers, std::size_t bins) {
 // overhangs may be seen from which block.
 std::vector<BatchRange> batchesAmong(std::span<const OverhangShapes> overhangs,
                                      std::span<const SweptBin> bins) {
-    constexpr std::size_t mostInBatches = 4096;
+    constexpr std::size_t maxInBatches = 4096;
     std::size_t shapes = 0;
     for (const OverhangShapes& some : overhangs) shapes += some.size();
-    if (shapes <= mostInBatches) return groupIntoBatches(bins);
+    if (shapes <= maxInBatches) return groupIntoBatches(bins);
     std::vector<BatchRange> ones;
     for (std::size_t bin = 0; bin < bins.size(); ++bin) ones.push_back({bin, bin + 1});
     return ones;
@@ -188,7 +188,7 @@ PeriodSweep::Sums PeriodSweep::hidden(Tile& tile, const Turns& turns) {
 PeriodSweep::Sums PeriodSweep::hiddenByCached(Tile& tile, const Turns& turns) const {
     Sums sums(tile.blocks.numbers());
     const std::size_t numbers =
-        std::min(mostShortNumbers,
+        std::min(maxShortNumbers,
                  (sums.size() / tasks + lanesPerPart - 1) / lanesPerPart * lanesPerPart + lanesPerPart);
     tbb::parallel_for(std::size_t{0}, (sums.size() + numbers - 1) / numbers, [&](std::size_t task) {
         const auto first = std::uint32_t(task * numbers),

@@ -15,7 +15,7 @@ class BoxTree {
 public:
     static constexpr std::size_t width = 8;
     /// Boxes that can await their visit: 2^32 obstacles have 11 levels, each of which leaves `width` - 1.
-    static constexpr std::size_t mostUnvisited = 11 * (width - 1) + 1;
+    static constexpr std::size_t maxUnvisited = 11 * (width - 1) + 1;
     static constexpr std::uint32_t leafBit = 0x80000000U;
 
     /// Local metres. Lanes without a box have their top below everything.

@@ -136,7 +136,7 @@ private:
     glm::vec3 eye_;
     const float* horizon_;
     std::size_t count_ = 0;
-    Box unvisited_[BoxTree::mostUnvisited];
+    Box unvisited_[BoxTree::maxUnvisited];
 };
 
 }  // namespace noonmark::HWY_NAMESPACE

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/engines/points/horizons/bin_directions.h"
-#include "core/engines/points/horizons/window_bounds.h"
+#include "core/engines/points/horizons/range_bounds.h"
 
 namespace noonmark {
 
@@ -16,7 +16,7 @@ struct SunPackets {
     std::vector<std::uint16_t> bin;
     std::vector<float> tan;
     // One entry a packet, and up to 15 more.
-    std::vector<std::int32_t> window;  ///< of BinWindows
+    std::vector<std::int32_t> window;  ///< of BinRanges
     std::vector<float> lowestTan, highestTan;
 };
 
@@ -25,7 +25,7 @@ struct SunPackets {
 struct PacketBits {
     std::vector<std::uint64_t> hidden, lit;
 };
-void classifyPackets(const SunPackets& packets, const WindowBounds& bounds, PacketBits& bits);
+void classifyPackets(const SunPackets& packets, const RangeBounds& bounds, PacketBits& bits);
 
 /// Bit k: sun `first` + k is at or below the tangent of its bin. 32 suns.
 std::uint32_t sunsUpTo(const SunPackets& packets, std::size_t first, const BinTangents& tangents);

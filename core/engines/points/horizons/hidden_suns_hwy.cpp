@@ -16,7 +16,7 @@ constexpr std::size_t lanes = hn::MaxLanes(d);
 
 }  // namespace
 
-void classifyPackets(const SunPackets& packets, const WindowBounds& bounds, PacketBits& bits) {
+void classifyPackets(const SunPackets& packets, const RangeBounds& bounds, PacketBits& bits) {
     constexpr std::size_t wordBits = 64;
     for (std::size_t word = 0; word < bits.hidden.size(); ++word) {
         std::uint64_t hidden = 0, lit = 0;
@@ -53,7 +53,7 @@ HWY_AFTER_NAMESPACE();
 namespace noonmark {
 NOONMARK_KERNEL(classifyPackets);
 NOONMARK_KERNEL(sunsUpTo);
-void classifyPackets(const SunPackets& packets, const WindowBounds& bounds, PacketBits& bits) {
+void classifyPackets(const SunPackets& packets, const RangeBounds& bounds, PacketBits& bits) {
     NOONMARK_CALL(classifyPackets)(packets, bounds, bits);
 }
 std::uint32_t sunsUpTo(const SunPackets& packets, std::size_t first, const BinTangents& tangents) {

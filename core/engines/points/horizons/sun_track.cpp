@@ -17,7 +17,7 @@ bool bitOf(const std::vector<std::uint64_t>& words, std::size_t bit) {
 }
 
 // The shortest arc of bins that begins or ends near the first and holds all.
-int windowAround(const std::uint16_t* bins, int count) {
+int rangeAround(const std::uint16_t* bins, int count) {
     int low = 0, high = 0;
     for (int k = 1; k < count; ++k) {
         int further = bins[k] - bins[0];
@@ -25,7 +25,7 @@ int windowAround(const std::uint16_t* bins, int count) {
         if (further < -SunBins::count / 2) further += SunBins::count;
         low = std::min(low, further), high = std::max(high, further);
     }
-    return BinWindows::around(bins[0] + low + SunBins::count, high - low + 1);
+    return BinRanges::around(bins[0] + low + SunBins::count, high - low + 1);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void SunTrack::addPacket(Packet packet) {
                                                        suns_.tan.begin() + packet.first + packet.count);
     suns_.lowestTan.push_back(*lowest);
     suns_.highestTan.push_back(*highest);
-    suns_.window.push_back(windowAround(&suns_.bin[packet.first], packet.count));
+    suns_.window.push_back(rangeAround(&suns_.bin[packet.first], packet.count));
     packets_.push_back(packet);
 }
 
@@ -95,7 +95,7 @@ struct SunTrack::Point {
         const std::size_t words = (of.packets_.size() + 63) / 64;
         bits.hidden.resize(words), bits.lit.resize(words);
         steps.resize(of.packets_.size()), known.resize(of.packets_.size());
-        classifyPackets(of.suns_, WindowBounds(its), bits);
+        classifyPackets(of.suns_, RangeBounds(its), bits);
         mayBeHidden = without(of.inDay_, bits.lit);
         mayBeLit = without(of.inDay_, bits.hidden);
         for (std::size_t bin = 0; bin < SunBins::count && !its.gaps.empty(); ++bin)
@@ -240,7 +240,7 @@ TrackRun SunTrack::longestRun(Point& point, bool ofShadow) const {
     TrackRun found;
     const auto walk = [&](const std::vector<Stretch>& stretches) {
         for (const Stretch& stretch : stretches) {
-            if (stretch.mostSteps <= found.length()) continue;
+            if (stretch.maxSteps <= found.length()) continue;
             LongRuns(point, ofShadow, stretch).visitLongerThan(found.length(), [&](const TrackRun& run) {
                 found = run;
                 return run.length();

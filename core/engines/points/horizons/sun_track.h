@@ -57,7 +57,7 @@ private:
     };
     /// Packets in a row that may hold a run.
     struct Stretch {
-        std::uint32_t first = 0, end = 0, mostSteps = 0;
+        std::uint32_t first = 0, end = 0, maxSteps = 0;
     };
     struct Point;    // what the horizon of a point hides
     class LongRuns;  // visits the runs of a stretch

@@ -15,8 +15,8 @@ double turn(glm::vec2 a, glm::vec2 b, glm::vec2 c) {
 /// Cuts one ring into pieces, from point to point.
 class RingCutter {
 public:
-    RingCutter(const Ring& ring, const Ring& obstacles, std::size_t mostPoints)
-        : ring_(ring), obstacles_(obstacles), mostPoints_(mostPoints) {}
+    RingCutter(const Ring& ring, const Ring& obstacles, std::size_t maxPoints)
+        : ring_(ring), obstacles_(obstacles), maxPoints_(maxPoints) {}
 
     void cut(std::vector<Ring>& pieces) {
         const std::size_t start = firstPoint();
@@ -42,7 +42,7 @@ private:
     // Number of edges that a piece can have from this point on.
     [[nodiscard]] std::size_t edgesFrom(std::size_t first) const {
         std::size_t edges = 1;
-        while (edges + 2 <= std::min(mostPoints_, ring_.size()) && canGrow(first, first + edges)) ++edges;
+        while (edges + 2 <= std::min(maxPoints_, ring_.size()) && canGrow(first, first + edges)) ++edges;
         return edges;
     }
 
@@ -63,7 +63,7 @@ private:
 
     const Ring& ring_;
     const Ring& obstacles_;
-    std::size_t mostPoints_;
+    std::size_t maxPoints_;
 };
 
 Ring obstaclesIn(const Footprint& footprint) {
@@ -85,11 +85,11 @@ bool isConvex(const Footprint& footprint) {
     return footprint.holes.empty();
 }
 
-std::vector<Ring> splitIntoConvexPieces(const Footprint& footprint, std::size_t mostPoints) {
+std::vector<Ring> splitIntoConvexPieces(const Footprint& footprint, std::size_t maxPoints) {
     const Ring obstacles = obstaclesIn(footprint);
     std::vector<Ring> pieces;
-    RingCutter(footprint.outer, obstacles, mostPoints).cut(pieces);
-    for (const Ring& hole : footprint.holes) RingCutter(hole, obstacles, mostPoints).cut(pieces);
+    RingCutter(footprint.outer, obstacles, maxPoints).cut(pieces);
+    for (const Ring& hole : footprint.holes) RingCutter(hole, obstacles, maxPoints).cut(pieces);
     return pieces;
 }
 

@@ -54,13 +54,13 @@ private:
 
     // A few pieces rather than many walls: each piece casts the shadow of all its walls.
     void addPieces(const Part& part) {
-        for (const Ring& piece : splitIntoConvexPieces(part.footprint, ShadowCaster::mostPoints))
+        for (const Ring& piece : splitIntoConvexPieces(part.footprint, ShadowCaster::maxPoints))
             addRing(piece.size() == 2 ? Kind::wall : Kind::prism, part, piece);
     }
 
     // Prisms with many points are cut along chords; each piece is convex and casts its own shadow.
     void addConvex(const Part& part, std::span<const glm::vec2> ring) {
-        const std::size_t count = std::min(ring.size(), ShadowCaster::mostPoints);
+        const std::size_t count = std::min(ring.size(), ShadowCaster::maxPoints);
         addRing(Kind::prism, part, Ring(ring.begin(), ring.begin() + std::ptrdiff_t(count)));
         if (count == ring.size()) return;
         Ring rest(ring.begin() + std::ptrdiff_t(count) - 1, ring.end());

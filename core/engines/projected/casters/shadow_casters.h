@@ -29,7 +29,7 @@ struct ShadowCaster {
         flat,   ///< a convex polygon at one height, `bottom`: a triangle of the underside of an overhang
         face,   ///< three points of a mesh with their heights in `heights`; casts shadow if it faces the sun
     };
-    static constexpr std::size_t mostPoints = 60;
+    static constexpr std::size_t maxPoints = 60;
     Kind kind = Kind::prism;
     std::uint32_t firstPoint = 0;  ///< index in ShadowCasters::points
     std::uint32_t pointCount = 0;

@@ -22,10 +22,10 @@ using WordSteps = std::span<const StepWords* const>;
 /// per group of eight steps; steps after the first `steps` are ignored. Both ways give the same runs.
 void countRuns(WordSteps words, std::span<const RunStarts> starts, std::size_t steps, WordRuns& runs);
 
-/// Step by step, with one 16-bit lane per cell, for periods of up to `mostStepsInLanes` steps: 1 ns per step
+/// Step by step, with one 16-bit lane per cell, for periods of up to `maxStepsInLanes` steps: 1 ns per step
 /// with registers of 64 bytes, 4 ns with registers of 32 bytes.
 void countByLanes(WordSteps words, std::span<const RunStarts> starts, std::size_t steps, WordRuns& runs);
-inline constexpr std::size_t mostStepsInLanes = 65'535;
+inline constexpr std::size_t maxStepsInLanes = 65'535;
 
 /// 1 ns per step, and some ns for each cell that goes into or out of shadow.
 void countByChanges(WordSteps words, std::span<const RunStarts> starts, std::size_t steps, WordRuns& runs);

@@ -70,7 +70,7 @@ void countInLanes(WordSteps words, std::span<const RunStarts> starts, std::size_
 
 // With fewer lanes, following the changes is faster: a cell changes a few times a day.
 void countWord(WordSteps words, std::span<const RunStarts> starts, std::size_t steps, WordRuns& runs) {
-    if (lanes >= 32 && steps <= mostStepsInLanes)
+    if (lanes >= 32 && steps <= maxStepsInLanes)
         countInLanes(words, starts, steps, runs);
     else
         countByChanges(words, starts, steps, runs);

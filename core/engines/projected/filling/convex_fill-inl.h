@@ -64,8 +64,8 @@ public:
 
     template <class Bound>
     HWY_INLINE void forEdgesAt(double row, const Bound& bound) {
-        while (next_ < chain_.count && chain_.edges[next_]->high + chain_.mostUp < row) ++next_;
-        for (std::size_t i = next_; i < chain_.count && chain_.edges[i]->low + chain_.leastUp <= row; ++i) {
+        while (next_ < chain_.count && chain_.edges[next_]->high + chain_.maxUp < row) ++next_;
+        for (std::size_t i = next_; i < chain_.count && chain_.edges[i]->low + chain_.minUp <= row; ++i) {
             const RingEdge& edge = *chain_.edges[i];
             const EightDoubles x(chain_.at.x), y(chain_.at.y);
             bound(edge.atRow0 + (x - y * edge.slope) + row * edge.slope);

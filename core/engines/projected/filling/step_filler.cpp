@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int wordsABand = 1536, leastRows = 64, bandsAGrid = 8;
+constexpr int wordsABand = 1536, minRows = 64, bandsAGrid = 8;
 
 std::vector<std::uint64_t> rasterOfNoReceivers(const Receivers& receivers, const BitLayout& layout,
                                                const RowBand& band) {
@@ -67,7 +67,7 @@ void StepFiller::fill(std::size_t first, std::span<std::uint64_t> rasters) {
 
 std::vector<RowBand> bandsOf(const Grid& grid) {
     const int wordColumns = (grid.columns + 63) / 64,
-              rows = std::max(leastRows, std::min(wordsABand / wordColumns, grid.rows / bandsAGrid));
+              rows = std::max(minRows, std::min(wordsABand / wordColumns, grid.rows / bandsAGrid));
     std::vector<RowBand> bands;
     for (int first = 0; first < grid.rows; first += rows)
         bands.push_back({first, std::min(first + rows, grid.rows)});

@@ -49,17 +49,17 @@ struct StepLines {
 /// Edges of a convex ring that bound a shape on one side, in upward order, shifted by `at`. Each edge applies
 /// only within its own rows.
 struct EdgeChain {
-    static constexpr std::size_t mostEdges = 62;
-    std::array<const RingEdge*, mostEdges> edges;
+    static constexpr std::size_t maxEdges = 62;
+    std::array<const RingEdge*, maxEdges> edges;
     std::size_t count = 0;
     StepPoints at;
-    double leastUp = 0, mostUp = 0;  ///< bounds of at.y, wider than rounding
+    double minUp = 0, maxUp = 0;  ///< bounds of at.y, wider than rounding
 
     // The caller must set `at`.
     void begin(double lowY, double highY) {
         count = 0;
-        leastUp = lowY - 1e-6;
-        mostUp = highY + 1e-6;
+        minUp = lowY - 1e-6;
+        maxUp = highY + 1e-6;
     }
     void add(const RingEdge& edge) { edges[count++] = &edge; }
 };

@@ -10,7 +10,7 @@
 
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/common/shared_buildings.h"
-#include "core/engines/projected/masks/window_filler.h"
+#include "core/engines/projected/masks/block_filler.h"
 #include "core/sun/chosen_days.h"
 
 namespace noonmark {
@@ -78,9 +78,9 @@ public:
           progress_(progress),
           stop_(stop),
           casters_(cities, receivers, sun),
-          fillers_([this] { return WindowFiller(casters_.grouped); }) {
+          fillers_([this] { return BlockFiller(casters_.grouped); }) {
         const CasterReach whole(sun, receivers.grid.cellM, 0, sun.steps.size());
-        for (ReceiverWindow& window : divideIntoWindows(receivers))
+        for (ReceiverBlock& window : divideIntoBlocks(receivers))
             plans_.emplace_back(std::move(window), casters_.grouped, whole);
     }
 
@@ -136,8 +136,8 @@ private:
         for (std::size_t step = task.first; step < end; step += stepsTogether)
             eights.emplace_back(sun, receivers_.grid.cellM, step, step + stepsTogether);
         const CasterReach all(sun, receivers_.grid.cellM, task.first, end);
-        WindowFiller& filler = fillers_.local();
-        for (const WindowPlan& plan : plans_) {
+        BlockFiller& filler = fillers_.local();
+        for (const BlockPlan& plan : plans_) {
             filler.aimAt(plan, all);
             for (std::size_t i = 0; i < eights.size(); ++i) {
                 if (stop_.stop_requested()) return;
@@ -152,8 +152,8 @@ private:
     Progress& progress_;
     const std::stop_token& stop_;
     NearCasters casters_;
-    std::vector<WindowPlan> plans_;
-    tbb::enumerable_thread_specific<WindowFiller> fillers_;
+    std::vector<BlockPlan> plans_;
+    tbb::enumerable_thread_specific<BlockFiller> fillers_;
 };
 
 }  // namespace

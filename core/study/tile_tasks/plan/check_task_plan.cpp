@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int mostCellsAcross = 1'000'000'000;  // TilePlan adds two such numbers
+constexpr int maxCellsAcross = 1'000'000'000;  // TilePlan adds two such numbers
 constexpr double farthestM = 1e9;
 
 bool isFinite(const Box2& box) {
@@ -29,7 +29,7 @@ bool isSoundPolygon(const Footprint& polygon) {
 
 bool isSoundGrid(const TilePlan& tiles) {
     const Grid& grid = tiles.whole;
-    const auto counts = [](int cells) { return cells >= 1 && cells <= mostCellsAcross; };
+    const auto counts = [](int cells) { return cells >= 1 && cells <= maxCellsAcross; };
     const auto near = [](double metres) { return std::abs(metres) <= farthestM; };
     const bool cells = grid.cellM >= ReceiverSettings::minCellM && grid.cellM <= ReceiverSettings::maxCellM;
     return counts(tiles.side) && counts(grid.columns) && counts(grid.rows) && cells && near(grid.westM) &&
@@ -61,18 +61,18 @@ bool isSoundTile(const PlannedTile& tile, const TaskPlan& plan) {
 }
 
 // A task begins with its window 0, and no task or window is left out.
-bool follows(const PlannedTile& tile, const PlannedTile& next, bool byWindow) {
+bool follows(const PlannedTile& tile, const PlannedTile& next, bool byExtent) {
     if (next.task == tile.task + 1) return next.window == 0;
-    const bool sameWindow = next.window == tile.window;
+    const bool sameExtent = next.window == tile.window;
     return next.task == tile.task && next.district == tile.district &&
-           (sameWindow || (byWindow && next.window == tile.window + 1));
+           (sameExtent || (byExtent && next.window == tile.window + 1));
 }
 
 bool areTasksSound(const TaskPlan& plan) {
     if (plan.tiles.empty()) return plan.taskCount == 0;
     if (plan.tiles.front().task != 0 || plan.tiles.front().window != 0) return false;
     for (std::size_t i = 1; i < plan.tiles.size(); ++i)
-        if (!follows(plan.tiles[i - 1], plan.tiles[i], plan.byWindow)) return false;
+        if (!follows(plan.tiles[i - 1], plan.tiles[i], plan.byExtent)) return false;
     return plan.tiles.back().task + 1 == plan.taskCount;
 }
 

@@ -24,10 +24,10 @@ std::uintmax_t bytesOf(const std::filesystem::path& file) {
 }
 
 Result<void> checkReadWhole(std::uintmax_t bytes, const std::string& file) {
-    if (bytes <= mostBytesReadWhole) return {};
+    if (bytes <= maxBytesReadWhole) return {};
     return failure(fmt::format("Every task would have to read {:.1f} GB, because a format cannot be read by "
                                "window; {:.1f} GB is the limit",
-                               double(bytes) / 1e9, double(mostBytesReadWhole) / 1e9),
+                               double(bytes) / 1e9, double(maxBytesReadWhole) / 1e9),
                    file, "Convert the footprints to FlatGeobuf: ogr2ogr -f FlatGeobuf city.fgb FILE");
 }
 
@@ -150,8 +150,8 @@ Result<InputsScan> scanInputs(const TaskPlanRequest& request, Progress& progress
         scan.indexed.push_back(piece->indexed);
         join(scan.footprints, *std::move(piece));
     }
-    scan.byWindow = divisible && (scan.footprints.indexed || formats.size() > 1);
-    const auto sizes = scan.byWindow ? checkFileSizes(scan) : checkWholeSize(request.files);
+    scan.byExtent = divisible && (scan.footprints.indexed || formats.size() > 1);
+    const auto sizes = scan.byExtent ? checkFileSizes(scan) : checkWholeSize(request.files);
     return sizes.map([&] { return std::move(scan); });
 }
 
@@ -159,7 +159,7 @@ std::vector<LonLatBox> InputsScan::boxesOf(const std::vector<std::string>& files
     std::vector<LonLatBox> all;
     std::size_t next = 0;  // of `buildings`, which has the order of `files`
     for (const std::string& file : files) {
-        const bool isNext = byWindow && next < buildings.size() && buildings[next] == file;
+        const bool isNext = byExtent && next < buildings.size() && buildings[next] == file;
         all.push_back(isNext ? boxes[next++] : LonLatBox{-180, -90, 180, 90});
     }
     return all;

@@ -11,7 +11,7 @@ struct InputsScan {
     std::vector<std::filesystem::path> buildings, terrain;  ///< the files by kind
     std::vector<LonLatBox> boxes;                           ///< around each of `buildings`
     std::vector<bool> indexed;  ///< of each of `buildings`: it is read by window, else whole
-    bool byWindow = false;
+    bool byExtent = false;
 
     /// The boxes around all files of a plan, in its order; no file of terrain is outside of any window.
     [[nodiscard]] std::vector<LonLatBox> boxesOf(const std::vector<std::string>& files) const;

@@ -153,9 +153,9 @@ Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, co
     const auto scan = request.subject == nullptr ? scanInputs(request, progress, stop) : InputsScan{};
     if (!scan) return tl::make_unexpected(scan.error());
     TaskPlan plan{
-        .files = request.files, .fileBoxes = scan->boxesOf(request.files), .byWindow = scan->byWindow};
+        .files = request.files, .fileBoxes = scan->boxesOf(request.files), .byExtent = scan->byExtent};
     plan.settingsHash = hashQuestion(request.question());
-    auto districts = scan->byWindow ? findDistricts(request, *scan) : std::vector<District>(1);
+    auto districts = scan->byExtent ? findDistricts(request, *scan) : std::vector<District>(1);
     if (!districts) return tl::make_unexpected(districts.error());
     plan.districts = *std::move(districts);
     for (std::size_t i = 0; i < plan.districts.size(); ++i) {

@@ -15,7 +15,7 @@ struct TaskPlanRequest {
     ReadSettings reading;
     StudySettings settings;  ///< its region is not used
     std::string region;      ///< "city", "W,S,E,N" or a polygon file
-    int tileCells = TiledStudySettings::usualTileCells;
+    int tileCells = TiledStudySettings::defaultTileCells;
     TaskSize task{};
     /// A study that is wider or higher is divided into districts of about this side, metres: far from the
     /// middle of a district its sun is off by 0.009 degrees per km.
@@ -29,7 +29,7 @@ struct TaskPlanRequest {
 };
 
 /// Files that have to be read whole by every task may not be larger than this together.
-inline constexpr std::uintmax_t mostBytesReadWhole = 2'000'000'000;
+inline constexpr std::uintmax_t maxBytesReadWhole = 2'000'000'000;
 
 /// Plans a study in tiles. Footprints in FlatGeobuf, or in a GeoPackage or Shapefile with a spatial index,
 /// are read in one pass and then window by window, so that memory does not grow with the country; a terrain

@@ -15,7 +15,7 @@ namespace noonmark {
 /// whose box has its south-west corner in it in the rest.
 class OccluderSurvey {
 public:
-    static constexpr double usualCellM = 200;
+    static constexpr double defaultCellM = 200;
 
     struct Cell {
         static constexpr float nothing = -std::numeric_limits<float>::infinity();
@@ -29,7 +29,7 @@ public:
     };
 
     /// Covers `box`; what lies outside is counted in the nearest cell.
-    explicit OccluderSurvey(const Box2& box, double cellM = usualCellM);
+    explicit OccluderSurvey(const Box2& box, double cellM = defaultCellM);
 
     /// Counts the buildings of `city`; `counted`: those with their south-west corner in this half-open box
     /// are counted once and for all, the others only as occluders.

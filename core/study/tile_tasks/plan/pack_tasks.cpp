@@ -22,13 +22,13 @@ double areaOf(const Box2& box) { return double(box.high.x - box.low.x) * double(
 
 /// The tiles of a window so far. What lies between their halos is taken to be as dense as the densest of
 /// them.
-struct WindowLoad {
+struct ExtentLoad {
     double ownBytes = 0;  ///< the most that a tile needs beside what it reads
     double readBytesPerM2 = 0;
     Box2 reads;
 
-    [[nodiscard]] WindowLoad with(const PlannedTile& tile) const {
-        WindowLoad more = *this;
+    [[nodiscard]] ExtentLoad with(const PlannedTile& tile) const {
+        ExtentLoad more = *this;
         more.reads.add(tile.reads);
         more.ownBytes = std::max(ownBytes, tile.memoryBytes - tile.readBytes);
         if (const double area = areaOf(tile.reads); area > 0)
@@ -61,15 +61,15 @@ std::size_t fillTasks(std::vector<PlannedTile>& tiles, double secondsOfTask) {
     return tiles.empty() ? 0 : task + 1;
 }
 
-void fillWindows(std::vector<PlannedTile>& tiles, double bytesOfWindow) {
-    WindowLoad load;
+void fillExtents(std::vector<PlannedTile>& tiles, double bytesOfExtent) {
+    ExtentLoad load;
     std::size_t task = 0, window = 0;
     for (PlannedTile& tile : tiles) {
         const bool begins = &tile == &tiles.front() || tile.task != task;
-        const WindowLoad more = load.with(tile);
-        const bool fits = !begins && more.memoryBytes() <= bytesOfWindow;
+        const ExtentLoad more = load.with(tile);
+        const bool fits = !begins && more.memoryBytes() <= bytesOfExtent;
         window = begins ? 0 : fits ? window : window + 1;
-        load = fits ? more : WindowLoad().with(tile);
+        load = fits ? more : ExtentLoad().with(tile);
         task = tile.task;
         tile.window = window;
     }
@@ -80,18 +80,18 @@ void fillWindows(std::vector<PlannedTile>& tiles, double bytesOfWindow) {
 std::size_t packTasks(TaskPlan& plan, const TaskSize& size) {
     sortAlongCurve(plan);
     plan.taskCount = fillTasks(plan.tiles, size.seconds);
-    if (plan.byWindow) fillWindows(plan.tiles, size.memoryBytes);
+    if (plan.byExtent) fillExtents(plan.tiles, size.memoryBytes);
     return plan.taskCount;
 }
 
-double largestWindowBytes(const TaskPlan& plan) {
-    WindowLoad load;
+double largestExtentBytes(const TaskPlan& plan) {
+    ExtentLoad load;
     double largest = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const PlannedTile& tile = plan.tiles[i];
         const bool begins =
             i == 0 || tile.task != plan.tiles[i - 1].task || tile.window != plan.tiles[i - 1].window;
-        load = begins ? WindowLoad().with(tile) : load.with(tile);
+        load = begins ? ExtentLoad().with(tile) : load.with(tile);
         largest = std::max(largest, load.memoryBytes());
     }
     return largest;

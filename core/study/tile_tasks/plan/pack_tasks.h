@@ -13,11 +13,11 @@ struct TaskSize {
 /// Gives every tile its task and its window, and sorts the tiles by them. Tiles are taken along a
 /// space-filling curve (Z-order) of their district. A task runs until its time is used up. It reads its tiles
 /// window by window, one after the other: a window is the union of its tiles' halos and ends where that union
-/// needs too much memory. Without `plan.byWindow` files are read whole, so that a task has one window. Tasks
+/// needs too much memory. Without `plan.byExtent` files are read whole, so that a task has one window. Tasks
 /// are numbered from 0; none mixes districts. Returns the number of tasks.
 std::size_t packTasks(TaskPlan& plan, const TaskSize& size);
 
 /// The estimated peak of the task that needs the most memory: of its largest window. 0 without tiles.
-double largestWindowBytes(const TaskPlan& plan);
+double largestExtentBytes(const TaskPlan& plan);
 
 }  // namespace noonmark

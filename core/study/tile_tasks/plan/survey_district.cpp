@@ -9,8 +9,8 @@
 #include <span>
 #include <unordered_set>
 
+#include "core/io/read_extent.h"
 #include "core/io/read_region.h"
-#include "core/io/read_window.h"
 #include "core/measures/place_run.h"
 #include "core/receivers/place_names.h"
 
@@ -117,7 +117,7 @@ Result<void> surveyWholeFiles(SurveyedDistrict& made, const Box2& box, const Rea
         if (scan.indexed[i] || !scan.boxes[i].touches(window)) continue;
         progress.report(double(i) / double(scan.buildings.size()), "surveying the buildings");
         const auto read =
-            readCityWindow({scan.buildings[i]}, reading, {window, made.ground.terrain}, quiet, stop);
+            readCityExtent({scan.buildings[i]}, reading, {window, made.ground.terrain}, quiet, stop);
         if (!read) return tl::make_unexpected(read.error());
         made.survey.add(read->city, {glm::vec2(-everywhereM), glm::vec2(everywhereM)});
     }
@@ -131,7 +131,7 @@ std::vector<std::filesystem::path> indexedFiles(const InputsScan& scan) {
     return files;
 }
 
-Result<void> surveyByWindow(SurveyedDistrict& made, const Box2& box, const ReadSettings& reading,
+Result<void> surveyByExtent(SurveyedDistrict& made, const Box2& box, const ReadSettings& reading,
                             const InputsScan& scan, Progress& progress, const std::stop_token& stop) {
     const auto files = indexedFiles(scan);
     if (files.empty()) return {};
@@ -142,10 +142,10 @@ Result<void> surveyByWindow(SurveyedDistrict& made, const Box2& box, const ReadS
             const Box2 block{{x, y}, {x + blockM, y + blockM}};
             if (!anyBuilding(scan.footprints, made.ground.frame, block)) continue;
             const Box2 around = grown(block, borderM);
-            const ReadWindow window{
+            const ReadExtent window{
                 makeLonLatBox(made.ground.frame, glm::dvec2(around.low), glm::dvec2(around.high)),
                 made.ground.terrain};
-            const auto read = readCityWindow(files, reading, window, quiet, stop);
+            const auto read = readCityExtent(files, reading, window, quiet, stop);
             if (!read) return tl::make_unexpected(read.error());
             made.survey.add(read->city, block);
         }
@@ -160,7 +160,7 @@ Result<City> readGround(const District& district, const TaskPlanRequest& request
         .map([](const CityRead& read) { return read.city; });
 }
 
-Result<SurveyedDistrict> surveyWindows(District& district, const TaskPlanRequest& request,
+Result<SurveyedDistrict> surveyExtents(District& district, const TaskPlanRequest& request,
                                        const InputsScan& scan, Progress& progress,
                                        const std::stop_token& stop) {
     auto ground = readGround(district, request, scan, progress, stop);
@@ -179,7 +179,7 @@ Result<SurveyedDistrict> surveyWindows(District& district, const TaskPlanRequest
     SurveyedDistrict made{OccluderSurvey(box), *ground, *std::move(sun), *std::move(places)};
     if (ground->terrain) made.survey.addTerrain(*ground->terrain);
     const auto surveyed = surveyWholeFiles(made, box, reading, scan, progress, stop).and_then([&] {
-        return surveyByWindow(made, box, reading, scan, progress, stop);
+        return surveyByExtent(made, box, reading, scan, progress, stop);
     });
     if (!surveyed) return tl::make_unexpected(surveyed.error());
     if (!whole) return made;
@@ -251,7 +251,7 @@ Result<SurveyedDistrict> surveyDistrict(District& district, const TaskPlanReques
                                         const InputsScan& scan, Progress& progress,
                                         const std::stop_token& stop) {
     if (request.subject != nullptr) return surveySubject(district, request, progress, stop);
-    return scan.byWindow ? surveyWindows(district, request, scan, progress, stop)
+    return scan.byExtent ? surveyExtents(district, request, scan, progress, stop)
                          : surveyWhole(district, request, progress, stop);
 }
 

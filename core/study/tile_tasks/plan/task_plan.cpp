@@ -122,7 +122,7 @@ std::string planText(const TaskPlan& plan) {
               {"arguments", plan.arguments},
               {"inputs", Json::array()},
               {"settings_hash", plan.settingsHash},
-              {"by_window", plan.byWindow},
+              {"by_window", plan.byExtent},
               {"task_count", plan.taskCount},
               {"districts", Json::array()}};
     for (const LonLatBox& box : plan.fileBoxes) json["file_boxes"].push_back(lonLatBoxJson(box));
@@ -142,7 +142,7 @@ TaskPlan planFrom(const Json& json) {
     TaskPlan plan{.files = json.at("files"),
                   .arguments = json.at("arguments"),
                   .settingsHash = json.at("settings_hash"),
-                  .byWindow = json.at("by_window"),
+                  .byExtent = json.at("by_window"),
                   .taskCount = wholeNumberFrom<std::size_t>(json.at("task_count"))};
     for (const Json& box : json.at("file_boxes")) plan.fileBoxes.push_back(lonLatBoxFrom(box));
     for (const Json& input : json.at("inputs"))

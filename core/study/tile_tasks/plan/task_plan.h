@@ -54,7 +54,7 @@ struct TaskPlan {
     std::vector<std::string> arguments;  ///< options of the study, for the parser that made the plan
     std::vector<InputFile> inputs;       ///< with their hashes
     std::string settingsHash;            ///< hashSettings() without a region
-    bool byWindow = false;               ///< tasks read only the window that they need
+    bool byExtent = false;               ///< tasks read only the window that they need
     std::vector<District> districts;
     std::vector<PlannedTile> tiles;  ///< in the order of their tasks, and in them of their windows
     std::size_t taskCount = 0;

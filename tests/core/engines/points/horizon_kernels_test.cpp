@@ -7,7 +7,7 @@
 #include "core/engines/common/run_counter.h"
 #include "core/engines/points/horizons/count_suns.h"
 #include "core/engines/points/horizons/horizon_of_point.h"
-#include "core/engines/points/horizons/window_bounds.h"
+#include "core/engines/points/horizons/range_bounds.h"
 #include "tests/core/engines/points/random_horizon.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/simd/random_blocks.h"
@@ -55,13 +55,13 @@ TEST(CountSuns, CountsAsStepByStep) {
     }
 }
 
-TEST(WindowBounds, HoldTheBinsOfEveryWindow) {
+TEST(RangeBounds, HoldTheBinsOfEveryWindow) {
     const BinHorizon horizon = randomHorizon(5);
-    const WindowBounds bounds(horizon);
+    const RangeBounds bounds(horizon);
     std::mt19937 random(3);
     for (int round = 0; round < 2000; ++round) {
         const int first = int(random() % SunBins::count), count = 1 + int(random() % 300);
-        const auto window = std::size_t(BinWindows::around(first, count));
+        const auto window = std::size_t(BinRanges::around(first, count));
         for (int bin = first; bin < first + count; ++bin) {
             const auto k = std::size_t(bin % SunBins::count);
             ASSERT_LE(bounds.low[window], horizon.tan[k]);

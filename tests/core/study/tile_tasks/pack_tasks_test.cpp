@@ -44,7 +44,7 @@ TEST(PackTasks, NeverMixesDistricts) {
 
 TEST(PackTasks, AUnionOfHalosThatNeedsTooMuchMemoryIsReadInWindows) {
     TaskPlan plan = planOf(2, 1, 1e9);
-    plan.byWindow = true;
+    plan.byExtent = true;
     plan.tiles[2].reads = {{2, 2}, {3, 3}};  // with the others 9 m2: 0.5 GB + 9 x 0.5 GB
     plan.tiles[3].reads = {{2, 2}, {3, 3}};
     EXPECT_EQ(packTasks(plan, {1000, 2e9}), 1U);
@@ -55,7 +55,7 @@ TEST(PackTasks, AUnionOfHalosThatNeedsTooMuchMemoryIsReadInWindows) {
 
 TEST(PackTasks, EveryTaskBeginsItsWindowsAnew) {
     TaskPlan plan = planOf(2, 10, 1e9);
-    plan.byWindow = true;
+    plan.byExtent = true;
     for (std::size_t i = 0; i < 4; ++i)  // two of them: 0.5 GB + 3 x 0.5 GB
         plan.tiles[i].reads = {{2 * i, 0}, {2 * i + 1, 1}};
     EXPECT_EQ(packTasks(plan, {20, 1.9e9}), 2U);
@@ -74,16 +74,16 @@ TEST(PackTasks, FilesReadWholeAreReadOnce) {
 
 TEST(PackTasks, TheLargestWindowIsThatOfTheUnionOfItsHalos) {
     TaskPlan plan = planOf(2, 1, 100);
-    EXPECT_DOUBLE_EQ(largestWindowBytes(TaskPlan()), 0);
+    EXPECT_DOUBLE_EQ(largestExtentBytes(TaskPlan()), 0);
     packTasks(plan, {1e6, 1e9});
-    EXPECT_DOUBLE_EQ(largestWindowBytes(plan), 100) << "all halos are the same square metre";
+    EXPECT_DOUBLE_EQ(largestExtentBytes(plan), 100) << "all halos are the same square metre";
     for (std::size_t i = 0; i < 4; ++i) {
         const auto west = float(i);
         plan.tiles[i].reads = {{west, 0}, {west + 1, 1}};
     }
-    EXPECT_DOUBLE_EQ(largestWindowBytes(plan), 50 + 4 * 50) << "50 bytes each square metre that is read";
+    EXPECT_DOUBLE_EQ(largestExtentBytes(plan), 50 + 4 * 50) << "50 bytes each square metre that is read";
     for (std::size_t i = 0; i < 4; ++i) plan.tiles[i].window = i;
-    EXPECT_DOUBLE_EQ(largestWindowBytes(plan), 100);
+    EXPECT_DOUBLE_EQ(largestExtentBytes(plan), 100);
 }
 
 TEST(FormatRanges, AsSchedulersTakeThem) {

@@ -17,7 +17,7 @@ using testing::Not;
 
 TEST_F(TaskPlanTest, ComesBackFromItsFileToTheLastBit) {
     TaskPlan made = plan();
-    EXPECT_TRUE(made.byWindow);
+    EXPECT_TRUE(made.byExtent);
     made.arguments = {"--start=2026-03-21"};
     made.inputs = {{"town.gpkg", 7, "abc"}};
     std::filesystem::create_directories(folder.path("plan"));
@@ -142,7 +142,7 @@ TEST_F(TaskPlanTest, TasksOpenOnlyTheCityJsonFilesThatTheirWindowsTouch) {
     request.reading.terrainFromBases = TerrainFromBases::never;
     request.settings.period.zone = "Europe/Amsterdam";
     const TaskPlan made = plan();
-    EXPECT_TRUE(made.byWindow);
+    EXPECT_TRUE(made.byExtent);
     ASSERT_EQ(made.fileBoxes.size(), 3U);
     EXPECT_LT(made.fileBoxes[0].eastDeg, made.fileBoxes[1].westDeg);
     ASSERT_TRUE(runAndMerge(made));
@@ -162,7 +162,7 @@ TEST_F(TaskPlanTest, CityJsonWithATerrainIsReadWholeByEveryTask) {
     request.reading.terrainFromBases = TerrainFromBases::never;
     request.settings.period.zone = "Europe/Amsterdam";
     const TaskPlan made = plan();
-    EXPECT_FALSE(made.byWindow);
+    EXPECT_FALSE(made.byExtent);
     EXPECT_FALSE(made.districts[0].terrainHash.empty());
 }
 

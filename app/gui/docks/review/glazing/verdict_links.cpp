@@ -2,34 +2,34 @@
 
 #include <algorithm>
 
-#include "app/gui/docks/review/glazing/window_panel.h"
-#include "app/gui/docks/review/glazing/window_session.h"
-#include "app/gui/docks/review/glazing/window_table.h"
+#include "app/gui/docks/review/glazing/glazing_panel.h"
+#include "app/gui/docks/review/glazing/glazing_session.h"
+#include "app/gui/docks/review/glazing/glazing_table.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/panel/wall_view.h"
 
 namespace noonmark {
 
-VerdictLinks::VerdictLinks(WindowPanel& table, WindowSession& windows, ReviewSession& review,
+VerdictLinks::VerdictLinks(GlazingPanel& table, GlazingSession& windows, ReviewSession& review,
                            Workbench& workbench, ViewPanel& panel)
     : table_(table), windows_(windows), panel_(panel) {
-    connect(&windows_, &WindowSession::answered, this, &VerdictLinks::takeAnswer);
+    connect(&windows_, &GlazingSession::answered, this, &VerdictLinks::takeAnswer);
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &VerdictLinks::click);
     connectTable();
     connectOtherResults(workbench, review);
 }
 
 void VerdictLinks::connectTable() {
-    connect(&table_, &WindowPanel::shownChanged, this, &VerdictLinks::show);
-    connect(&table_.table(), &WindowTable::pointedAt, this, &VerdictLinks::mark);
-    connect(&table_.table(), &WindowTable::wanted, this, &VerdictLinks::goTo);
+    connect(&table_, &GlazingPanel::shownChanged, this, &VerdictLinks::show);
+    connect(&table_.table(), &GlazingTable::pointedAt, this, &VerdictLinks::mark);
+    connect(&table_.table(), &GlazingTable::wanted, this, &VerdictLinks::goTo);
 }
 
 // What the user computed or chose last is in front.
 void VerdictLinks::connectOtherResults(Workbench& workbench, ReviewSession& review) {
-    connect(&workbench, &Workbench::answered, &table_, &WindowPanel::putAway);
-    connect(&workbench.running(), &JobSlot::started, &table_, &WindowPanel::putAway);
+    connect(&workbench, &Workbench::answered, &table_, &GlazingPanel::putAway);
+    connect(&workbench.running(), &JobSlot::started, &table_, &GlazingPanel::putAway);
     for (auto changed : {&ReviewSession::changed, &ReviewSession::answered})
         connect(&review, changed, this, &VerdictLinks::show);
 }
@@ -53,7 +53,7 @@ void VerdictLinks::show() {
 void VerdictLinks::note() {
     if (!windows_.answer()) return;
     const QString why = windows_.whyOutdated();
-    const WindowQuestion& asked = windows_.answer()->question;
+    const GlazingQuestion& asked = windows_.answer()->question;
     panel_.results().noteTiles(
         why.isEmpty() ? tr("%1: %2 compared with %3")
                             .arg(QString::fromStdString(asked.rule.name), QString::fromStdString(asked.to),

@@ -9,8 +9,8 @@ namespace noonmark {
 
 class ReviewSession;
 class ViewPanel;
-class WindowPanel;
-class WindowSession;
+class GlazingPanel;
+class GlazingSession;
 class Workbench;
 
 /// Shows the verdicts on windows in the view: tiles on the walls as long as a rule about windows is chosen
@@ -20,7 +20,7 @@ class VerdictLinks final : public QObject {
     Q_OBJECT
 public:
     /// All must outlive this object.
-    VerdictLinks(WindowPanel& table, WindowSession& windows, ReviewSession& review, Workbench& workbench,
+    VerdictLinks(GlazingPanel& table, GlazingSession& windows, ReviewSession& review, Workbench& workbench,
                  ViewPanel& panel);
 
 private:
@@ -33,10 +33,10 @@ private:
     void goTo(std::size_t window);
     void click(QPointF pixel);
 
-    WindowPanel& table_;
-    WindowSession& windows_;
+    GlazingPanel& table_;
+    GlazingSession& windows_;
     ViewPanel& panel_;
-    std::shared_ptr<const WindowAnswer> answer_;  ///< in the view
+    std::shared_ptr<const GlazingAnswer> answer_;  ///< in the view
     ShownVerdicts shown_ = ShownVerdicts::none;
 };
 

@@ -20,7 +20,7 @@ QString wordOf(VerdictChange change) {
     return QString::fromLatin1(words[std::size_t(change)]);
 }
 
-QColor colourOf(const WindowReview& review, ShownVerdicts shown) {
+QColor colourOf(const GlazingReview& review, ShownVerdicts shown) {
     if (shown == ShownVerdicts::change) return tileColour(findChange(review));
     return tileColour(shown == ShownVerdicts::before ? review.formerVerdict : review.verdict);
 }
@@ -43,7 +43,7 @@ Legend makeVerdictLegend(ShownVerdicts shown) {
 
 }  // namespace
 
-VerdictChange findChange(const WindowReview& review) {
+VerdictChange findChange(const GlazingReview& review) {
     const auto isKnown = [](Verdict verdict) {
         return verdict != Verdict::notApplicable && verdict != Verdict::notChecked;
     };
@@ -81,18 +81,18 @@ QColor tileColour(VerdictChange change) {
     return {0x8a, 0x8d, 0x92};
 }
 
-QString describeVerdicts(const WindowReview& review) {
+QString describeVerdicts(const GlazingReview& review) {
     return QObject::tr("%1, floor %2   before: %3, after: %4")
         .arg(QString::fromStdString(review.window.id))
         .arg(review.window.floor)
         .arg(describeVerdict(review.formerVerdict), describeVerdict(review.verdict));
 }
 
-std::shared_ptr<const TileView> makeVerdictTiles(const std::shared_ptr<const WindowAnswer>& answer,
+std::shared_ptr<const TileView> makeVerdictTiles(const std::shared_ptr<const GlazingAnswer>& answer,
                                                  ShownVerdicts shown) {
     if (!answer || shown == ShownVerdicts::none) return nullptr;
     const auto view = std::make_shared<TileView>();
-    const WindowStudy& study = answer->study;
+    const GlazingStudy& study = answer->study;
     view->tiles.reserve(study.panes.size());
     for (const ReviewedPane& pane : study.panes) {
         const QColor colour = colourOf(study.windows[pane.window], shown);

@@ -1,0 +1,172 @@
+#include "app/gui/docks/review/glazing/glazing_session.h"
+
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/session/study/run_estimate.h"
+#include "app/gui/session/workbench.h"
+#include "app/input/find_element_parts.h"
+#include "core/city/city.h"
+
+namespace noonmark {
+
+namespace {
+
+QString describeForecast(const GlazingForecast& forecast) {
+    return QObject::tr("%1 window(s): %2", "", pluralNumber(forecast.windows))
+        .arg(formatCount(forecast.windows), describeAbout(forecast.seconds));
+}
+
+}  // namespace
+
+GlazingSession::GlazingSession(Workbench& workbench, ReviewSession& review, QObject* parent)
+    : QObject(parent), workbench_(workbench), review_(review) {
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {
+        for (JobSlot* slot : {&running_, &runningAll_, &estimating_}) slot->drop();
+        cached_.clear();
+        asked_.reset();
+        answer_.reset();
+        Q_EMIT answered();
+    });
+}
+
+bool GlazingSession::applies() const {
+    const auto rule = review_.rule();
+    return rule && rule->receivers.surface == RuleSurface::windows;
+}
+
+Result<GlazingQuestion> GlazingSession::question() { return questionOf(review_.comparedCities()); }
+
+Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>& cities) {
+    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    auto rule = review_.rule();
+    if (!rule) return tl::make_unexpected(rule.error());
+    const ReviewChoice& choice = review_.choice();
+    if (choice.windows.places == ElementPlaces::windows && choice.windows.windows.empty())
+        return failure("No file of windows is chosen", {},
+                       "Choose a file of points or polygons with heights, or take the facades");
+    if (!cities) return tl::make_unexpected(cities.error());
+    auto windows = findElementParts(choice.windows, workbench_.session().project(), *cities->after);
+    if (!windows) return tl::make_unexpected(windows.error());
+    const StudySettings& study = workbench_.document().settings();
+    Region region = makeRegionFromLocalBox(bounds(*cities->after));
+    region.name = "the whole city";
+    return GlazingQuestion{*cities,
+                           *std::move(rule),
+                           {*std::move(windows), std::move(region), study.period.zone,
+                            int(study.period.start.year()), std::nullopt},
+                           {{"--region", {"city"}}}};
+}
+
+void GlazingSession::run() {
+    const auto question = this->question();
+    if (!question) return tell(question.error());
+    running_.start<GlazingAnswer>(
+        tr("Review"),
+        [question = *question](Progress& progress, const std::stop_token& stop) {
+            return computeGlazingReview(question, progress, stop);
+        },
+        [this](Result<GlazingAnswer> answer) {
+            if (!answer) return tell(answer.error());
+            answer_ = cached_.add(*std::move(answer));
+            Q_EMIT answered();
+        });
+}
+
+std::map<std::string, std::shared_ptr<const GlazingAnswer>> GlazingSession::latest() {
+    std::map<std::string, std::shared_ptr<const GlazingAnswer>> latest;
+    if (cached_.empty() || !applies()) return latest;
+    for (const std::string& name : review_.comparedScenarios()) {
+        const auto now = questionOf(review_.comparedCities(name));
+        if (!now) continue;
+        if (auto answer = cached_.find([&](const GlazingAnswer& one) { return isSame(*now, one.question); }))
+            latest[name] = std::move(answer);
+    }
+    return latest;
+}
+
+void GlazingSession::runAll() {
+    const auto known = latest();
+    std::vector<GlazingQuestion> questions;
+    for (const std::string& name : review_.comparedScenarios()) {
+        if (known.contains(name)) continue;
+        auto question = questionOf(review_.comparedCities(name));
+        if (!question) return tell(question.error());
+        questions.push_back(*std::move(question));
+    }
+    runningAll_.start<ComputedAnswers<GlazingAnswer>>(
+        tr("All reviews"),
+        [questions = std::move(questions)](
+            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<GlazingAnswer>> {
+            return computeEach<GlazingAnswer>(
+                questions,
+                [](const GlazingQuestion& one, Progress& share, const std::stop_token& stopped) {
+                    return computeGlazingReview(one, share, stopped);
+                },
+                progress, stop);
+        },
+        [this](Result<ComputedAnswers<GlazingAnswer>> answers) {
+            if (!answers) return tell(answers.error());
+            for (GlazingAnswer& one : answers->made) cached_.add(std::move(one));
+            Q_EMIT answered();
+            if (answers->error) tell(*answers->error);
+        });
+}
+
+void GlazingSession::estimate() {
+    const auto question = this->question();
+    if (!question) {
+        estimating_.drop();
+        asked_.reset();
+        return Q_EMIT estimated({});
+    }
+    if (asked_ && isSame(*asked_, *question)) {
+        if (!estimating_.busy()) Q_EMIT estimated(estimate_);
+        return;
+    }
+    asked_ = *question;
+    estimating_.start<GlazingForecast>(
+        tr("Estimating"),
+        [question = *question](Progress& progress, const std::stop_token& stop) {
+            return forecastGlazingReview(question.rule, *question.before, *question.after, question.settings,
+                                         progress, stop);
+        },
+        [this](const Result<GlazingForecast>& forecast) {
+            estimate_ = forecast ? describeForecast(*forecast) : QString();
+            Q_EMIT estimated(estimate_);
+        });
+}
+
+QString GlazingSession::whyOutdated() {
+    if (!answer_) return {};
+    const auto now = question();
+    if (!now) return tr("Not up to date. %1").arg(describeError(now.error()));
+    if (isSame(*now, answer_->question)) return {};
+    return tr("Not up to date: buildings, windows or the rule have changed. Run again.");
+}
+
+Result<std::shared_ptr<const GlazingAnswer>> GlazingSession::finished() const {
+    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    return answer_;
+}
+
+void GlazingSession::write(std::shared_ptr<const GlazingAnswer> answer, const QString& folder) {
+    running_.start<WrittenGlazing>(
+        tr("Writing the review"),
+        [answer = std::move(answer), source = review_.source(), folder](Progress& progress,
+                                                                        const std::stop_token& stop) {
+            const SheetSettings& sheets = source.project.sheets;
+            return writeGlazingReview(*answer, source,
+                                      {.titleBlock = sheets.titleBlock, .units = sheets.units},
+                                      folder.toStdString(), false, progress, stop);
+        },
+        [this, folder](const Result<WrittenGlazing>& files) {
+            if (!files) return tell(files.error());
+            Q_EMIT written(folder);
+        });
+}
+
+void GlazingSession::tell(const Error& error) {
+    if (!isCancelled(error)) Q_EMIT failed(error);
+}
+
+}  // namespace noonmark

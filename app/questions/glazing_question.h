@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/questions/review_question.h"
+#include "core/study/glazing/glazing_study.h"
+
+namespace noonmark {
+
+/// A review of windows, complete: it can be computed on another thread.
+struct GlazingQuestion : ReviewedCities {
+    Rule rule;
+    GlazingReviewSettings settings;
+    std::vector<CommandOption> repeat{};  ///< further options of the command that asks the same
+};
+
+/// Whether both have the same answer.
+bool isSame(const GlazingQuestion& a, const GlazingQuestion& b);
+
+/// A question with its answer.
+struct GlazingAnswer {
+    GlazingQuestion question;
+    GlazingStudy study;
+};
+
+/// The file of windows is hashed as it is read. `announce`: see runGlazingReview(). Errors of
+/// runGlazingReview() and of reading.
+Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& question, Progress& progress,
+                                           const std::stop_token& stop, const AnnounceGlazing& announce = {});
+
+/// The files of a review of windows, with what they state.
+struct WrittenGlazing {
+    GlazingStudy study;  ///< with all warnings
+    ReviewLabels labels;
+    std::vector<std::filesystem::path> files;
+};
+
+/// Writes the files of a review of windows. `byteOrderMark`: windows.csv begins with one. Errors of
+/// writeGlazingFiles().
+Result<WrittenGlazing> writeGlazingReview(GlazingAnswer answer, const ReviewSource& source,
+                                          const BookSettings& sheets, const std::filesystem::path& folder,
+                                          bool byteOrderMark, Progress& progress,
+                                          const std::stop_token& stop);
+
+}  // namespace noonmark

@@ -1,0 +1,165 @@
+#include "app/report/book/review/glazing_book.h"
+
+#include <algorithm>
+
+#include "app/report/book/flow.h"
+#include "app/report/book/review/glazing_elevations.h"
+#include "app/report/book/review/glazing_sun_views.h"
+#include "app/report/book/review/verdict_colour.h"
+#include "app/report/sheets/report_sections.h"
+#include "app/report/sheets/study_words.h"
+#include "core/review/library/rule_text.h"
+#include "core/review/rule/rule_names.h"
+#include "core/study/text/warnings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double glazingTablePt = 7;
+
+QString countsText(const VerdictCounts& counts) {
+    return QStringLiteral("%1 pass, %2 borderline, %3 fail, %4 not applicable")
+        .arg(describeCount(counts.pass), describeCount(counts.borderline), describeCount(counts.fail),
+             describeCount(counts.notJudged()));
+}
+
+void addChanges(TextBlocks& blocks, const QString& what, const VerdictChanges& changes) {
+    blocks.push_back(body(QStringLiteral("%1 before: %2.").arg(what, countsText(changes.before))));
+    blocks.push_back(body(QStringLiteral("%1 after: %2.").arg(what, countsText(changes.after))));
+    blocks.push_back(body(QStringLiteral("%1 whose verdict gets worse: %2; better: %3.")
+                              .arg(what, describeCount(changes.worse), describeCount(changes.better))));
+}
+
+TextBlocks summaryOf(const GlazingBookSource& source) {
+    const GlazingStudy& study = source.study;
+    TextBlocks blocks{heading(QStringLiteral("Summary"))};
+    addChanges(blocks, QStringLiteral("Windows"), study.windowChanges);
+    addChanges(blocks, QStringLiteral("Buildings"), study.buildingChanges);
+    blocks.push_back(body(plainText(study.rule.summary)));
+    blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
+                              .arg(plainText(source.labels.to), plainText(source.labels.from))));
+    const FigureStatus status = leastSure(study.rule);
+    blocks.push_back(
+        body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
+                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));
+    blocks.push_back(heading(QStringLiteral("Not checked")));
+    for (const std::string& text : study.notChecked) blocks.push_back(body(plainText(text)));
+    return blocks;
+}
+
+NamedTable buildingTable(const GlazingBookSource& source, double points) {
+    PageTable table{{QStringLiteral("Building"), QStringLiteral("Windows"), QStringLiteral("Fail before"),
+                     QStringLiteral("Fail after"), QStringLiteral("Worse"), QStringLiteral("Verdict before"),
+                     QStringLiteral("Verdict after")},
+                    {},
+                    {},
+                    {},
+                    points};
+    for (const BuildingReview& building : source.study.buildings) {
+        const std::string& name = building.name.empty() ? building.id : building.name;
+        table.rows.push_back(
+            {plainText(name.empty() ? "none" : name), describeCount(building.windows.after.all()),
+             describeCount(building.windows.before.fail), describeCount(building.windows.after.fail),
+             describeCount(building.windows.worse), plainText(nameOf(building.formerVerdict)),
+             plainText(nameOf(building.verdict))});
+        table.marks.push_back(verdictMark(building.verdict));
+    }
+    return {QStringLiteral("Buildings"), {}, std::move(table)};
+}
+
+std::vector<QString> glazingRow(const GlazingStudy& study, const GlazingReview& review) {
+    const ReviewedGlazing& window = review.window;
+    std::vector<QString> row{plainText(window.id), QString::number(window.floor),
+                             window.azimuthDeg ? describeAmount(*window.azimuthDeg, 0) : QStringLiteral("-")};
+    for (std::size_t i = 0; i < review.results.size(); ++i) {
+        const Criterion& criterion = study.rule.criteria[i];
+        row.push_back(plainText(valueText(criterion, review.results[i].former)));
+        row.push_back(plainText(valueText(criterion, review.results[i].value)));
+    }
+    const CivilDate day = review.day.value_or(CivilDate{});
+    row.push_back(plainText(bandsText(study, day, review.formerBands)));
+    row.push_back(plainText(bandsText(study, day, review.bands)));
+    row.push_back(plainText(nameOf(review.formerVerdict)));
+    row.push_back(plainText(nameOf(review.verdict)));
+    return row;
+}
+
+NamedTable glazingTable(const GlazingBookSource& source, double points) {
+    const GlazingStudy& study = source.study;
+    PageTable table{{QStringLiteral("Window"), QStringLiteral("Floor"), QStringLiteral("Faces, deg")},
+                    {},
+                    {},
+                    {},
+                    points};
+    for (const Criterion& criterion : study.rule.criteria) {
+        table.titles.push_back(QStringLiteral("%1, before").arg(plainText(criterion.key)));
+        table.titles.push_back(QStringLiteral("%1, after").arg(plainText(criterion.key)));
+    }
+    for (const auto* title : {"Sun before", "Sun after", "Verdict before", "Verdict after"})
+        table.titles.push_back(QString::fromLatin1(title));
+    for (const GlazingReview* review : sortWorstFirst(study.windows)) {
+        if (table.rows.size() == maxGlazingRows) break;
+        table.rows.push_back(glazingRow(study, *review));
+        table.marks.push_back(verdictMark(review->verdict));
+    }
+    QString note = QStringLiteral("%1, clock: %2. Minutes, or percent where stated")
+                       .arg(plainText(study.rule.name), plainText(study.clock.text()));
+    if (study.windows.size() > table.rows.size())
+        note += QStringLiteral("; %1 more windows are in windows.csv")
+                    .arg(describeCount(study.windows.size() - table.rows.size()));
+    return {QStringLiteral("Windows"), note, std::move(table)};
+}
+
+TextBlocks methodOf(const GlazingBookSource& source) {
+    const GlazingStudy& study = source.study;
+    TextBlocks blocks{heading(QStringLiteral("Method"))};
+    blocks.push_back(body(QStringLiteral("Engine: %1. Clock: %2, year %3; %4 steps of %5 min with the sun in "
+                                         "the rule's hours.")
+                              .arg(plainText(study.engine), plainText(study.clock.text()))
+                              .arg(study.year)
+                              .arg(describeCount(study.steps), describeAmount(study.stepMinutes, 4))));
+    blocks.push_back(
+        body(QStringLiteral("Each run of minutes is uncertain by a step, a sky component by %1 %. A value "
+                            "within its error of a limit is borderline, never pass.")
+                 .arg(describeAmount(skyComponentErrorPct, 2))));
+    blocks.push_back(heading(QStringLiteral("The rule, as it was read")));
+    for (const QString& line : QString::fromStdString(describeRule(study.rule)).split(u'\n'))
+        if (!line.trimmed().isEmpty()) blocks.push_back(body(plainText(line)));
+    Study sources;
+    sources.city = source.scenario;
+    sources.warnings = study.warnings;
+    sources.provenance = source.labels.provenance;
+    sources.heights = source.heights;
+    auto sections = sourceSections(sources);
+    sections.pop_back();  // cost and skipped work belong to a field
+    sections.push_back(repeatBlocks(makeRepeatCommand(study, source.labels, 60), false));
+    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
+    return blocks;
+}
+
+}  // namespace
+
+Result<Book> makeGlazingBook(const GlazingBookSource& source, const BookSettings& settings,
+                             Progress& progress, const std::stop_token& stop) {
+    const QString title = QStringLiteral("Review of windows: ") + plainText(source.study.rule.name);
+    Book book = beginBook(settings, title, source.labels.provenance.attribution);
+    book.record = {QStringLiteral("review.json"), toJsonText(glazingReviewJson(source.study, source.labels))};
+    const auto append = [&](std::vector<BookPage> pages) {
+        for (BookPage& page : pages) book.pages.push_back(std::move(page));
+    };
+    const double points = glazingTablePt * textScale(settings.setup);
+    append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summaryOf(source)));
+    append(makeGlazingElevations(source, settings));
+    auto views = makeGlazingSunViews(source, settings, progress, stop);
+    if (!views) return tl::make_unexpected(views.error());
+    append(*std::move(views));
+    append(makeTablePages(settings.setup, {QStringLiteral("Tables"), {}, QStringLiteral("Tables")},
+                          {buildingTable(source, points), glazingTable(source, points)}));
+    append(makeTextPages(settings.setup,
+                         {QStringLiteral("Method and sources"), {}, QStringLiteral("Method and sources")},
+                         methodOf(source)));
+    return book;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,143 @@
+#include "app/report/book/review/glazing_elevations.h"
+
+#include <algorithm>
+#include <map>
+
+#include "app/report/book/elevation_pages.h"
+#include "core/study/glazing/glazing_values.h"
+
+namespace noonmark {
+
+namespace {
+
+/// The windows of a building, as indices of GlazingStudy::panes.
+struct PanesOfBuilding {
+    std::uint32_t building = 0;
+    std::vector<std::size_t> panes;
+    std::size_t worse = 0, fail = 0, borderline = 0;
+};
+
+/// The buildings whose verdicts matter most first.
+std::vector<PanesOfBuilding> groupPanes(const GlazingStudy& study) {
+    std::map<std::uint32_t, PanesOfBuilding> byBuilding;
+    for (std::size_t i = 0; i < study.panes.size(); ++i) {
+        if (!hasElevation(study.panes[i].pane)) continue;
+        const std::uint32_t building = study.panes[i].building;
+        PanesOfBuilding& group =
+            byBuilding.try_emplace(building, PanesOfBuilding{building, {}}).first->second;
+        group.panes.push_back(i);
+        const GlazingReview& review = study.windows[study.panes[i].window];
+        group.worse += isWorse(review.formerVerdict, review.verdict) ? 1 : 0;
+        group.fail += review.verdict == Verdict::fail ? 1 : 0;
+        group.borderline += review.verdict == Verdict::borderline ? 1 : 0;
+    }
+    std::vector<PanesOfBuilding> groups;
+    for (auto& [building, group] : byBuilding) groups.push_back(std::move(group));
+    std::ranges::stable_sort(groups, [](const PanesOfBuilding& a, const PanesOfBuilding& b) {
+        return std::tuple(a.worse, a.fail, a.borderline) > std::tuple(b.worse, b.fail, b.borderline);
+    });
+    return groups;
+}
+
+QColor sunColour(const std::optional<double>& value, double top) {
+    return value ? shadowColour(1 - *value / top) : ink::line;
+}
+
+ElevationMark markOf(Verdict verdict) {
+    if (verdict == Verdict::fail) return ElevationMark::fail;
+    return verdict == Verdict::borderline ? ElevationMark::borderline : ElevationMark::none;
+}
+
+ElevationCell changeCell(const GlazingReview& review, const std::optional<double>& before,
+                         const std::optional<double>& after, double top) {
+    ElevationCell cell{ink::line};
+    if (before && after) cell.colour = impactColour((*before - *after) / top);
+    if (isWorse(review.formerVerdict, review.verdict)) cell.mark = ElevationMark::worse;
+    if (isWorse(review.verdict, review.formerVerdict)) cell.mark = ElevationMark::better;
+    return cell;
+}
+
+QString nameOfBuilding(const GlazingStudy& study, const PanesOfBuilding& group) {
+    const ReviewedGlazing& window = study.windows[study.panes[group.panes.front()].window].window;
+    const std::string& name = window.buildingName.empty() ? window.building : window.buildingName;
+    return name.empty() ? QStringLiteral("Windows at no building") : plainText(name);
+}
+
+ElevationBuilding makeBuilding(const GlazingBookSource& source, const GlazingMeasure& measure,
+                               const PanesOfBuilding& group) {
+    const GlazingStudy& study = source.study;
+    ElevationBuilding building{nameOfBuilding(study, group), nullptr, {}, {{}, {}, {}}, {}};
+    if (group.building < source.scenario.buildings.size()) {
+        const ElementSettings& elements = study.settings.elements;
+        building.building = source.scenario.buildings[group.building].get();
+        building.storeyM = findStoreyM(*building.building, elements.facades, elements.parts.storeys);
+    }
+    bool hasFormer = false;
+    for (const std::size_t index : group.panes) {
+        const ReviewedPane& pane = study.panes[index];
+        const GlazingReview& review = study.windows[pane.window];
+        const auto before = shownValue(study.rule, measure, review, true);
+        const auto after = shownValue(study.rule, measure, review, false);
+        hasFormer = hasFormer || before;
+        building.panes.push_back(pane.pane);
+        building.cells[0].push_back({sunColour(before, measure.scale.top), markOf(review.formerVerdict)});
+        building.cells[1].push_back({sunColour(after, measure.scale.top), markOf(review.verdict)});
+        building.cells[2].push_back(changeCell(review, before, after, measure.changeScale.top));
+    }
+    if (hasFormer) return building;
+    building.cells[0].clear(), building.cells[2].clear();
+    building.notes = {
+        QStringLiteral("The building is new or changed"), {}, QStringLiteral("No former values")};
+    return building;
+}
+
+Legend legendOf(const GlazingMeasure& measure, bool isChange) {
+    Legend legend;
+    legend.title = isChange ? QStringLiteral("Change") : plainText(measure.title);
+    legend.unit = plainText(measure.unit) + QStringLiteral(", scale locked");
+    legend.scale = isChange ? measure.changeScale : measure.scale;
+    legend.change = isChange;
+    legend.wanted = true;
+    return legend;
+}
+
+std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSettings& settings,
+                                  const GlazingMeasure& measure, const std::vector<PanesOfBuilding>& groups) {
+    const GlazingStudy& study = source.study;
+    ElevationSheets sheets{
+        QStringLiteral("Elevations: ") + plainText(measure.title),
+        QStringLiteral("%1 and %2. %3. Colours beyond the ends of a scale are "
+                       "those of its ends.")
+            .arg(plainText(source.labels.from), plainText(source.labels.to),
+                 describeFloors(study.settings.elements)),
+        QStringLiteral("Elevations: ") + plainText(measure.title),
+        {plainText(source.labels.from), plainText(source.labels.to), QStringLiteral("Change")},
+        {{legendOf(measure, false), legendOf(measure, true)}},
+        source.scenario.frame,
+        maxElevationPages};
+    sheets.scale = settings.scale;
+    sheets.foot.note = QStringLiteral("Grey: no value. Seen square to the wall, from outside.");
+    // Each side takes a quarter of a page at least: more buildings cannot be drawn.
+    std::vector<ElevationBuilding> buildings;
+    for (const PanesOfBuilding& group : groups) {
+        if (buildings.size() > 4 * maxElevationPages) {
+            buildings.push_back({nameOfBuilding(study, group), nullptr, {}, {}, {}});
+            continue;
+        }
+        buildings.push_back(makeBuilding(source, measure, group));
+    }
+    return makeElevationPages(settings.setup, std::move(sheets), buildings);
+}
+
+}  // namespace
+
+std::vector<BookPage> makeGlazingElevations(const GlazingBookSource& source, const BookSettings& settings) {
+    const std::vector<PanesOfBuilding> groups = groupPanes(source.study);
+    std::vector<BookPage> pages;
+    for (const GlazingMeasure& measure : listGlazingMeasures(source.study.rule))
+        for (BookPage& page : makePagesOf(source, settings, measure, groups))
+            pages.push_back(std::move(page));
+    return pages;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/engines/api/step_masks.h"
+#include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/masks/caster_groups.h"
+#include "core/engines/projected/masks/caster_reach.h"
+#include "core/engines/projected/masks/dense_blocks.h"
+
+namespace noonmark {
+
+/// The casters of several cities.
+struct CityCasters {
+    CasterGroups common;            ///< of buildings that all cities share
+    std::vector<CasterGroups> own;  ///< of the others, one entry a city
+};
+
+/// A window and the groups of casters whose shadow can reach it in a period, the nearest first.
+struct BlockPlan {
+    using Groups = std::vector<std::uint32_t>;
+
+    BlockPlan(ReceiverBlock window, const CityCasters& casters, const CasterReach& period);
+
+    ReceiverBlock window;
+    std::vector<std::uint64_t> empty;  ///< raster: all but the receivers set
+    Groups common;
+    std::vector<Groups> own;  ///< one entry a city
+};
+
+/// Fills windows' shadows in several cities, eight steps at a time. Casters that the cities share are filled
+/// once. Casters are taken from near to far, and filling ends as soon as all receivers are in shadow at all
+/// eight steps, as most are while the sun is low and most casters reach. One per thread.
+class BlockFiller {
+public:
+    /// `casters` must outlive the filler.
+    explicit BlockFiller(const CityCasters& casters);
+
+    /// Sets the window of the following calls of fill(), and finds the casters that matter to it: those
+    /// whose shadow can touch it at the steps of `reach`. `plan` must outlive those calls.
+    void aimAt(const BlockPlan& plan, const CasterReach& reach);
+
+    /// Sets the bits of the window's receivers in shadow at steps [first, first + 8) of a day; one entry of
+    /// `masks` a city. `reach`: of these steps, which are among those of aimAt().
+    void fill(const CasterReach& reach, std::size_t first, std::span<StepMasks> masks);
+
+private:
+    using Rasters = std::vector<StepWords>;
+    /// Casters of CasterGroups::indices() from `first` on, those whose bits are set.
+    struct CasterBlock {
+        std::size_t first = 0, count = 0;
+        std::uint64_t casters = 0;
+    };
+    /// Casters, and what is remembered about them from call to call.
+    struct Layer {
+        explicit Layer(const CasterGroups& all) : groups(&all), fill(all.casters()) {}
+        void choose(const BlockPlan& plan, const BlockPlan::Groups& among, const CasterReach& reach);
+
+        const CasterGroups* groups;
+        CasterFill fill;
+        std::vector<CasterBlock> near;  ///< casters that matter, the nearest first
+    };
+    /// Returns whether anything may have been set.
+    bool fillLayer(Layer& layer, const CasterReach& steps, Rasters& rasters);
+
+    const BlockPlan* plan_ = nullptr;
+    Layer common_;
+    std::vector<Layer> own_;
+    Rasters shared_, rasters_;
+    std::vector<std::uint32_t> chosen_;
+};
+
+}  // namespace noonmark

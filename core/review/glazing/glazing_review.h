@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/engines/points/point_sunlight.h"
+#include "core/review/criteria/criterion_days.h"
+#include "core/review/rule/rule_days.h"
+
+namespace noonmark {
+
+/// What windows of a rule are called and where they are.
+struct ReviewedGlazing {
+    std::string id;  ///< unique; of a room or a dwelling its name with that of the building
+    std::string building, buildingName;  ///< id and name; empty: the window is at no building
+    int floor = 0;
+    std::optional<double> azimuthDeg;  ///< that it faces, from true north; none: a roof light
+    int windows = 1;                   ///< how many are judged together
+};
+
+/// The sun of one window, or of the windows of a room, at the steps of a rule, and its sky.
+struct GlazingSunlight {
+    ShadedSteps after;                  ///< in the scenario; by step of RuleSun
+    std::optional<ShadedSteps> before;  ///< in the baseline; none: its building is not there
+    double skyComponentPct = 0;         ///< read only if a criterion asks for it
+    double formerSkyComponentPct = 0;
+};
+
+/// A rule's answer for one window.
+struct GlazingReview {
+    ReviewedGlazing window;
+    Verdict verdict = Verdict::notChecked;
+    Verdict formerVerdict = Verdict::notApplicable;  ///< of the baseline, held against itself
+    std::optional<std::size_t> deciding;             ///< the criterion whose result is the verdict
+    std::string unjudged;                            ///< why none decides; a sentence without a full stop
+    std::vector<CriterionResult> results;            ///< by criterion of the rule, with former values
+    std::vector<Verdict> formerVerdicts;             ///< by criterion
+    /// The day of the bands: the one that decides, or the rule's only day; none for sums over the year.
+    std::optional<CivilDate> day;
+    std::vector<SunBand> bands, formerBands;  ///< times in the sun on that day
+};
+
+/// The least error of a vertical sky component that is computed from an exact skyline, in percent of the sky.
+inline constexpr double skyComponentErrorPct = 0.1;
+
+/// Evaluates a rule about windows. `engineErrorMin`: as of PlaceEvaluation. A pure function; some 10 ns for a
+/// step and criterion. The steps are those of `sun`.
+GlazingReview reviewGlazing(const Rule& rule, const RuleSun& sun, const ReviewedGlazing& window,
+                            const GlazingSunlight& light, double engineErrorMin = 0);
+
+/// The verdict on a window in a sentence without a full stop, as describeReason() of a place.
+std::string describeReason(const Rule& rule, const GlazingReview& review);
+
+}  // namespace noonmark

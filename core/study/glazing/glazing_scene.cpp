@@ -1,0 +1,245 @@
+#include "core/study/glazing/glazing_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/stopwatch.h"
+#include "core/describe/command_flags.h"
+#include "core/engines/points/sky_factors.h"
+#include "core/measures/place_run.h"
+#include "core/review/glazing/glazing_points.h"
+#include "core/study/elements/facing_azimuth.h"
+#include "core/study/glazing/glazing_sample.h"
+#include "core/study/prepare_review.h"
+
+namespace noonmark {
+
+namespace {
+
+bool isSameCity(const City& a, const City& b) {
+    return &a == &b || (a.buildings == b.buildings && a.terrain == b.terrain);
+}
+
+/// Steps at which the sun does not come through the window at that point, whatever is outside.
+ShadedSteps findTurnedAway(const PaneLimits& limits, const SunSteps& sun) {
+    ShadedSteps away(sun.steps.size());
+    for (std::size_t i = 0; i < away.size(); ++i)
+        away[i] = limits.lets(glm::dvec3(sun.steps[i].direction)) ? 0 : 1;
+    return away;
+}
+
+void shadeToo(ShadedSteps& shaded, const ShadedSteps& other) {
+    for (std::size_t i = 0; i < shaded.size(); ++i) shaded[i] |= other[i];
+}
+
+void lightToo(ShadedSteps& shaded, const ShadedSteps& other) {
+    for (std::size_t i = 0; i < shaded.size(); ++i) shaded[i] &= other[i];
+}
+
+/// The sun of one window: of both ends of a sill, where both are lit.
+GlazingSunlight measureWindow(const GlazingScene& scene, std::uint32_t window) {
+    const SurfacePoints& points = scene.placed.receivers.points;
+    const RuleGlazing& rule = scene.rule.receivers.windows;
+    const SkyPoint middle{points.positions[window], points.normals[window]};
+    const std::uint32_t building = scene.placed.receivers.elements[window].building;
+    const SunSteps& sun = scene.days.sun;
+    const PaneSize pane = scene.paneOf(window);
+    GlazingSunlight light;
+    light.after.assign(sun.steps.size(), 0);
+    if (!scene.fresh.contains(building)) light.before = light.after;
+    for (const PanePoint& point : placePanePoints(rule, middle, pane)) {
+        const ShadedSteps away = findTurnedAway(PaneLimits(rule, point, pane), sun);
+        shadeToo(light.after, away);
+        shadeToo(light.after, scene.after->find(point.point));
+        if (!light.before || !scene.before) continue;
+        shadeToo(*light.before, away);
+        shadeToo(*light.before, scene.before->find(point.point));
+    }
+    if (light.before && !scene.before) light.before = light.after;
+    return light;
+}
+
+void measureSky(const GlazingScene& scene, std::uint32_t window, GlazingSunlight& light) {
+    if (!scene.sky) return;
+    const SurfacePoints& points = scene.placed.receivers.points;
+    const SkyPoint middle{points.positions[window], points.normals[window]};
+    const auto point =
+        placePanePoints(scene.rule.receivers.windows, middle, scene.paneOf(window)).front().point;
+    light.skyComponentPct = computeSkyFactors(Skyline::at(point, *scene.sky)).skyComponentPct;
+    light.formerSkyComponentPct =
+        scene.formerSky && light.before
+            ? computeSkyFactors(Skyline::at(point, *scene.formerSky)).skyComponentPct
+            : light.skyComponentPct;
+}
+
+/// The sun of the windows of a group: where one of them is lit.
+GlazingSunlight measureGroup(const GlazingScene& scene, const GlazingGroup& group) {
+    GlazingSunlight light = measureWindow(scene, group.front());
+    for (std::size_t i = 1; i < group.size(); ++i) {
+        const GlazingSunlight other = measureWindow(scene, group[i]);
+        lightToo(light.after, other.after);
+        if (light.before && other.before) lightToo(*light.before, *other.before);
+    }
+    measureSky(scene, group.front(), light);
+    return light;
+}
+
+std::string nameOfUnit(const Rule& rule, const PlacedElements& placed, std::uint32_t window) {
+    const GlazingUnit unit = rule.receivers.windows.unit;
+    if (placed.facts.empty() || unit == GlazingUnit::window) return {};
+    return unit == GlazingUnit::room ? placed.facts[window].room : placed.facts[window].dwelling;
+}
+
+std::vector<GlazingGroup> groupGlazing(const Rule& rule, const PlacedElements& placed) {
+    std::vector<GlazingGroup> groups;
+    std::map<std::pair<std::uint32_t, std::string>, std::size_t> named;
+    for (std::uint32_t window = 0; window < placed.receivers.size(); ++window) {
+        const std::string name = nameOfUnit(rule, placed, window);
+        if (name.empty()) {
+            groups.push_back({window});
+            continue;
+        }
+        const auto [at, isNew] =
+            named.try_emplace({placed.receivers.elements[window].building, name}, groups.size());
+        if (isNew) groups.emplace_back();
+        groups[at->second].push_back(window);
+    }
+    return groups;
+}
+
+ReviewedGlazing describeGroup(const GlazingScene& scene, const GlazingGroup& group) {
+    const std::uint32_t window = group.front();
+    const PointElement& element = scene.placed.receivers.elements[window];
+    ReviewedGlazing described{.id = element.id, .floor = element.floor, .windows = int(group.size())};
+    if (element.building < scene.city.buildings.size()) {
+        described.building = scene.city.buildings[element.building]->sourceId;
+        described.buildingName = scene.city.buildings[element.building]->name;
+    }
+    const std::string unit = nameOfUnit(scene.rule, scene.placed, window);
+    if (!unit.empty())
+        described.id = fmt::format("{}{}{}", described.building, described.building.empty() ? "" : " ", unit);
+    const SurfacePoints& points = scene.placed.receivers.points;
+    const LonLat place = scene.city.frame.lonLatFromLocal(glm::dvec2(points.positions[window]));
+    const double azimuth = facingAzimuthDeg(scene.city.frame, place, points.normals[window]);
+    if (std::isfinite(azimuth) && group.size() == 1) described.azimuthDeg = azimuth;
+    return described;
+}
+
+bool needsSky(const Rule& rule) {
+    return std::ranges::any_of(rule.criteria,
+                               [](const Criterion& c) { return c.measure == Measure::skyComponent; });
+}
+
+/// Facades carry a window of the rule's sizes in each bay.
+ElementSettings withOpenings(const Rule& rule, ElementSettings elements) {
+    const GlazingOpening& opening = rule.receivers.windows.opening;
+    FacadeSettings& facades = elements.facades;
+    facades.aboveFloorM = std::min(facades.storeyM, opening.sillM + opening.heightM / 2);
+    return elements;
+}
+
+Rule withinBays(Rule rule, const ElementSettings& elements) {
+    double& width = rule.receivers.windows.opening.widthM;
+    if (elements.places == ElementPlaces::facades) width = std::min(width, elements.facades.bayM);
+    return rule;
+}
+
+std::set<std::uint32_t> findFresh(const City& scenario, const City& baseline) {
+    const City own = keepOwnBuildings(scenario, baseline);
+    std::set<const Building*> changed;
+    for (const auto& building : own.buildings) changed.insert(building.get());
+    std::set<std::uint32_t> fresh;
+    for (std::uint32_t i = 0; i < scenario.buildings.size(); ++i)
+        if (changed.contains(scenario.buildings[i].get())) fresh.insert(i);
+    return fresh;
+}
+
+Result<void> placeGlazing(GlazingScene& scene, const GlazingReviewSettings& settings, Progress& progress,
+                          const std::stop_token& stop) {
+    StudySettings where;
+    where.region = settings.region;
+    auto placed =
+        placeElements(scene.city, where, withOpenings(scene.rule, settings.elements), progress, stop);
+    if (!placed) return tl::make_unexpected(placed.error());
+    scene.placed = *std::move(placed);
+    scene.groups = groupGlazing(scene.rule, scene.placed);
+    return {};
+}
+
+Result<std::optional<ShadedStepFinder>> makeFinder(const GlazingScene& scene, const City& casters,
+                                                   const std::stop_token& stop) {
+    return ShadedStepFinder::over(casters, scene.days.sun, scene.by, stop).map([](ShadedStepFinder finder) {
+        return std::optional(std::move(finder));
+    });
+}
+
+Result<void> buildScene(GlazingScene& scene, const City& baseline, const std::stop_token& stop) {
+    const Stopwatch watch;
+    const bool same = isSameCity(baseline, scene.city);
+    const CastingCities casting = chooseCasters(scene.rule, baseline, scene.city);
+    auto after = makeFinder(scene, casting.after, stop);
+    if (!after) return tl::make_unexpected(after.error());
+    scene.after = *std::move(after);
+    auto before = same ? std::optional<ShadedStepFinder>() : makeFinder(scene, casting.before, stop);
+    if (!before) return tl::make_unexpected(before.error());
+    scene.before = *std::move(before);
+    scene.fresh = findFresh(scene.city, baseline);
+    if (needsSky(scene.rule)) scene.sky.emplace(collectSkyObstacles(casting.after));
+    if (needsSky(scene.rule) && !same) scene.formerSky.emplace(collectSkyObstacles(casting.before));
+    scene.engine = scene.by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";
+    scene.buildSeconds = watch.seconds();
+    return {};
+}
+
+// Left to itself, a review by horizons goes on to rays where some of its windows show that horizons are off.
+Result<void> checkHorizons(GlazingScene& scene, const std::stop_token& stop) {
+    const Stopwatch watch;
+    const GlazingSample sample = sampleGlazing(scene, stop);
+    if (stop.stop_requested()) return cancelled();
+    if (sample.offPct > glazingErrorTargetPct) {
+        scene.engine = fmt::format("rays, since {}, more than the {:g} % aimed at", describe(sample),
+                                   glazingErrorTargetPct);
+        scene.by = ShadedStepFinder::By::rays;
+        scene.after->goOnByRays();
+        if (scene.before) scene.before->goOnByRays();
+    }
+    scene.buildSeconds += watch.seconds();
+    return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<const GlazingScene>> prepareGlazingScene(const Rule& rule, const City& baseline,
+                                                                const City& scenario,
+                                                                const GlazingReviewSettings& settings,
+                                                                Progress& progress,
+                                                                const std::stop_token& stop) {
+    if (rule.receivers.surface != RuleSurface::windows)
+        return unsupported("The rule is about places, not about windows", rule.key,
+                           fmt::format("Give places of the project ({}) to review", flags::places));
+    const Stopwatch watch;
+    auto days = computeRuleSun(rule, {observerOfPlaces(scenario), settings.zone, settings.year}, stop);
+    if (!days) return tl::make_unexpected(days.error());
+    std::unique_ptr<GlazingScene> scene(
+        new GlazingScene{withinBays(rule, settings.elements), scenario, {}, *std::move(days)});
+    if (const auto placed = placeGlazing(*scene, settings, progress, stop); !placed)
+        return tl::make_unexpected(placed.error());
+    scene->prepareSeconds = watch.seconds();
+    const bool few = scene->days.sun.steps.size() <= maxTracedSteps;
+    scene->by = settings.by.value_or(few ? ShadedStepFinder::By::rays : ShadedStepFinder::By::horizons);
+    if (const auto built = buildScene(*scene, baseline, stop); !built)
+        return tl::make_unexpected(built.error());
+    if (!settings.by && !few)
+        if (const auto checked = checkHorizons(*scene, stop); !checked)
+            return tl::make_unexpected(checked.error());
+    return scene;
+}
+
+GlazingReview reviewGroup(const GlazingScene& scene, const GlazingGroup& group) {
+    return reviewGlazing(scene.rule, scene.days, describeGroup(scene, group), measureGroup(scene, group));
+}
+
+}  // namespace noonmark

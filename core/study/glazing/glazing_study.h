@@ -1,0 +1,85 @@
+#pragma once
+
+// The folder core/study/glazing evaluates rules about windows. runGlazingReview() (this file) returns a
+// GlazingStudy, prepared by a GlazingScene (glazing_scene.h); window_text.h turns it into tables and JSON,
+// and glazing_values.h says which of its values elevations show.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/engines/points/shaded_step_finder.h"
+#include "core/receivers/points/facade_elevations.h"
+#include "core/review/glazing/building_review.h"
+#include "core/study/elements/place_elements.h"
+
+namespace noonmark {
+
+struct GlazingReviewSettings {
+    /// Windows of a file, or facades: a window in each bay and storey, of the sizes that the rule's opening
+    /// states. Its aboveFloorM is not read.
+    ElementSettings elements;
+    Region region;     ///< windows outside are left out
+    std::string zone;  ///< IANA name
+    int year = 2026;   ///< of rules that name none
+    /// None: rays up to maxTracedSteps, which take no longer then, else horizons; and rays again where a
+    /// sample of the windows shows that horizons are off (glazing_sample.h).
+    std::optional<ShadedStepFinder::By> by{};
+};
+inline constexpr std::size_t maxTracedSteps = 2000;
+
+/// A window of a review where it is, to draw it. A room or a dwelling has several.
+struct ReviewedPane {
+    ElevationPane pane;          ///< with the sizes of the rule's opening where the file states none
+    std::size_t window = 0;      ///< index in GlazingStudy::windows
+    std::uint32_t building = 0;  ///< index in the scenario's buildings, or PointElement::noBuilding
+};
+
+/// A rule's answers for windows.
+struct GlazingStudy {
+    Rule rule;
+    GlazingReviewSettings settings;
+    std::vector<GlazingReview> windows;     ///< or rooms or dwellings, as the rule judges them
+    std::vector<glm::dvec3> places;         ///< of these: longitude, latitude (degrees), elevation (metres)
+    std::vector<ReviewedPane> panes;        ///< of these, in their order
+    std::vector<BuildingReview> buildings;  ///< of these windows
+    VerdictChanges windowChanges, buildingChanges;
+    DayClock clock;
+    int year = 0;
+    double stepMinutes = 1;
+    std::size_t steps = 0;  ///< with the sun up in the rule's hours
+    std::string engine;     ///< "horizons with ends by rays", "rays", "rays, since horizons of ..."
+    std::vector<std::string> notChecked;    ///< of the rule, and what this run adds to it
+    std::map<std::string, double> seconds;  ///< by stage, and "total"
+    Warnings warnings;
+    std::optional<InputFile> glazingInput{};  ///< set by the caller
+};
+
+/// What a review of windows is expected to take.
+struct GlazingForecast {
+    std::size_t windows = 0;  ///< windows that are measured
+    std::size_t steps = 0;    ///< with the sun up in the rule's hours
+    double seconds = 0;       ///< of the whole review, without its files
+};
+using AnnounceGlazing = std::function<void(const GlazingForecast&)>;
+
+/// Prepares the review and measures 64 of its windows, evenly chosen, so that the forecast holds for the
+/// city and the machine: its error was not measured. Errors as of runGlazingReview().
+Result<GlazingForecast> forecastGlazingReview(const Rule& rule, const City& baseline, const City& scenario,
+                                              const GlazingReviewSettings& settings, Progress& progress,
+                                              const std::stop_token& stop);
+
+/// Evaluates a rule on the windows of the scenario. A window is compared with the baseline where its building
+/// is the same in both; the windows of new and changed buildings have no former values. Uses all cores.
+/// Error: a rule about places, what placeElements()
+/// refuses, or cancelled(). In Midtown some 0.5 ms a window for a day, 10 ms for a year, 2 ms more where
+/// the rule asks for the sky component. `announce`, if given, is called once with the forecast before the
+/// windows are evaluated.
+Result<GlazingStudy> runGlazingReview(const Rule& rule, const City& baseline, const City& scenario,
+                                      const GlazingReviewSettings& settings, Progress& progress,
+                                      const std::stop_token& stop, const AnnounceGlazing& announce = {});
+
+}  // namespace noonmark
