@@ -52,6 +52,16 @@ std::vector<std::string_view> collect(std::initializer_list<FileKind> kinds, For
     return all;
 }
 
+// Readers take endings in capitals, too, where a file system tells them apart.
+std::filesystem::path companionOf(const std::filesystem::path& file, std::string_view ending) {
+    std::string capitals(ending);
+    for (char& letter : capitals) letter = char(std::toupper(static_cast<unsigned char>(letter)));
+    const auto small = std::filesystem::path(file).replace_extension(ending);
+    const auto large = std::filesystem::path(file).replace_extension(capitals);
+    std::error_code error;
+    return !std::filesystem::exists(small, error) && std::filesystem::exists(large, error) ? large : small;
+}
+
 }  // namespace
 
 std::string_view FileHead::text() const {
@@ -112,7 +122,7 @@ std::vector<std::filesystem::path> listCompanionFiles(const std::filesystem::pat
         findFirst(formats, [&](const Format& one) { return one.isRead() && holds(one.endings, ending); });
     if (format == nullptr) return companions;
     for (const std::string_view companion : format->companions)
-        companions.push_back(std::filesystem::path(file).replace_extension(companion));
+        companions.push_back(companionOf(file, companion));
     return companions;
 }
 

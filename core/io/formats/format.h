@@ -106,8 +106,9 @@ Result<void> refuseForeignFormat(const std::filesystem::path& file, Formats form
 const Format* findByDriver(std::string_view driver, FileKind kind, Formats formats = coreFormats());
 const Format* findByEnding(const std::filesystem::path& file, FileKind kind, Formats formats = coreFormats());
 
-/// The files that are read along with a file, whether they exist or not: .dbf of a Shapefile, .bin of a glTF.
-/// Determined by the file's ending; nothing is opened.
+/// The files that are read along with a file, whether they exist or not: .dbf of a Shapefile, .bin of a glTF;
+/// with the ending in capitals where only that one exists. Determined by the file's ending; nothing is
+/// opened.
 std::vector<std::filesystem::path> listCompanionFiles(const std::filesystem::path& file,
                                                       Formats formats = coreFormats());
 

@@ -8,6 +8,7 @@
 
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/meshes/surface_mesher.h"
+#include "core/io/files/file_kind.h"
 #include "core/io/formats/format.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/meshes/ifc_site.h"
@@ -154,18 +155,21 @@ void dropFarTriangles(SceneReader& reader) {
     }
 }
 
+// By content, whatever the file is called.
 std::string formatOf(const std::filesystem::path& file) {
-    const Format* format = findByEnding(file, FileKind::mesh);
-    return format == nullptr ? "mesh" : std::string(format->nameInResults());
+    const auto format = detectFormat(file);
+    const bool isMesh = format && (*format)->reader.kind == FileKind::mesh;
+    return isMesh ? std::string((*format)->nameInResults()) : "mesh";
 }
 
 // Settings with a decided axis. glTF has y up; other meshes that state none are judged by their shape.
 ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene,
-                        const std::filesystem::path& file, bool stated, Warnings& warnings) {
+                        const std::filesystem::path& file, const std::string& format, bool stated,
+                        Warnings& warnings) {
     ReadSettings decided = settings;
     if (settings.upAxis != UpAxis::automatic || stated) return decided;
     decided.upAxis = UpAxis::y;
-    if (formatOf(file) == gltfFormat) return decided;
+    if (format == gltfFormat) return decided;
     const UpAxisGuess guess = guessUpAxis(scene);
     decided.upAxis = guess.axis;
     warnings.push_back({WarningKind::assumed,
@@ -201,9 +205,10 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
         settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
     const auto stated = findStatedAxes(file);
     Warnings assumed;
-    const Placement placement(withUpAxis(settings, scene, file, stated.has_value(), assumed), stated, origin);
-    SceneReader reader{
-        placement, file.filename().string(), formatOf(file) == ifcFormat, {}, std::move(assumed)};
+    const std::string format = formatOf(file);
+    const Placement placement(withUpAxis(settings, scene, file, format, stated.has_value(), assumed), stated,
+                              origin);
+    SceneReader reader{placement, file.filename().string(), format == ifcFormat, {}, std::move(assumed)};
     if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
     if (reader.ifc) warnOfUnusedPlace(file, reader, stop);
     for (const MeshObject& object : scene) {
@@ -214,7 +219,7 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
         return tl::make_unexpected(near.error());
     dropFarTriangles(reader);
     FilePiece result{
-        .warnings = std::move(reader.warnings), .format = formatOf(file), .features = reader.objects.size()};
+        .warnings = std::move(reader.warnings), .format = format, .features = reader.objects.size()};
     if (!settings.frame) result.frame = *frame;
     if (!settings.meshAnchor)
         result.warnings.push_back({WarningKind::assumed, std::string(originAsAnchor), reader.file});

@@ -156,6 +156,13 @@ TEST(ReadMesh, Ply) {
     tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 6000);
 }
 
+TEST(ReadMesh, IsOfTheFormatOfItsContentWhateverItIsCalled) {
+    const auto piece = read("box.model", glbBytes(box({0, 0, 0}, {10, 30, 20})), placed(UpAxis::automatic));
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->format, "glTF");
+    EXPECT_FALSE(warns(*piece, "the file does not state which axis is up")) << "y, in every glTF";
+}
+
 TEST(ReadMesh, GlbWithANodeTransform) {
     const auto piece = read("box.glb", glbBytes(box({0, 0, 0}, {10, 30, 20})), placed(UpAxis::y));
     ASSERT_TRUE(piece) << piece.error().text();

@@ -56,5 +56,18 @@ TEST(FileHash, WhatCannotBeReadIsAnError) {
     EXPECT_FALSE(describeInputFiles(folder.path("missing.shp")));
 }
 
+TEST(FileHash, WhatSaysHowAFileIsReadIsHashedWithIt) {
+    const tests::TemporaryFolder folder;
+    for (const auto& [file, beside] :
+         {std::pair{"ground.flt", "ground.hdr"}, std::pair{"town.gml", "town.xsd"},
+          std::pair{"LOTS.SHP", "LOTS.DBF"}}) {
+        (void)folder.file(beside, "beside");
+        const auto files = describeInputFiles(folder.file(file, "values"));
+        ASSERT_TRUE(files) << files.error().text();
+        ASSERT_EQ(files->size(), 2U) << file;
+        EXPECT_EQ((*files)[1].path, folder.path(beside));
+    }
+}
+
 }  // namespace
 }  // namespace noonmark
