@@ -17,5 +17,8 @@ inline constexpr const char* choose = "--choose";
 inline constexpr const char* year = "--year";
 inline constexpr const char* tile = "--tile";
 inline constexpr const char* partial = "--partial";
+inline constexpr const char* threshold = "--threshold";  ///< minutes a day that count as a change
+inline constexpr const char* byBuilding = "--by-building";
+inline constexpr const char* weights = "--weights";  ///< table of a score
 
 }  // namespace noonmark::flags

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/describe/command_flags.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
 #include "core/measures/histogram.h"
@@ -77,11 +78,11 @@ void addLine(CsvText& csv, const std::string& id, const std::string& name, const
 }
 
 std::vector<CommandOption> optionsOf(const ImpactAnswer& answer) {
-    CommandOption thresholds{"--threshold", {}};
+    CommandOption thresholds{flags::threshold, {}};
     for (const double threshold : answer.thresholdsMin)
         thresholds.values.push_back(fmt::format("{}", threshold));
-    std::vector<CommandOption> options{{"--from", {answer.from}}, {"--to", {answer.to}}, thresholds};
-    if (answer.settings.byBuilding) options.push_back({"--by-building", {}});
+    std::vector<CommandOption> options{{flags::from, {answer.from}}, {flags::to, {answer.to}}, thresholds};
+    if (answer.settings.byBuilding) options.push_back({flags::byBuilding, {}});
     return options;
 }
 

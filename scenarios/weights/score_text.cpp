@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/describe/command_flags.h"
 #include "core/describe/figure_text.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
@@ -37,9 +38,10 @@ std::string monthOf(const MonthFigures& month) { return formatText(month.month);
 }  // namespace
 
 Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t width) {
-    return makeRepeatCommand(projectQuestion("score", answer.settings, answer.provenance,
-                                             answer.score.engineKey, {{"--weights", {answer.weights.name}}}),
-                             width);
+    return makeRepeatCommand(
+        projectQuestion("score", answer.settings, answer.provenance, answer.score.engineKey,
+                        {{flags::weights, {answer.weights.name}}}),
+        width);
 }
 
 std::string scoreJson(const ScoreAnswer& answer) {

@@ -94,12 +94,12 @@ void addImpactCommand(CLI::App& app, Run& run) {
         ->type_name("NAME");
     command->add_option(flags::to, options->to, "The scenario to measure")->required()->type_name("NAME");
     command
-        ->add_option("--threshold", options->thresholds,
+        ->add_option(flags::threshold, options->thresholds,
                      "Thresholds of the change, minutes a day; one or more")
         ->capture_default_str()
         ->check(within(0, 1440))
         ->type_name("MIN");
-    command->add_flag("--by-building", options->byBuilding,
+    command->add_flag(flags::byBuilding, options->byBuilding,
                       "Also measure the sole contribution of each new building");
     command
         ->add_option("--scale", options->scale,

@@ -73,7 +73,7 @@ void addScoreCommand(CLI::App& app, Run& run) {
     command->add_option(flags::scenario, options->scenario, "The scenario to measure")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->add_option("--weights", options->weights, "A time-weight table of the project")
+    command->add_option(flags::weights, options->weights, "A time-weight table of the project")
         ->default_val("default")
         ->type_name("NAME");
     command->callback([options, &run] {

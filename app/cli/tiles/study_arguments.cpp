@@ -32,7 +32,7 @@ void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
             ->needs(command.get_option(flags::scenario))
             ->type_name("NAME");
     CLI::Option* weights = command
-                               .add_option("--weights", options.weights,
+                               .add_option(flags::weights, options.weights,
                                            "Measure the shadow score: a time-weight table of the project")
                                ->excludes(baseline)
                                ->type_name("NAME");
