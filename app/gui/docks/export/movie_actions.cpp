@@ -6,6 +6,7 @@
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
+#include "core/base/warnings.h"
 
 namespace noonmark {
 
@@ -93,12 +94,18 @@ void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
             return writeShadowMovie(movie, file.toStdString(), progress, stop);
         },
         [this, file](const Result<MovieFacts>& facts) {
-            if (facts)
-                return panel_.messages().showNote(
-                    tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts->frames)))
-                        .arg(formatCount(quint64(facts->frames)), file));
+            if (facts) return tellSaved(*facts, file);
             if (!isCancelled(facts.error())) panel_.messages().showError(facts.error());
         });
+}
+
+// What was left out is said beside it.
+void MovieActions::tellSaved(const MovieFacts& facts, const QString& file) {
+    QStringList lines{tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts.frames)))
+                          .arg(formatCount(quint64(facts.frames)), file)};
+    for (const WarningGroup& group : groupWarnings(facts.warnings))
+        lines << QString::fromStdString(lineOf(group));
+    panel_.messages().showNote(lines.join(u'\n'));
 }
 
 }  // namespace noonmark

@@ -32,6 +32,7 @@ private:
     void ask();
     [[nodiscard]] MovieChoice firstChoice() const;
     [[nodiscard]] Result<ShadowMovie> movieOf(const MovieChoice& choice);
+    void tellSaved(const MovieFacts& facts, const QString& file);
 
     Workbench& workbench_;
     ViewPanel& panel_;
