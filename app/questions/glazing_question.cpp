@@ -18,8 +18,7 @@ std::vector<CommandOption> repeatOptions(const GlazingQuestion& question, const 
 }  // namespace
 
 bool isSame(const GlazingQuestion& a, const GlazingQuestion& b) {
-    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
-           a.after == b.after && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&
+    return isOfSameCase(a, b) && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&
            a.settings.elements == b.settings.elements;
 }
 

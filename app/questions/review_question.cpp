@@ -50,8 +50,7 @@ void addWarnings(Warnings& warnings, const ReviewSource& source) {
 }
 
 bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) {
-    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
-           a.after == b.after && a.places == b.places && a.settings.zone == b.settings.zone &&
+    return isOfSameCase(a, b) && a.places == b.places && a.settings.zone == b.settings.zone &&
            a.settings.year == b.settings.year && a.settings.cellM == b.settings.cellM;
 }
 

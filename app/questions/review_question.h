@@ -47,6 +47,13 @@ struct ReviewQuestion : ReviewedCities {
     std::vector<CommandOption> repeat{};  ///< further options of the command that asks the same
 };
 
+/// Whether two reviews ask the same rule, with the same choices, about the same buildings.
+template <class Question>
+bool isOfSameCase(const Question& a, const Question& b) {
+    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
+           a.after == b.after;
+}
+
 /// Whether both have the same answer.
 bool isSame(const ReviewQuestion& a, const ReviewQuestion& b);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/session/answers/answer_origin.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/output_rules.h"
@@ -89,9 +90,7 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
 QStringList Workbench::filesInTheWay(const std::filesystem::path& folder, const ExportChoice& choice) {
     std::vector<std::string> names;
     for (const QString& name : filesOf(choice)) names.push_back(name.toStdString());
-    QStringList there;
-    for (const std::string& name : findExistingOutputs(folder, names)) there << QString::fromStdString(name);
-    return there;
+    return noonmark::filesInTheWay(QString::fromStdString(folder.string()), names);
 }
 
 void Workbench::exportShown(const std::filesystem::path& folder, const ExportChoice& choice) {

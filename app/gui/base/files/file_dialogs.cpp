@@ -5,6 +5,7 @@
 #include <QMessageBox>
 
 #include "app/gui/base/files/file_endings.h"
+#include "core/io/files/check_output.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {
@@ -117,6 +118,13 @@ QString askForLogo(QWidget* parent) {
 
 QString askForFolder(QWidget* parent, const QString& title) {
     return QFileDialog::getExistingDirectory(parent, title);
+}
+
+QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files) {
+    QStringList there;
+    for (const std::string& name : findExistingOutputs(folder.toStdString(), files))
+        there << QString::fromStdString(name);
+    return there;
 }
 
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QStringList>
+#include <string>
+#include <vector>
 
 class QWidget;
 
@@ -24,6 +26,8 @@ QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .g
 QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);
 
+/// Those of the files that a folder has already.
+QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files);
 /// Asks whether existing files in a folder may be replaced; true if there are none.
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);
 

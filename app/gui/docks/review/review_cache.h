@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/questions/review_question.h"
 #include "core/base/progress_share.h"
 #include "core/base/result.h"
 
@@ -20,12 +21,7 @@ public:
     using Shared = std::shared_ptr<const Answer>;
 
     Shared add(Answer answer) {
-        const auto& now = answer.question;
-        std::erase_if(all_, [&](const Shared& old) {
-            const auto& then = old->question;
-            return then.rule.key == now.rule.key && then.rule.chosen == now.rule.chosen &&
-                   then.before == now.before && then.after == now.after;
-        });
+        std::erase_if(all_, [&](const Shared& old) { return isOfSameCase(old->question, answer.question); });
         all_.push_back(std::make_shared<const Answer>(std::move(answer)));
         if (all_.size() > most) all_.erase(all_.begin());
         return all_.back();

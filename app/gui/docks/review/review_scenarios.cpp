@@ -14,8 +14,7 @@ using Answers = std::map<std::string, std::shared_ptr<const ReviewAnswer>>;
 // Whether an answer is to the question `now`, of all of its places or, with `orSome`, of some.
 bool holds(const ReviewAnswer& answer, const ReviewQuestion& now, bool orSome) {
     const ReviewQuestion& then = answer.question;
-    if (then.rule.key != now.rule.key || then.rule.chosen != now.rule.chosen) return false;
-    if (then.before != now.before || then.after != now.after) return false;
+    if (!isOfSameCase(then, now)) return false;
     if (then.settings.zone != now.settings.zone || then.settings.year != now.settings.year) return false;
     if (then.places == now.places) return true;
     return orSome && std::ranges::all_of(then.places, [&](const Place& place) {

@@ -157,10 +157,7 @@ void SheetsDialog::writeFiles(const QString& folder) {
 void SheetsDialog::askForFolder() {
     const QString folder = ::noonmark::askForFolder(this, tr("Write the files of the review to folder"));
     if (folder.isEmpty()) return;
-    QStringList there;
-    for (const std::string& name : findExistingOutputs(folder.toStdString(), reviewFileNames()))
-        there << QString::fromStdString(name);
-    if (mayReplace(this, folder, there)) write(folder);
+    if (mayReplace(this, folder, filesInTheWay(folder, reviewFileNames()))) write(folder);
 }
 
 void SheetsDialog::tell(const Error& error) {

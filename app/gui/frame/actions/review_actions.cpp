@@ -1,7 +1,5 @@
 #include "app/gui/frame/actions/review_actions.h"
 
-#include <QFileInfo>
-
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
@@ -64,11 +62,8 @@ void ReviewActions::exportGlazing() {
     if (!answer) return panel_.messages().showError(answer.error());
     const QString folder = askForFolder(&window_, tr("Export the review"));
     if (folder.isEmpty()) return;
-    QStringList inTheWay;
-    for (const std::string& name : glazingFileNames())
-        if (QFileInfo::exists(folder + '/' + QString::fromStdString(name)))
-            inTheWay << QString::fromStdString(name);
-    if (mayReplace(&window_, folder, inTheWay)) windows_.write(*answer, folder);
+    if (mayReplace(&window_, folder, filesInTheWay(folder, glazingFileNames())))
+        windows_.write(*answer, folder);
 }
 
 void ReviewActions::showSheets() {
