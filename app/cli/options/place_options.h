@@ -18,8 +18,8 @@ struct PlaceOptions {
     [[nodiscard]] bool admits(const Place& place) const;
 };
 
-/// Adds --kind, --streets, --whole-streets, --sidewalks, --named, --least-area, --name-field, --as, --place-layer and --place-crs.
-/// `options` must outlive the parsing.
+/// Adds --kind, --streets, --whole-streets, --sidewalks, --named, --least-area, --name-field, --as,
+/// --place-layer and --place-crs. `options` must outlive the parsing.
 void addPlaceOptions(CLI::App& command, PlaceOptions& options);
 
 }  // namespace noonmark::cli

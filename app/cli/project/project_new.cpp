@@ -74,8 +74,8 @@ Result<PlacesRead> placesOf(const NewOptions& options, const Frame& frame, const
     if (options.noPlaces) return PlacesRead{};
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return loadCityPlaces(options.read.files, {.streets = options.streets, .wholeStreets = false}, frame, progress,
-                          interrupt.token());
+    return loadCityPlaces(options.read.files, {.streets = options.streets, .wholeStreets = false}, frame,
+                          progress, interrupt.token());
 }
 
 /// What OpenStreetMap's files draw on the ground.

@@ -63,7 +63,8 @@ ComputeDevice describeDevice(const cl::Device& device) {
 }
 
 // Work items that share a lane. A region has about a thousand lanes, and a graphics card wants many more work
-// items; on a processor each would find the runs again. One warp or wavefront a lane: its items stay together.
+// items; on a processor each would find the runs again. One warp or wavefront a lane: its items stay
+// together.
 std::size_t itemsALane(const cl::Device& device) { return isGpu(device) ? 32 : 1; }
 
 template <class T>
@@ -81,8 +82,7 @@ public:
     explicit OpenClDrawer(const cl::Device& device)
         : device_(device), items_(itemsALane(device)), context_(device), queue_(context_, device) {
         cl::Program program(context_, std::string(shadowLinesKernel));
-        const std::string options =
-            fmt::format("-cl-fp32-correctly-rounded-divide-sqrt -D ITEMS={}", items_);
+        const std::string options = fmt::format("-cl-fp32-correctly-rounded-divide-sqrt -D ITEMS={}", items_);
         program.build(std::vector<cl::Device>{device}, options.c_str());
         kernel_ = cl::Kernel(program, "draw_lanes");
     }
