@@ -378,10 +378,6 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
-        <translation>Was die Untersuchung beantwortet: Minuten im Schatten, die Änderung durch ein Szenario, eine Bewertung erwünschten und unerwünschten Schattens oder die Befunde nach der Regel einer Behörde.</translation>
-    </message>
-    <message>
         <source>The rule of a review board by which the ticked places are judged. The list has the rules that come with Noonmark and those of your own.</source>
         <translation>Die Regel einer Behörde, nach der die angekreuzten Orte beurteilt werden. Die Liste enthält die mitgelieferten und Ihre eigenen Regeln.</translation>
     </message>
@@ -476,6 +472,18 @@
     <message>
         <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
         <translation>Die Fenster mit ihren Urteilen vorher und nachher, zuerst die, die schlechter werden. Ein Klick auf eine Spalte sortiert danach, ein Klick auf eine Zeile sagt, wann ihr Fenster Sonne hat.</translation>
+    </message>
+    <message>
+        <source>The places with their hours of sun. A click on a heading sorts them, a click on a row shows its place in the view.</source>
+        <translation>Die Orte mit ihren Sonnenstunden. Ein Klick auf eine Überschrift sortiert sie, ein Klick auf eine Zeile zeigt ihren Ort in der Ansicht.</translation>
+    </message>
+    <message>
+        <source>The names of the scenarios, which stay in sight when the table is scrolled sideways. A double click shows a scenario.</source>
+        <translation>Die Namen der Szenarien, die sichtbar bleiben, wenn die Tabelle seitlich verschoben wird. Ein Doppelklick zeigt ein Szenario.</translation>
+    </message>
+    <message>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, the verdicts of a board&apos;s rule, or the hours of sun of places.</source>
+        <translation>Was die Untersuchung beantwortet: Minuten im Schatten, die Änderung durch ein Szenario, eine Bewertung erwünschten und unerwünschten Schattens, die Befunde nach der Regel einer Behörde oder die Sonnenstunden von Orten.</translation>
     </message>
 </context>
 <context>
@@ -607,6 +615,26 @@
     <message>
         <source>not compared</source>
         <translation>nicht verglichen</translation>
+    </message>
+    <message>
+        <source>Hours of sun</source>
+        <translation>Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>Sonnenstunden am Tag</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Anteil der besonnten Zeit</translation>
+    </message>
+    <message>
+        <source>% in the sun</source>
+        <translation>% in der Sonne</translation>
+    </message>
+    <message>
+        <source>Change of sun</source>
+        <translation>Änderung der Sonne</translation>
     </message>
 </context>
 <context>
@@ -1098,10 +1126,6 @@ mit %2</translation>
     <message>
         <source>Minutes of the first minus minutes of the second, with the same engine, steps and cells</source>
         <translation>Minuten des ersten minus Minuten des zweiten, mit gleichem Verfahren, gleichen Schritten und Zellen</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>nicht gezählt</translation>
     </message>
     <message>
         <source>Period</source>
@@ -2137,6 +2161,279 @@ Alle Seiten %2, Fläche %3</translation>
         <source>Study of %1</source>
         <translation>Untersuchung von %1</translation>
     </message>
+    <message>
+        <source>Save table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>A cell: %1 %3 in the mean, 99 of 100 within %2 %3</source>
+        <translation>Eine Zelle: %1 %3 im Mittel, 99 von 100 innerhalb von %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day (%2 % of the sunlit time)</source>
+        <translation>%1 h Sonne am Tag (%2 % der besonnten Zeit)</translation>
+    </message>
+    <message>
+        <source>, continuous shadow %1 min</source>
+        <translation>, Dauerschatten %1 min</translation>
+    </message>
+    <message>
+        <source>change: sun %1 min a day</source>
+        <translation>Änderung: Sonne %1 min am Tag</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a term and its definition</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Building %1</source>
+        <translation>Gebäude %1</translation>
+    </message>
+    <message>
+        <source>%1 min a day in shadow</source>
+        <translation>%1 min am Tag im Schatten</translation>
+    </message>
+    <message>
+        <source>%1 min a day in shadow, %2 % of the sunlit time</source>
+        <translation>%1 min am Tag im Schatten, %2 % der besonnten Zeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) shade it; %2 takes the most, %3 %</source>
+        <translation>
+            <numerusform>%1 Gebäude wirft hier Schatten; %2 nimmt am meisten, %3 %</numerusform>
+            <numerusform>%1 Gebäude werfen hier Schatten; %2 nimmt am meisten, %3 %</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No building shades it in the period.</source>
+        <translation>Kein Gebäude wirft im Zeitraum Schatten hierher.</translation>
+    </message>
+    <message>
+        <source>The scenario minus the scenario without this building: what it adds alone, on ground that is open in both scenarios</source>
+        <translation>Das Szenario minus das Szenario ohne dieses Gebäude: was es allein hinzufügt, auf Boden, der in beiden Szenarien frei ist</translation>
+    </message>
+    <message>
+        <source>Share, %</source>
+        <translation>Anteil, %</translation>
+    </message>
+    <message>
+        <source>Of what the new buildings add alone, all together</source>
+        <translation>An dem, was die neuen Gebäude jeweils allein hinzufügen, alle zusammen</translation>
+    </message>
+    <message>
+        <source>Adds, min a day</source>
+        <translation>Zusatz, min am Tag</translation>
+    </message>
+    <message>
+        <source>; mean over the cells</source>
+        <translation>; Mittel über die Zellen</translation>
+    </message>
+    <message>
+        <source>Adds a day</source>
+        <translation>Zusatz am Tag</translation>
+    </message>
+    <message>
+        <source>; area × hours a day</source>
+        <translation>; Fläche × Stunden am Tag</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2 min a day.</source>
+        <translation>
+            <numerusform>%1 Zelle; in der Untersuchung selbst %2 min am Tag.</numerusform>
+            <numerusform>%1 Zellen; in der Untersuchung selbst %2 min am Tag.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attributed by: %1
+The study: %2</source>
+        <translation>Zugerechnet mit: %1
+Die Untersuchung: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 verglichen mit %2: %3 min am Tag im Schatten, Mittel über %4 Zelle.</numerusform>
+            <numerusform>%1 verglichen mit %2: %3 min am Tag im Schatten, Mittel über %4 Zellen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>≥ %1 %</source>
+        <translation>≥ %1 %</translation>
+    </message>
+    <message>
+        <source>%1-%2 %</source>
+        <comment>from and to, per cent</comment>
+        <translation>%1-%2 %</translation>
+    </message>
+    <message>
+        <source>Error of cells against rays: %1 % mean, %2 % largest</source>
+        <translation>Fehler der Zellen gegen Strahlen: %1 % im Mittel, %2 % größter</translation>
+    </message>
+    <message>
+        <source>%1, %</source>
+        <translation>%1, %</translation>
+    </message>
+    <message>
+        <source>%1, m²</source>
+        <translation>%1, m²</translation>
+    </message>
+    <message>
+        <source>%1, min</source>
+        <translation>%1, min</translation>
+    </message>
+    <message>
+        <source>%1, h</source>
+        <translation>%1, h</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>Sonnenstunden am Tag</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Änderung der Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>Minuten Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This method does not sum months. These do: %1.</source>
+        <translation>Dieses Verfahren summiert keine Monate. Diese tun es: %1.</translation>
+    </message>
+    <message>
+        <source>This method does not tell buildings apart. These do: %1.</source>
+        <translation>Dieses Verfahren unterscheidet keine Gebäude. Diese tun es: %1.</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day of each park, street and other place: over the period, by month and on stated dates, in a table beside the map</source>
+        <translation>Sonnenstunden am Tag von jedem Park, jeder Straße und jedem anderen Ort: über den Zeitraum, nach Monat und an angegebenen Tagen, in einer Tabelle neben der Karte</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>Beiträge</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation>Sonne nach Ort in %1</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation>Sonne nach Ort in %1, verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day</source>
+        <translation>%1 h Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>%1, %2 without a cell</source>
+        <translation>%1, %2 ohne Zelle</translation>
+    </message>
+    <message>
+        <source>Each is a row of the panel Places</source>
+        <translation>Jeder ist eine Zeile im Feld Orte</translation>
+    </message>
+    <message>
+        <source>Without shadow</source>
+        <translation>Ohne Schatten</translation>
+    </message>
+    <message>
+        <source>Sun above the horizon, mean over the days</source>
+        <translation>Sonne über dem Horizont, Mittel über die Tage</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>Wenigste Sonne</translation>
+    </message>
+    <message>
+        <source>The place with the lowest mean</source>
+        <translation>Der Ort mit dem niedrigsten Mittel</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>Meiste Sonne</translation>
+    </message>
+    <message>
+        <source>The place with the highest mean</source>
+        <translation>Der Ort mit dem höchsten Mittel</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the cells over the same steps</source>
+        <translation>Gegen die Strahlreferenz, an einer Stichprobe der Zellen zu denselben Schritten</translation>
+    </message>
+    <message>
+        <source>Time taken by all of it</source>
+        <translation>Zeitbedarf insgesamt</translation>
+    </message>
+    <message>
+        <source>Parks</source>
+        <translation>Parks</translation>
+    </message>
+    <message>
+        <source>Playgrounds</source>
+        <translation>Spielplätze</translation>
+    </message>
+    <message>
+        <source>Schoolyards</source>
+        <translation>Schulhöfe</translation>
+    </message>
+    <message>
+        <source>Plazas</source>
+        <translation>Plätze</translation>
+    </message>
+    <message>
+        <source>Greenstreets</source>
+        <translation>Grünstreifen</translation>
+    </message>
+    <message>
+        <source>Cemeteries</source>
+        <translation>Friedhöfe</translation>
+    </message>
+    <message>
+        <source>Streets</source>
+        <translation>Straßen</translation>
+    </message>
+    <message>
+        <source>Facades</source>
+        <translation>Fassaden</translation>
+    </message>
+    <message>
+        <source>Stained glass</source>
+        <translation>Buntglasfenster</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>Andere Orte</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3083,6 +3380,282 @@ Alle Seiten %2, Fläche %3</translation>
         <source>time in the sun per day at the sunniest point</source>
         <translation>Zeit in der Sonne am Tag am sonnigsten Punkt</translation>
     </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>Sonnenstunden am Tag</translation>
+    </message>
+    <message>
+        <source>Share of the area, %</source>
+        <translation>Anteil der Fläche, %</translation>
+    </message>
+    <message>
+        <source>Area that changes, m²</source>
+        <translation>Fläche mit Änderung, m²</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, more than before</source>
+        <translation>Minuten im Schatten am Tag, mehr als vorher</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>What maps and sheets show: minutes of shadow, hours of sun, or the share of the sunlit time in the sun</source>
+        <translation>Was Karten und Blätter zeigen: Minuten im Schatten, Sonnenstunden oder den Anteil der besonnten Zeit in der Sonne</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Colours of maps; all but traffic-light are safe for colour-blind readers</source>
+        <translation>Farben der Karten; alle außer traffic-light sind auch bei Farbenfehlsichtigkeit unterscheidbar</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Turn the colours round: bright where there is much shadow</source>
+        <translation>Die Farben umkehren: hell, wo viel Schatten ist</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Values at the ends of the legend, in the unit shown: 0:8; without it fitted to each map</source>
+        <translation>Werte an den Enden der Legende, in der gezeigten Einheit: 0:8; ohne Angabe an jede Karte angepasst</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>angepasst</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>Classes of the legend: continuous, equal:5, quantiles:5, or the numbers between them: 2,4,6; one number is a threshold</source>
+        <translation>Klassen der Legende: continuous, equal:5, quantiles:5 oder die Zahlen dazwischen: 2,4,6; eine einzelne Zahl ist eine Schwelle</translation>
+    </message>
+    <message>
+        <source>%1 of the area in shadow</source>
+        <translation>%1 der Fläche im Schatten</translation>
+    </message>
+    <message>
+        <source>%1: %2 in shadow</source>
+        <translation>%1: %2 im Schatten</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day, %2 in shade</source>
+        <translation>%1 Sonne am Tag, %2 im Schatten</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day, %3 in shade</source>
+        <translation>%1: %2 Sonne am Tag, %3 im Schatten</translation>
+    </message>
+    <message>
+        <source>Of %1 a day with the sun up, the darkest spot gets %2.</source>
+        <translation>Von %1 am Tag mit der Sonne über dem Horizont erhält die dunkelste Stelle %2.</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow lasts %1.</source>
+        <translation>Der längste ununterbrochene Schatten dauert %1.</translation>
+    </message>
+    <message>
+        <source>sunlit time minus gross shadow per day, mean over days and receivers</source>
+        <translation>besonnte Zeit minus Gesamtschatten am Tag, Mittel über Tage und Messpunkte</translation>
+    </message>
+    <message>
+        <source>Enough sun</source>
+        <translation>Genug Sonne</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day that are enough: the share of each place that has them is stated</source>
+        <translation>Sonnenstunden am Tag, die genügen: angegeben wird der Anteil jedes Orts, der sie hat</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>Stichtage</translation>
+    </message>
+    <message>
+        <source>A day: the share of each place with less than enough sun on it is stated; may be repeated</source>
+        <translation>Ein Tag: angegeben wird der Anteil jedes Orts mit weniger als genug Sonne an diesem Tag; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Loss that counts</source>
+        <translation>Verlust, der zählt</translation>
+    </message>
+    <message>
+        <source>Minutes of sun a day: the share of each place that loses more is stated</source>
+        <translation>Minuten Sonne am Tag: angegeben wird der Anteil jedes Orts, der mehr verliert</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places have less than %3 of sun a day</source>
+        <translation>%1 von %2 Orten haben weniger als %3 Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>On average over their area %1, of %2 a day with the sun up.</source>
+        <translation>Im Mittel über ihre Fläche %1, von %2 am Tag mit der Sonne über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>%1 takes sun from %2 places, at most %3 a day at one spot.</source>
+        <translation>%1 nimmt %2 Orten Sonne, höchstens %3 am Tag an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Sonnenstunden am Tag nach Monat</translation>
+    </message>
+    <message>
+        <source>Change of mean sun</source>
+        <translation>Änderung der mittleren Sonne</translation>
+    </message>
+    <message>
+        <source>hours of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>Sonnenstunden am Tag mehr als in der Ausgangslage, Mittel über die Tage und den Ort; negativ: weniger</translation>
+    </message>
+    <message>
+        <source>Largest loss</source>
+        <translation>Größter Verlust</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day less than in the baseline, mean over the days, at the cell that loses most</source>
+        <translation>Minuten Sonne am Tag weniger als in der Ausgangslage, Mittel über die Tage, an der Zelle, die am meisten verliert</translation>
+    </message>
+    <message>
+        <source>Largest gain</source>
+        <translation>Größter Gewinn</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day more than in the baseline, mean over the days, at the cell that gains most</source>
+        <translation>Minuten Sonne am Tag mehr als in der Ausgangslage, Mittel über die Tage, an der Zelle, die am meisten gewinnt</translation>
+    </message>
+    <message>
+        <source>Share that loses sun</source>
+        <translation>Anteil, der Sonne verliert</translation>
+    </message>
+    <message>
+        <source>share of the area that loses more minutes of sun a day than the threshold of loss</source>
+        <translation>Anteil der Fläche, der mehr Minuten Sonne am Tag verliert als die Verlustschwelle</translation>
+    </message>
+    <message>
+        <source>Attributed shadow</source>
+        <translation>Zugerechneter Schatten</translation>
+    </message>
+    <message>
+        <source>the part of the shadow that one building is charged with; the attributed shadows of all buildings and of the terrain add up to the total</source>
+        <translation>der Teil des Schattens, der einem Gebäude zugerechnet wird; die zugerechneten Schatten aller Gebäude und des Geländes ergeben zusammen den ganzen Schatten</translation>
+    </message>
+    <message>
+        <source>Sole contribution</source>
+        <translation>Alleiniger Beitrag</translation>
+    </message>
+    <message>
+        <source>the shadow that would disappear if only this building were gone</source>
+        <translation>der Schatten, der verschwände, wenn nur dieses Gebäude fehlte</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>attributed shadow, as a share of all shadow on the cells</source>
+        <translation>zugerechneter Schatten als Anteil am gesamten Schatten auf den Zellen</translation>
+    </message>
+    <message>
+        <source>Attributed</source>
+        <translation>Zugerechnet</translation>
+    </message>
+    <message>
+        <source>attributed shadow in minutes a day, mean over the cells</source>
+        <translation>zugerechneter Schatten in Minuten am Tag, Mittel über die Zellen</translation>
+    </message>
+    <message>
+        <source>Sole</source>
+        <translation>Allein</translation>
+    </message>
+    <message>
+        <source>sole contribution in minutes a day, mean over the cells</source>
+        <translation>alleiniger Beitrag in Minuten am Tag, Mittel über die Zellen</translation>
+    </message>
+    <message>
+        <source>Attributed area x hours</source>
+        <translation>Zugerechnete Fläche x Stunden</translation>
+    </message>
+    <message>
+        <source>attributed shadow as area x hours of the whole period</source>
+        <translation>zugerechneter Schatten als Fläche x Stunden des ganzen Zeitraums</translation>
+    </message>
+    <message>
+        <source>Sole area x hours</source>
+        <translation>Alleinige Fläche x Stunden</translation>
+    </message>
+    <message>
+        <source>sole contribution as area x hours of the whole period</source>
+        <translation>alleiniger Beitrag als Fläche x Stunden des ganzen Zeitraums</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day on average at %2 points</source>
+        <translation>%1 Sonne am Tag im Mittel an %2 Punkten</translation>
+    </message>
+    <message>
+        <source>The darkest point gets %1, the sunniest %2, of %3 a day with the sun up.</source>
+        <translation>Der dunkelste Punkt erhält %1, der sonnigste %2, von %3 am Tag mit der Sonne über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>Share of the points, %</source>
+        <translation>Anteil der Punkte, %</translation>
+    </message>
+    <message>
+        <source>%1 changes no shadow here</source>
+        <translation>%1 ändert hier keinen Schatten</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 of sun a day on average, at most %3 at one spot</source>
+        <translation>%1 nimmt im Mittel %2 Sonne am Tag, höchstens %3 an einer Stelle</translation>
+    </message>
+    <message>
+        <source>%1 gives %2 of sun a day on average, at most %3 at one spot</source>
+        <translation>%1 gibt im Mittel %2 Sonne am Tag, höchstens %3 an einer Stelle</translation>
+    </message>
+    <message>
+        <source>More shadow on %1, less on %2; by more than %3 a day on %4 and %5.</source>
+        <translation>Mehr Schatten auf %1, weniger auf %2; um mehr als %3 am Tag auf %4 und %5.</translation>
+    </message>
+    <message>
+        <source>%1 changes the shadow by %2 at this moment</source>
+        <translation>%1 ändert den Schatten zu diesem Zeitpunkt um %2</translation>
+    </message>
+    <message>
+        <source>%1 scores %2: wanted shade outweighs unwanted shadow</source>
+        <translation>%1 hat die Bewertung %2: erwünschter Schatten überwiegt unerwünschten</translation>
+    </message>
+    <message>
+        <source>%1 scores %2: unwanted shadow outweighs wanted shade</source>
+        <translation>%1 hat die Bewertung %2: unerwünschter Schatten überwiegt erwünschten</translation>
+    </message>
+    <message>
+        <source>%1 scores 0: wanted shade and unwanted shadow weigh the same</source>
+        <translation>%1 hat die Bewertung 0: erwünschter und unerwünschter Schatten wiegen gleich viel</translation>
+    </message>
+    <message>
+        <source>Weighted shade by month, m² h</source>
+        <translation>Gewichteter Schatten nach Monat, m² h</translation>
+    </message>
+    <message>
+        <source>Weighted by time: %1.</source>
+        <translation>Nach Zeit gewichtet: %1.</translation>
+    </message>
+    <message>
+        <source>Shadow area by month, m²</source>
+        <translation>Schattenfläche nach Monat, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -3173,6 +3746,41 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Painting the page</source>
         <translation>Die Seite wird gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BreakdownForm</name>
+    <message>
+        <source>Each month by itself</source>
+        <translation>Jeder Monat für sich</translation>
+    </message>
+    <message>
+        <source>Also sums the shadow of each month: bars in the dock Contributions, a table and maps in exports</source>
+        <translation>Summiert auch den Schatten jedes Monats: Balken im Feld Beiträge, eine Tabelle und Karten in Exporten</translation>
+    </message>
+    <message>
+        <source>Contribution of each building</source>
+        <translation>Beitrag jedes Gebäudes</translation>
+    </message>
+    <message>
+        <source>Also finds what each building takes, for the dock Contributions and exports; takes about three times as long.</source>
+        <translation>Ermittelt auch, was jedes Gebäude nimmt, für das Feld Beiträge und Exporte; dauert etwa dreimal so lange.</translation>
+    </message>
+    <message>
+        <source>Attributed shadow</source>
+        <translation>Zugerechneter Schatten</translation>
+    </message>
+    <message>
+        <source>Sole contribution</source>
+        <translation>Alleiniger Beitrag</translation>
+    </message>
+    <message>
+        <source>months</source>
+        <translation>Monate</translation>
+    </message>
+    <message>
+        <source>contributions</source>
+        <translation>Beiträge</translation>
     </message>
 </context>
 <context>
@@ -3345,6 +3953,76 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::ContributionLinks</name>
+    <message>
+        <source>No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>Noch keine Untersuchung. Eine berechnen (Strg+R), dann in der Ansicht auf einen Ort klicken, um zu sehen, welche Gebäude ihn verschatten.</translation>
+    </message>
+    <message>
+        <source>What the buildings take from this place has not been computed yet.</source>
+        <translation>Was die Gebäude diesem Ort nehmen, ist noch nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Click a place in the view to see which buildings shade it, or attribute the shadow of the whole region.</source>
+        <translation>In der Ansicht auf einen Ort klicken, um zu sehen, welche Gebäude ihn verschatten, oder den Schatten des ganzen Gebiets zurechnen.</translation>
+    </message>
+    <message>
+        <source>Attributing the shadow of %1</source>
+        <translation>Der Schatten von %1 wird zugerechnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContributionModel</name>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContributionsDock</name>
+    <message>
+        <source>Attribute the shadow</source>
+        <translation>Schatten zurechnen</translation>
+    </message>
+    <message>
+        <source>Finds what each building takes, by month, with the engine and the steps of the study</source>
+        <translation>Ermittelt, was jedes Gebäude nimmt, nach Monat, mit dem Verfahren und den Schritten der Untersuchung</translation>
+    </message>
+    <message>
+        <source>Colour the buildings</source>
+        <translation>Gebäude färben</translation>
+    </message>
+    <message>
+        <source>Whose shadow is attributed to buildings. Or click a place in the view</source>
+        <translation>Wessen Schatten den Gebäuden zugerechnet wird. Oder in der Ansicht auf einen Ort klicken</translation>
+    </message>
+    <message>
+        <source>Colours the buildings in the view by their share of the shadow</source>
+        <translation>Färbt die Gebäude in der Ansicht nach ihrem Anteil am Schatten</translation>
+    </message>
+    <message>
+        <source>A row selects its building in the view; double-click to go there</source>
+        <translation>Eine Zeile wählt ihr Gebäude in der Ansicht aus; ein Doppelklick führt dorthin</translation>
+    </message>
+    <message>
+        <source>Share of the shadow that a building is charged with</source>
+        <translation>Anteil am Schatten, der einem Gebäude zugerechnet wird</translation>
+    </message>
+    <message>
+        <source>Whole region</source>
+        <translation>Ganzes Gebiet</translation>
+    </message>
+    <message>
+        <source>Shadow area by month</source>
+        <translation>Schattenfläche nach Monat</translation>
+    </message>
+    <message>
+        <source>%1: on average over the sunlit time %2 in shadow</source>
+        <comment>a month and an area</comment>
+        <translation>%1: im Mittel über die besonnte Zeit %2 im Schatten</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::CopyActions</name>
     <message>
         <source>&amp;Copy</source>
@@ -3389,6 +4067,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>C&amp;opy picture</source>
         <translation>Bi&amp;ld kopieren</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
     </message>
 </context>
 <context>
@@ -3946,6 +4628,128 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::GlazingForm</name>
+    <message>
+        <source>Facades, bay by bay</source>
+        <translation>Fassaden, Achse für Achse</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>A file of points or polygons with heights gives the real windows</source>
+        <translation>Eine Datei mit Punkten oder Polygonen mit Höhen gibt die wirklichen Fenster an</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingPanel</name>
+    <message>
+        <source>Verdicts after</source>
+        <translation>Urteile nachher</translation>
+    </message>
+    <message>
+        <source>Verdicts before</source>
+        <translation>Urteile vorher</translation>
+    </message>
+    <message>
+        <source>Changed verdicts</source>
+        <translation>Geänderte Urteile</translation>
+    </message>
+    <message>
+        <source>No verdicts</source>
+        <translation>Keine Urteile</translation>
+    </message>
+    <message>
+        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
+A click on a tile selects its row, a click on a row frames its window.</source>
+        <translation>Was die 3D-Ansicht auf den Wänden zeigt: eine Kachel je Fenster in der Farbe seines Urteils.
+Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr Fenster.</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In der Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingSession</name>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation>Nicht aktuell. %1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
+        <translation>Nicht aktuell: Gebäude, Fenster oder die Regel haben sich geändert. Erneut ausführen.</translation>
+    </message>
+    <message>
+        <source>Writing the review</source>
+        <translation>Prüfung wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Zeit wird geschätzt</translation>
+    </message>
+    <message>
+        <source>All reviews</source>
+        <translation>Alle Prüfungen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingTable</name>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, vorher</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1, nachher</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Sun on %1: %2; before: %3.</source>
+        <translation>Sonne am %1: %2; vorher: %3.</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::GuideWindow</name>
     <message>
         <source>User guide</source>
@@ -4015,14 +4819,101 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::LegendEditor</name>
+    <message>
+        <source>%1 (not for colour-blind readers)</source>
+        <translation>%1 (nicht bei Farbenfehlsichtigkeit)</translation>
+    </message>
+    <message>
+        <source>Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.
+Differences and scores keep two colours of their own.</source>
+        <translation>Farben von viel Sonne bis viel Schatten. Alle außer der letzten sind auch bei Farbenfehlsichtigkeit unterscheidbar.
+Differenzen und Bewertungen behalten zwei eigene Farben.</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share of the sunlit time in the sun.
+Continuous shadow stays in minutes: the longest run in the sun does not follow from it.</source>
+        <translation>Minuten im Schatten, Sonnenstunden (die besonnte Zeit minus Gesamtschatten) oder der Anteil der besonnten Zeit in der Sonne.
+Dauerschatten bleibt in Minuten: Die längste Sonne ohne Unterbrechung folgt nicht daraus.</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Equal classes</source>
+        <translation>Gleiche Klassen</translation>
+    </message>
+    <message>
+        <source>Quantiles: as many cells in each</source>
+        <translation>Quantile: gleich viele Zellen in jeder</translation>
+    </message>
+    <message>
+        <source>Typed numbers, or one threshold</source>
+        <translation>Eingegebene Zahlen oder eine Schwelle</translation>
+    </message>
+    <message>
+        <source>Re&amp;versed</source>
+        <translation>&amp;Umgekehrt</translation>
+    </message>
+    <message>
+        <source>&amp;Locked</source>
+        <translation>&amp;Fixiert</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>angepasst</translation>
+    </message>
+    <message>
+        <source>Values at the ends, in the unit shown, such as 0:8</source>
+        <translation>Werte an den Enden, in der gezeigten Einheit, etwa 0:8</translation>
+    </message>
+    <message>
+        <source>Numbers between the classes, ascending, in the unit shown. One number is a threshold: two colours</source>
+        <translation>Zahlen zwischen den Klassen, aufsteigend, in der gezeigten Einheit. Eine einzelne Zahl ist eine Schwelle: zwei Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Keep the range of this map for all others; unlocked, each map has its own.</source>
+        <translation>Den Bereich dieser Karte für alle anderen behalten; nicht fixiert hat jede Karte ihren eigenen.</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>F&amp;arben</translation>
+    </message>
+    <message>
+        <source>&amp;Range</source>
+        <translation>&amp;Bereich</translation>
+    </message>
+    <message>
+        <source>Cla&amp;sses</source>
+        <translation>&amp;Klassen</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>Not two numbers like 0:8, or not ascending numbers like 2,4,6</source>
+        <translation>Keine zwei Zahlen wie 0:8 oder keine aufsteigenden Zahlen wie 2,4,6</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LegendStrip</name>
     <message>
         <source> min</source>
         <translation> min</translation>
-    </message>
-    <message>
-        <source>Scale: automatic</source>
-        <translation>Skala: automatisch</translation>
     </message>
     <message>
         <source>The ends of the colour scale of a difference.
@@ -4037,6 +4928,28 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>Was gezeigt wird.
 Gesamtschatten: Minuten im Schatten am Tag, Mittel über die Tage.
 Dauerschatten: längster ununterbrochener Schatten eines Tages, Minuten.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Show minutes in shadow</source>
+        <translation>Minuten im Schatten zeigen</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Show hours of sun a day: the sunlit time minus gross shadow, on maps, legends and what is exported.
+Continuous shadow stays as it is: the longest run in the sun does not follow from it.</source>
+        <translation>Sonnenstunden am Tag zeigen: die besonnte Zeit minus Gesamtschatten, auf Karten, in Legenden und in Exporten.
+Dauerschatten bleibt, wie er ist: Die längste Sonne ohne Unterbrechung folgt nicht daraus.</translation>
     </message>
 </context>
 <context>
@@ -4373,17 +5286,6 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     <message>
         <source>engine</source>
         <translation>Verfahren</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::MonthChart</name>
-    <message>
-        <source>Shadow area by month, m²</source>
-        <translation>Schattenfläche nach Monat, m²</translation>
-    </message>
-    <message>
-        <source>Weighted shade by month, m² h</source>
-        <translation>Gewichteter Schatten nach Monat, m² h</translation>
     </message>
 </context>
 <context>
@@ -4860,6 +5762,13 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     </message>
 </context>
 <context>
+    <name>noonmark::PlaceLinks</name>
+    <message>
+        <source>Outdated: buildings have changed</source>
+        <translation>Veraltet: Gebäude haben sich geändert</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PlaceList</name>
     <message>
         <source>Find a place</source>
@@ -4906,6 +5815,176 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
             <numerusform>%1 von %2 Ort ist erreichbar; bei den anderen steht im Hinweis, warum nicht</numerusform>
             <numerusform>%1 von %2 Orten sind erreichbar; bei den anderen steht im Hinweis, warum nicht</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceSunModel</name>
+    <message>
+        <source> (here: %1 h)</source>
+        <translation> (hier: %1 h)</translation>
+    </message>
+    <message>
+        <source>%1, h</source>
+        <translation>%1, h</translation>
+    </message>
+    <message>
+        <source>Hours of sun on this day, mean over the place</source>
+        <translation>Sonnenstunden an diesem Tag, Mittel über den Ort</translation>
+    </message>
+    <message>
+        <source>%1 &lt; %2 h, %</source>
+        <translation>%1 &lt; %2 h, %</translation>
+    </message>
+    <message>
+        <source>Share of the area with less than %1 h of sun on this day</source>
+        <translation>Anteil der Fläche mit weniger als %1 h Sonne an diesem Tag</translation>
+    </message>
+    <message>
+        <source>%1 (baseline: %2)</source>
+        <translation>%1 (Ausgangslage: %2)</translation>
+    </message>
+    <message>
+        <source>%1 without a name</source>
+        <translation>%1 ohne Namen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacesDock</name>
+    <message>
+        <source>What colours the places: the whole period, one of the dates, or the change against the baseline</source>
+        <translation>Was die Orte färbt: der ganze Zeitraum, einer der Stichtage oder die Änderung gegenüber der Ausgangslage</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Lists only places of this kind</source>
+        <translation>Listet nur Orte dieser Art auf</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Nach Art</translation>
+    </message>
+    <message>
+        <source>Places with less sun a day than this are violet, others orange</source>
+        <translation>Orte mit weniger Sonne am Tag als dieser Wert sind violett, andere orange</translation>
+    </message>
+    <message>
+        <source>Part of a name</source>
+        <translation>Teil eines Namens</translation>
+    </message>
+    <message>
+        <source>Lists only the places whose name contains this text</source>
+        <translation>Listet nur die Orte auf, deren Name diesen Text enthält</translation>
+    </message>
+    <message>
+        <source>Places stand below a row of their kind with its means</source>
+        <translation>Orte stehen unter einer Zeile ihrer Art mit deren Mitteln</translation>
+    </message>
+    <message>
+        <source>Click a row to see its place in the view; a click on a place in the view selects its row</source>
+        <translation>Ein Klick auf eine Zeile zeigt ihren Ort in der Ansicht; ein Klick auf einen Ort in der Ansicht wählt seine Zeile aus</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>Whole period</source>
+        <translation>Ganzer Zeitraum</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>%1: no cell on open ground</source>
+        <translation>%1: keine Zelle auf freier Fläche</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day more or less</source>
+        <translation>%1: %2 min Sonne am Tag mehr oder weniger</translation>
+    </message>
+    <message>
+        <source>%1: %2 h of sun a day</source>
+        <translation>%1: %2 h Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>No places measured: choose &quot;Sun by place&quot; in the panel Study</source>
+        <translation>Keine Orte gemessen: „Sonne nach Ort“ im Feld Untersuchung wählen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s)</source>
+        <translation>
+            <numerusform>%1 von %2 Ort</numerusform>
+            <numerusform>%1 von %2 Orten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lose more than a minute of sun a day</source>
+        <translation>%1 verlieren mehr als eine Minute Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of sun a day</source>
+        <translation>%1 haben weniger als %2 h Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of sun on %3</source>
+        <translation>%1 haben weniger als %2 h Sonne am %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s)</source>
+        <translation>
+            <numerusform>%1 Ort</numerusform>
+            <numerusform>%1 Orte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) listed</source>
+        <translation>
+            <numerusform>%1 von %2 Ort aufgelistet</numerusform>
+            <numerusform>%1 von %2 Orten aufgelistet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacesForm</name>
+    <message>
+        <source>The project has no places. Read some (Study &gt; Read places...) or draw one.</source>
+        <translation>Das Projekt hat keine Orte. Orte einlesen (Untersuchung &gt; Orte einlesen ...) oder einen zeichnen.</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Places of the ticked kinds are measured, all in one run</source>
+        <translation>Orte der angekreuzten Arten werden gemessen, alle in einem Durchgang</translation>
+    </message>
+    <message>
+        <source>The share of each place with so many hours of sun a day is stated</source>
+        <translation>Angegeben wird der Anteil jedes Orts mit so vielen Sonnenstunden am Tag</translation>
+    </message>
+    <message>
+        <source>Days on which the hours of sun of each place are stated, too, with commas between</source>
+        <translation>Tage, an denen die Sonnenstunden jedes Orts ebenfalls angegeben werden, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Enough sun</source>
+        <translation>Genug Sonne</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>Stichtage</translation>
     </message>
 </context>
 <context>
@@ -5646,6 +6725,10 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
             <numerusform>Alle %1 gemessenen Szenarien</numerusform>
         </translation>
     </message>
+    <message>
+        <source>What buildings take from %1</source>
+        <translation>Was Gebäude %1 nehmen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -5673,15 +6756,17 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>Veraltete Bewertung: die Gewichtstabelle hat sich geändert; neu bewerten.</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultsDock</name>
-    <message>
-        <source>No study yet.
-Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The figures of the study then stand here.</source>
-        <translation>Noch keine Untersuchung.
-Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R). Die Zahlen stehen dann hier.</translation>
-    </message>
     <message>
         <source>Show the study again</source>
         <translation>Untersuchung wieder zeigen</translation>
@@ -5689,6 +6774,55 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Replaces this result by the current study or comparison</source>
         <translation>Ersetzt dieses Ergebnis durch die laufende Untersuchung oder den Vergleich</translation>
+    </message>
+    <message>
+        <source>No study yet.
+Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The answer then stands here.</source>
+        <translation>Noch keine Untersuchung.
+Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R). Dann steht die Antwort hier.</translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation>Wie dies entstand</translation>
+    </message>
+    <message>
+        <source>Period, engine, error, time, and the command that asks the same</source>
+        <translation>Zeitraum, Verfahren, Fehler, Zeit und der Befehl, der dasselbe fragt</translation>
+    </message>
+    <message>
+        <source>Copy command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>The command line that asks the same of the saved project or of the files</source>
+        <translation>Die Befehlszeile, die dasselbe vom gespeicherten Projekt oder von den Dateien fragt</translation>
+    </message>
+    <message>
+        <source>What was repaired, left out or assumed when the data was read</source>
+        <translation>Was beim Einlesen der Daten repariert, ausgelassen oder angenommen wurde</translation>
+    </message>
+    <message>
+        <source>The answers of this session and those saved in the project, newest first</source>
+        <translation>Die Antworten dieser Sitzung und die im Projekt gespeicherten, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportieren ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 warning(s) about the data</source>
+        <translation>
+            <numerusform>%1 Warnung zu den Daten</numerusform>
+            <numerusform>%1 Warnungen zu den Daten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6026,6 +7160,18 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
         <translation>Prüft die Szenarien, deren Befunde im Feld Szenarien fehlen, nach der Regel im Feld Prüfung</translation>
     </message>
+    <message>
+        <source>The table of scenarios is on the clipboard</source>
+        <translation>Die Tabelle der Szenarien ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>The existing city is displayed. Choose a scenario at the top, and compare it</source>
+        <translation>Der Bestand wird angezeigt. Oben ein Szenario wählen und es vergleichen</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -6150,6 +7296,54 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Measured earlier and saved with the project: press Measure all for the maps</source>
         <translation>Früher gemessen und mit dem Projekt gespeichert: „Alle messen“ ergibt die Karten</translation>
     </message>
+    <message>
+        <source>not scored</source>
+        <translation>nicht bewertet</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
+    <message>
+        <source>not reviewed</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>no baseline</source>
+        <translation>keine Ausgangslage</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>base missing</source>
+        <translation>Ausgangslage fehlt</translation>
+    </message>
+    <message>
+        <source>no weights</source>
+        <translation>keine Gewichte</translation>
+    </message>
+    <message>
+        <source>no rule</source>
+        <translation>keine Regel</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>Best of this column</source>
+        <translation>Bester Wert dieser Spalte</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenariosDock</name>
@@ -6180,6 +7374,38 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
         <translation>Prüft die Szenarien ohne Befunde nach Regel, Vergleich und Orten, die im Feld Prüfung gewählt sind</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Differenzen</translation>
+    </message>
+    <message>
+        <source>Shows figures as differences to the baseline: the chosen one, else the existing city</source>
+        <translation>Zeigt Zahlen als Differenzen zur Ausgangslage: der gewählten, sonst dem Bestand</translation>
+    </message>
+    <message>
+        <source>Shade is wanted</source>
+        <translation>Schatten ist erwünscht</translation>
+    </message>
+    <message>
+        <source>The star marks the scenario with most shadow as the best, not that with least</source>
+        <translation>Der Stern markiert das Szenario mit dem meisten Schatten als das beste, nicht das mit dem wenigsten</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the table for a spreadsheet</source>
+        <translation>Kopiert die Tabelle für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Saves the table with what each scenario lacks, in metres and square metres</source>
+        <translation>Speichert die Tabelle mit dem, was jedem Szenario fehlt, in Metern und Quadratmetern</translation>
     </message>
 </context>
 <context>
@@ -6743,6 +7969,18 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>This method measures no facades, windows or planes. Choose Quick or Reference.</source>
         <translation>Dieses Verfahren misst keine Fassaden, Fenster oder Ebenen. Wählen Sie Schnell oder Referenz.</translation>
     </message>
+    <message>
+        <source>period</source>
+        <translation>Zeitraum</translation>
+    </message>
+    <message>
+        <source>Run (%1)</source>
+        <translation>Berechnen (%1)</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Berechnen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -7287,6 +8525,41 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::WeightCalendar</name>
+    <message>
+        <source>Weights by month and hour</source>
+        <translation>Gewichte nach Monat und Stunde</translation>
+    </message>
+    <message>
+        <source>Drag to give months and hours the weight that is chosen below; drag with the right button to erase it. Keys: arrows, Shift, Enter, Delete, + and -</source>
+        <translation>Ziehen gibt Monaten und Stunden das unten gewählte Gewicht; Ziehen mit der rechten Taste löscht es. Tasten: Pfeile, Umschalt, Eingabe, Entf, + und -</translation>
+    </message>
+    <message>
+        <source>%1, %2:00 to %3:00</source>
+        <translation>%1, %2:00 bis %3:00</translation>
+    </message>
+    <message>
+        <source>no weight</source>
+        <translation>kein Gewicht</translation>
+    </message>
+    <message>
+        <source>several weights, or none in part; mean %1</source>
+        <translation>mehrere Gewichte oder teils keines; Mittel %1</translation>
+    </message>
+    <message>
+        <source>weight %1</source>
+        <translation>Gewicht %1</translation>
+    </message>
+    <message>
+        <source>sun wanted</source>
+        <translation>Sonne erwünscht</translation>
+    </message>
+    <message>
+        <source>shade wanted</source>
+        <translation>Schatten erwünscht</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightsDock</name>
     <message>
         <source>Compute score</source>
@@ -7335,6 +8608,38 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>Cutting an interval in two changes the score, but not the weighted shade.</source>
         <translation>Ein Intervall zu teilen ändert die Bewertung, aber nicht den gewichteten Schatten.</translation>
+    </message>
+    <message>
+        <source>New from template</source>
+        <translation>Neu aus Vorlage</translation>
+    </message>
+    <message>
+        <source>Adds a table made for the latitude of this city, or a copy of a table of this project</source>
+        <translation>Fügt eine Tabelle für die geografische Breite dieser Stadt hinzu oder eine Kopie einer Tabelle dieses Projekts</translation>
+    </message>
+    <message>
+        <source>Pedestrian comfort</source>
+        <translation>Komfort zu Fuß</translation>
+    </message>
+    <message>
+        <source>Shade wanted in summer afternoons, sun in winter: a rule of thumb by latitude</source>
+        <translation>Schatten an Sommernachmittagen erwünscht, Sonne im Winter: eine Faustregel nach geografischer Breite</translation>
+    </message>
+    <message>
+        <source>Plants</source>
+        <translation>Pflanzen</translation>
+    </message>
+    <message>
+        <source>Sun wanted in the growing season: a rule of thumb by latitude</source>
+        <translation>Sonne in der Vegetationszeit erwünscht: eine Faustregel nach geografischer Breite</translation>
+    </message>
+    <message>
+        <source>As %1</source>
+        <translation>Wie %1</translation>
+    </message>
+    <message>
+        <source>A copy, to be changed</source>
+        <translation>Eine Kopie zum Ändern</translation>
     </message>
 </context>
 <context>
@@ -7424,6 +8729,10 @@ Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnen
         <source>receivers</source>
         <translation>Messpunkte</translation>
     </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sonne nach Ort</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::WhenForm</name>
@@ -7500,128 +8809,6 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
 </context>
 <context>
-    <name>noonmark::GlazingForm</name>
-    <message>
-        <source>Facades, bay by bay</source>
-        <translation>Fassaden, Achse für Achse</translation>
-    </message>
-    <message>
-        <source>From a file</source>
-        <translation>Aus einer Datei</translation>
-    </message>
-    <message>
-        <source>A file of points or polygons with heights gives the real windows</source>
-        <translation>Eine Datei mit Punkten oder Polygonen mit Höhen gibt die wirklichen Fenster an</translation>
-    </message>
-    <message>
-        <source>Windows</source>
-        <translation>Fenster</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingPanel</name>
-    <message>
-        <source>Verdicts after</source>
-        <translation>Urteile nachher</translation>
-    </message>
-    <message>
-        <source>Verdicts before</source>
-        <translation>Urteile vorher</translation>
-    </message>
-    <message>
-        <source>Changed verdicts</source>
-        <translation>Geänderte Urteile</translation>
-    </message>
-    <message>
-        <source>No verdicts</source>
-        <translation>Keine Urteile</translation>
-    </message>
-    <message>
-        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
-A click on a tile selects its row, a click on a row frames its window.</source>
-        <translation>Was die 3D-Ansicht auf den Wänden zeigt: eine Kachel je Fenster in der Farbe seines Urteils.
-Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr Fenster.</translation>
-    </message>
-    <message>
-        <source>In the view</source>
-        <translation>In der Ansicht</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingSession</name>
-    <message>
-        <source>Review</source>
-        <translation>Prüfung</translation>
-    </message>
-    <message>
-        <source>Not up to date. %1</source>
-        <translation>Nicht aktuell. %1</translation>
-    </message>
-    <message>
-        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
-        <translation>Nicht aktuell: Gebäude, Fenster oder die Regel haben sich geändert. Erneut ausführen.</translation>
-    </message>
-    <message>
-        <source>Writing the review</source>
-        <translation>Prüfung wird geschrieben</translation>
-    </message>
-    <message>
-        <source>Estimating</source>
-        <translation>Zeit wird geschätzt</translation>
-    </message>
-    <message>
-        <source>All reviews</source>
-        <translation>Alle Prüfungen</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingTable</name>
-    <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Vorher</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>Nachher</translation>
-    </message>
-    <message>
-        <source>Floor</source>
-        <translation>Geschoss</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Building</source>
-        <translation>Gebäude</translation>
-    </message>
-    <message>
-        <source>%1, before</source>
-        <translation>%1, vorher</translation>
-    </message>
-    <message>
-        <source>%1, after</source>
-        <translation>%1, nachher</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Sun on %1: %2; before: %3.</source>
-        <translation>Sonne am %1: %2; vorher: %3.</translation>
-    </message>
-</context>
-<context>
     <name>noonmark::Workbench</name>
     <message>
         <source>Opening %1</source>
@@ -7678,6 +8865,10 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Finding the command</source>
+        <translation>Der Befehl wird ermittelt</translation>
     </message>
 </context>
 <context>
@@ -7793,6 +8984,42 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>not counted</source>
         <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>Sonne bis Indigo</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Grün bis Rot</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Anteil der besonnten Zeit</translation>
     </message>
 </context>
 </TS>

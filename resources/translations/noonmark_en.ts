@@ -153,6 +153,27 @@
             <numerusform>exact at %1 of %2 steps</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 building(s) shade it; %2 takes the most, %3 %</source>
+        <translation>
+            <numerusform>%1 building shades it; %2 takes the most, %3 %</numerusform>
+            <numerusform>%1 buildings shade it; %2 takes the most, %3 %</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2 min a day.</source>
+        <translation>
+            <numerusform>%1 cell; in the study itself %2 min a day.</numerusform>
+            <numerusform>%1 cells; in the study itself %2 min a day.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 compared with %2: %3 min a day in shadow, mean over %4 cell.</numerusform>
+            <numerusform>%1 compared with %2: %3 min a day in shadow, mean over %4 cells.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>
@@ -246,12 +267,46 @@
     </message>
 </context>
 <context>
+    <name>noonmark::PlacesDock</name>
+    <message numerus="yes">
+        <source>%1 of %2 place(s)</source>
+        <translation>
+            <numerusform>%1 of %2 place</numerusform>
+            <numerusform>%1 of %2 places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s)</source>
+        <translation>
+            <numerusform>%1 place</numerusform>
+            <numerusform>%1 places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) listed</source>
+        <translation>
+            <numerusform>%1 of %2 place listed</numerusform>
+            <numerusform>%1 of %2 places listed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noonmark::ResultActions</name>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
         <translation>
             <numerusform>The %1 scenario measured</numerusform>
             <numerusform>All %1 scenarios measured</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ResultsDock</name>
+    <message numerus="yes">
+        <source>%1 warning(s) about the data</source>
+        <translation>
+            <numerusform>%1 warning about the data</numerusform>
+            <numerusform>%1 warnings about the data</numerusform>
         </translation>
     </message>
 </context>

@@ -378,10 +378,6 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
-        <translation>Qué responde el estudio: minutos de sombra, el cambio que causa un escenario, una puntuación de sombra deseada y no deseada, o los dictámenes según la norma de una autoridad.</translation>
-    </message>
-    <message>
         <source>The rule of a review board by which the ticked places are judged. The list has the rules that come with Noonmark and those of your own.</source>
         <translation>La norma de una autoridad con la que se juzgan los lugares marcados. La lista tiene las normas que trae Noonmark y las suyas propias.</translation>
     </message>
@@ -476,6 +472,18 @@
     <message>
         <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
         <translation>Las ventanas con sus veredictos antes y después, primero las que empeoran. Un clic en una columna ordena por ella, un clic en una fila dice cuándo tiene sol su ventana.</translation>
+    </message>
+    <message>
+        <source>The places with their hours of sun. A click on a heading sorts them, a click on a row shows its place in the view.</source>
+        <translation>Los lugares con sus horas de sol. Un clic en un encabezado los ordena, un clic en una fila muestra su lugar en la vista.</translation>
+    </message>
+    <message>
+        <source>The names of the scenarios, which stay in sight when the table is scrolled sideways. A double click shows a scenario.</source>
+        <translation>Los nombres de los escenarios, que siguen a la vista al desplazar la tabla lateralmente. Un doble clic muestra un escenario.</translation>
+    </message>
+    <message>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, the verdicts of a board&apos;s rule, or the hours of sun of places.</source>
+        <translation>Qué responde el estudio: minutos de sombra, el cambio que causa un escenario, una puntuación de sombra deseada y no deseada, los dictámenes según la norma de una autoridad o las horas de sol de los lugares.</translation>
     </message>
 </context>
 <context>
@@ -607,6 +615,26 @@
     <message>
         <source>not compared</source>
         <translation>sin comparar</translation>
+    </message>
+    <message>
+        <source>Hours of sun</source>
+        <translation>Horas de sol</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>horas de sol al día</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Parte del tiempo con sol</translation>
+    </message>
+    <message>
+        <source>% in the sun</source>
+        <translation>% al sol</translation>
+    </message>
+    <message>
+        <source>Change of sun</source>
+        <translation>Cambio de sol</translation>
     </message>
 </context>
 <context>
@@ -1098,10 +1126,6 @@ con %2</translation>
     <message>
         <source>Minutes of the first minus minutes of the second, with the same engine, steps and cells</source>
         <translation>Minutos del primero menos minutos del segundo, con el mismo motor, pasos y celdas</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>no contada</translation>
     </message>
     <message>
         <source>Period</source>
@@ -2137,6 +2161,279 @@ Todos los lados %2, área %3</translation>
         <source>Study of %1</source>
         <translation>Estudio de %1</translation>
     </message>
+    <message>
+        <source>Save table</source>
+        <translation>Guardar tabla</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>A cell: %1 %3 in the mean, 99 of 100 within %2 %3</source>
+        <translation>Una celda: %1 %3 de media, 99 de cada 100 dentro de %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day (%2 % of the sunlit time)</source>
+        <translation>%1 h de sol al día (%2 % del tiempo con sol)</translation>
+    </message>
+    <message>
+        <source>, continuous shadow %1 min</source>
+        <translation>, sombra continua %1 min</translation>
+    </message>
+    <message>
+        <source>change: sun %1 min a day</source>
+        <translation>cambio: sol %1 min al día</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a term and its definition</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Building %1</source>
+        <translation>Edificio %1</translation>
+    </message>
+    <message>
+        <source>%1 min a day in shadow</source>
+        <translation>%1 min al día en sombra</translation>
+    </message>
+    <message>
+        <source>%1 min a day in shadow, %2 % of the sunlit time</source>
+        <translation>%1 min al día en sombra, %2 % del tiempo con sol</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) shade it; %2 takes the most, %3 %</source>
+        <translation>
+            <numerusform>%1 edificio le da sombra; %2 es el que más quita, %3 %</numerusform>
+            <numerusform>%1 edificios le dan sombra; %2 es el que más quita, %3 %</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No building shades it in the period.</source>
+        <translation>Ningún edificio le da sombra en el periodo.</translation>
+    </message>
+    <message>
+        <source>The scenario minus the scenario without this building: what it adds alone, on ground that is open in both scenarios</source>
+        <translation>El escenario menos el escenario sin este edificio: lo que añade por sí solo, en suelo libre en ambos escenarios</translation>
+    </message>
+    <message>
+        <source>Share, %</source>
+        <translation>Parte, %</translation>
+    </message>
+    <message>
+        <source>Of what the new buildings add alone, all together</source>
+        <translation>De lo que los edificios nuevos añaden por sí solos, todos juntos</translation>
+    </message>
+    <message>
+        <source>Adds, min a day</source>
+        <translation>Añade, min al día</translation>
+    </message>
+    <message>
+        <source>; mean over the cells</source>
+        <translation>; media de las celdas</translation>
+    </message>
+    <message>
+        <source>Adds a day</source>
+        <translation>Añade al día</translation>
+    </message>
+    <message>
+        <source>; area × hours a day</source>
+        <translation>; área × horas al día</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2 min a day.</source>
+        <translation>
+            <numerusform>%1 celda; en el propio estudio, %2 min al día.</numerusform>
+            <numerusform>%1 celdas; en el propio estudio, %2 min al día.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attributed by: %1
+The study: %2</source>
+        <translation>Atribuido con: %1
+El estudio: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 comparado con %2: %3 min al día en sombra, media de %4 celda.</numerusform>
+            <numerusform>%1 comparado con %2: %3 min al día en sombra, media de %4 celdas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>≥ %1 %</source>
+        <translation>≥ %1 %</translation>
+    </message>
+    <message>
+        <source>%1-%2 %</source>
+        <comment>from and to, per cent</comment>
+        <translation>%1-%2 %</translation>
+    </message>
+    <message>
+        <source>Error of cells against rays: %1 % mean, %2 % largest</source>
+        <translation>Error de las celdas frente a los rayos: %1 % de media, %2 % el mayor</translation>
+    </message>
+    <message>
+        <source>%1, %</source>
+        <translation>%1, %</translation>
+    </message>
+    <message>
+        <source>%1, m²</source>
+        <translation>%1, m²</translation>
+    </message>
+    <message>
+        <source>%1, min</source>
+        <translation>%1, min</translation>
+    </message>
+    <message>
+        <source>%1, h</source>
+        <translation>%1, h</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sol por lugar</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>horas de sol al día</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Cambio de sol por lugar</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>minutos de sol al día</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>menos de %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This method does not sum months. These do: %1.</source>
+        <translation>Este método no suma por meses. Estos sí: %1.</translation>
+    </message>
+    <message>
+        <source>This method does not tell buildings apart. These do: %1.</source>
+        <translation>Este método no distingue los edificios. Estos sí: %1.</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day of each park, street and other place: over the period, by month and on stated dates, in a table beside the map</source>
+        <translation>Horas de sol al día de cada parque, calle y otro lugar: en el periodo, por mes y en fechas indicadas, en una tabla junto al mapa</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>Contribuciones</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation>Sol por lugar en %1</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation>Sol por lugar en %1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day</source>
+        <translation>%1 h de sol al día</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>%1, %2 without a cell</source>
+        <translation>%1, %2 sin celda</translation>
+    </message>
+    <message>
+        <source>Each is a row of the panel Places</source>
+        <translation>Cada uno es una fila del panel Lugares</translation>
+    </message>
+    <message>
+        <source>Without shadow</source>
+        <translation>Sin sombra</translation>
+    </message>
+    <message>
+        <source>Sun above the horizon, mean over the days</source>
+        <translation>Sol sobre el horizonte, media de los días</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>Sol mínimo</translation>
+    </message>
+    <message>
+        <source>The place with the lowest mean</source>
+        <translation>El lugar con la media más baja</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>Sol máximo</translation>
+    </message>
+    <message>
+        <source>The place with the highest mean</source>
+        <translation>El lugar con la media más alta</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the cells over the same steps</source>
+        <translation>Frente a la referencia por rayos, en una muestra de las celdas con los mismos pasos</translation>
+    </message>
+    <message>
+        <source>Time taken by all of it</source>
+        <translation>Tiempo que tardó todo</translation>
+    </message>
+    <message>
+        <source>Parks</source>
+        <translation>Parques</translation>
+    </message>
+    <message>
+        <source>Playgrounds</source>
+        <translation>Zonas de juego</translation>
+    </message>
+    <message>
+        <source>Schoolyards</source>
+        <translation>Patios escolares</translation>
+    </message>
+    <message>
+        <source>Plazas</source>
+        <translation>Plazas</translation>
+    </message>
+    <message>
+        <source>Greenstreets</source>
+        <translation>Calles verdes</translation>
+    </message>
+    <message>
+        <source>Cemeteries</source>
+        <translation>Cementerios</translation>
+    </message>
+    <message>
+        <source>Streets</source>
+        <translation>Calles</translation>
+    </message>
+    <message>
+        <source>Facades</source>
+        <translation>Fachadas</translation>
+    </message>
+    <message>
+        <source>Stained glass</source>
+        <translation>Vidrieras</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>Otros lugares</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3083,6 +3380,282 @@ Todos los lados %2, área %3</translation>
         <source>time in the sun per day at the sunniest point</source>
         <translation>tiempo al sol al día en el punto más soleado</translation>
     </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sol por lugar</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>horas de sol al día</translation>
+    </message>
+    <message>
+        <source>Share of the area, %</source>
+        <translation>Parte del área, %</translation>
+    </message>
+    <message>
+        <source>Area that changes, m²</source>
+        <translation>Área que cambia, m²</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, more than before</source>
+        <translation>minutos de sombra al día, más que antes</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>What maps and sheets show: minutes of shadow, hours of sun, or the share of the sunlit time in the sun</source>
+        <translation>Qué muestran mapas y láminas: minutos de sombra, horas de sol o la parte del tiempo con sol que se está al sol</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Colours of maps; all but traffic-light are safe for colour-blind readers</source>
+        <translation>Colores de los mapas; todos menos traffic-light son aptos para lectores daltónicos</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>Invertido</translation>
+    </message>
+    <message>
+        <source>Turn the colours round: bright where there is much shadow</source>
+        <translation>Invierte los colores: claro donde hay mucha sombra</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>Values at the ends of the legend, in the unit shown: 0:8; without it fitted to each map</source>
+        <translation>Valores en los extremos de la leyenda, en la unidad mostrada: 0:8; si no se indican, se ajustan a cada mapa</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>ajustado</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Clases</translation>
+    </message>
+    <message>
+        <source>Classes of the legend: continuous, equal:5, quantiles:5, or the numbers between them: 2,4,6; one number is a threshold</source>
+        <translation>Clases de la leyenda: continuous, equal:5, quantiles:5 o los números entre ellas: 2,4,6; un solo número es un umbral</translation>
+    </message>
+    <message>
+        <source>%1 of the area in shadow</source>
+        <translation>%1 del área en sombra</translation>
+    </message>
+    <message>
+        <source>%1: %2 in shadow</source>
+        <translation>%1: %2 en sombra</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day, %2 in shade</source>
+        <translation>%1 de sol al día, %2 en sombra</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day, %3 in shade</source>
+        <translation>%1: %2 de sol al día, %3 en sombra</translation>
+    </message>
+    <message>
+        <source>Of %1 a day with the sun up, the darkest spot gets %2.</source>
+        <translation>De %1 al día con el sol sobre el horizonte, el punto más oscuro recibe %2.</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow lasts %1.</source>
+        <translation>La sombra ininterrumpida más larga dura %1.</translation>
+    </message>
+    <message>
+        <source>sunlit time minus gross shadow per day, mean over days and receivers</source>
+        <translation>tiempo de sol menos sombra total al día, media de días y receptores</translation>
+    </message>
+    <message>
+        <source>Enough sun</source>
+        <translation>Sol suficiente</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day that are enough: the share of each place that has them is stated</source>
+        <translation>Horas de sol al día que son suficientes: se indica la parte de cada lugar que las tiene</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>Fechas</translation>
+    </message>
+    <message>
+        <source>A day: the share of each place with less than enough sun on it is stated; may be repeated</source>
+        <translation>Un día: se indica la parte de cada lugar que ese día no tiene sol suficiente; se puede repetir</translation>
+    </message>
+    <message>
+        <source>Loss that counts</source>
+        <translation>Pérdida que cuenta</translation>
+    </message>
+    <message>
+        <source>Minutes of sun a day: the share of each place that loses more is stated</source>
+        <translation>Minutos de sol al día: se indica la parte de cada lugar que pierde más</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places have less than %3 of sun a day</source>
+        <translation>%1 de %2 lugares tienen menos de %3 de sol al día</translation>
+    </message>
+    <message>
+        <source>On average over their area %1, of %2 a day with the sun up.</source>
+        <translation>De media en su área %1, de %2 al día con el sol sobre el horizonte.</translation>
+    </message>
+    <message>
+        <source>%1 takes sun from %2 places, at most %3 a day at one spot.</source>
+        <translation>%1 quita sol a %2 lugares, como máximo %3 al día en un punto.</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Horas de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>Change of mean sun</source>
+        <translation>Cambio del sol medio</translation>
+    </message>
+    <message>
+        <source>hours of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>horas de sol al día más que en la referencia, media de los días y del lugar; negativo: menos</translation>
+    </message>
+    <message>
+        <source>Largest loss</source>
+        <translation>Mayor pérdida</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day less than in the baseline, mean over the days, at the cell that loses most</source>
+        <translation>minutos de sol al día menos que en la referencia, media de los días, en la celda que más pierde</translation>
+    </message>
+    <message>
+        <source>Largest gain</source>
+        <translation>Mayor ganancia</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day more than in the baseline, mean over the days, at the cell that gains most</source>
+        <translation>minutos de sol al día más que en la referencia, media de los días, en la celda que más gana</translation>
+    </message>
+    <message>
+        <source>Share that loses sun</source>
+        <translation>Parte que pierde sol</translation>
+    </message>
+    <message>
+        <source>share of the area that loses more minutes of sun a day than the threshold of loss</source>
+        <translation>parte del área que pierde más minutos de sol al día que el umbral de pérdida</translation>
+    </message>
+    <message>
+        <source>Attributed shadow</source>
+        <translation>Sombra atribuida</translation>
+    </message>
+    <message>
+        <source>the part of the shadow that one building is charged with; the attributed shadows of all buildings and of the terrain add up to the total</source>
+        <translation>la parte de la sombra que se imputa a un edificio; las sombras atribuidas de todos los edificios y del terreno suman el total</translation>
+    </message>
+    <message>
+        <source>Sole contribution</source>
+        <translation>Contribución exclusiva</translation>
+    </message>
+    <message>
+        <source>the shadow that would disappear if only this building were gone</source>
+        <translation>la sombra que desaparecería si solo faltara este edificio</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>attributed shadow, as a share of all shadow on the cells</source>
+        <translation>sombra atribuida, como parte de toda la sombra en las celdas</translation>
+    </message>
+    <message>
+        <source>Attributed</source>
+        <translation>Atribuida</translation>
+    </message>
+    <message>
+        <source>attributed shadow in minutes a day, mean over the cells</source>
+        <translation>sombra atribuida en minutos al día, media de las celdas</translation>
+    </message>
+    <message>
+        <source>Sole</source>
+        <translation>Exclusiva</translation>
+    </message>
+    <message>
+        <source>sole contribution in minutes a day, mean over the cells</source>
+        <translation>contribución exclusiva en minutos al día, media de las celdas</translation>
+    </message>
+    <message>
+        <source>Attributed area x hours</source>
+        <translation>Área x horas atribuidas</translation>
+    </message>
+    <message>
+        <source>attributed shadow as area x hours of the whole period</source>
+        <translation>sombra atribuida como área x horas de todo el periodo</translation>
+    </message>
+    <message>
+        <source>Sole area x hours</source>
+        <translation>Área x horas exclusivas</translation>
+    </message>
+    <message>
+        <source>sole contribution as area x hours of the whole period</source>
+        <translation>contribución exclusiva como área x horas de todo el periodo</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day on average at %2 points</source>
+        <translation>%1 de sol al día de media en %2 puntos</translation>
+    </message>
+    <message>
+        <source>The darkest point gets %1, the sunniest %2, of %3 a day with the sun up.</source>
+        <translation>El punto más oscuro recibe %1, el más soleado %2, de %3 al día con el sol sobre el horizonte.</translation>
+    </message>
+    <message>
+        <source>Share of the points, %</source>
+        <translation>Parte de los puntos, %</translation>
+    </message>
+    <message>
+        <source>%1 changes no shadow here</source>
+        <translation>%1 no cambia ninguna sombra aquí</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 of sun a day on average, at most %3 at one spot</source>
+        <translation>%1 quita %2 de sol al día de media, como máximo %3 en un punto</translation>
+    </message>
+    <message>
+        <source>%1 gives %2 of sun a day on average, at most %3 at one spot</source>
+        <translation>%1 da %2 de sol al día de media, como máximo %3 en un punto</translation>
+    </message>
+    <message>
+        <source>More shadow on %1, less on %2; by more than %3 a day on %4 and %5.</source>
+        <translation>Más sombra en %1, menos en %2; en más de %3 al día en %4 y %5.</translation>
+    </message>
+    <message>
+        <source>%1 changes the shadow by %2 at this moment</source>
+        <translation>%1 cambia la sombra en %2 en este momento</translation>
+    </message>
+    <message>
+        <source>%1 scores %2: wanted shade outweighs unwanted shadow</source>
+        <translation>%1 obtiene %2: la sombra deseada pesa más que la no deseada</translation>
+    </message>
+    <message>
+        <source>%1 scores %2: unwanted shadow outweighs wanted shade</source>
+        <translation>%1 obtiene %2: la sombra no deseada pesa más que la deseada</translation>
+    </message>
+    <message>
+        <source>%1 scores 0: wanted shade and unwanted shadow weigh the same</source>
+        <translation>%1 obtiene 0: la sombra deseada y la no deseada pesan lo mismo</translation>
+    </message>
+    <message>
+        <source>Weighted shade by month, m² h</source>
+        <translation>Sombra ponderada por mes, m² h</translation>
+    </message>
+    <message>
+        <source>Weighted by time: %1.</source>
+        <translation>Ponderado por tiempo: %1.</translation>
+    </message>
+    <message>
+        <source>Shadow area by month, m²</source>
+        <translation>Área de sombra por mes, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -3173,6 +3746,41 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Painting the page</source>
         <translation>Dibujando la página</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BreakdownForm</name>
+    <message>
+        <source>Each month by itself</source>
+        <translation>Cada mes por separado</translation>
+    </message>
+    <message>
+        <source>Also sums the shadow of each month: bars in the dock Contributions, a table and maps in exports</source>
+        <translation>Suma también la sombra de cada mes: barras en el panel Contribuciones, una tabla y mapas al exportar</translation>
+    </message>
+    <message>
+        <source>Contribution of each building</source>
+        <translation>Contribución de cada edificio</translation>
+    </message>
+    <message>
+        <source>Also finds what each building takes, for the dock Contributions and exports; takes about three times as long.</source>
+        <translation>Averigua también qué quita cada edificio, para el panel Contribuciones y al exportar; tarda unas tres veces más.</translation>
+    </message>
+    <message>
+        <source>Attributed shadow</source>
+        <translation>Sombra atribuida</translation>
+    </message>
+    <message>
+        <source>Sole contribution</source>
+        <translation>Contribución exclusiva</translation>
+    </message>
+    <message>
+        <source>months</source>
+        <translation>meses</translation>
+    </message>
+    <message>
+        <source>contributions</source>
+        <translation>contribuciones</translation>
     </message>
 </context>
 <context>
@@ -3345,6 +3953,76 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::ContributionLinks</name>
+    <message>
+        <source>No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>Aún no hay estudio. Calcule uno (Ctrl+R) y haga clic en un lugar de la vista para ver qué edificios le dan sombra.</translation>
+    </message>
+    <message>
+        <source>What the buildings take from this place has not been computed yet.</source>
+        <translation>Aún no se ha calculado lo que los edificios quitan a este lugar.</translation>
+    </message>
+    <message>
+        <source>Click a place in the view to see which buildings shade it, or attribute the shadow of the whole region.</source>
+        <translation>Haga clic en un lugar de la vista para ver qué edificios le dan sombra, o atribuya la sombra de toda la zona.</translation>
+    </message>
+    <message>
+        <source>Attributing the shadow of %1</source>
+        <translation>Atribuyendo la sombra de %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContributionModel</name>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContributionsDock</name>
+    <message>
+        <source>Attribute the shadow</source>
+        <translation>Atribuir la sombra</translation>
+    </message>
+    <message>
+        <source>Finds what each building takes, by month, with the engine and the steps of the study</source>
+        <translation>Averigua qué quita cada edificio, por mes, con el motor y los pasos del estudio</translation>
+    </message>
+    <message>
+        <source>Colour the buildings</source>
+        <translation>Colorear los edificios</translation>
+    </message>
+    <message>
+        <source>Whose shadow is attributed to buildings. Or click a place in the view</source>
+        <translation>De qué lugar se atribuye la sombra a los edificios. O haga clic en un lugar de la vista</translation>
+    </message>
+    <message>
+        <source>Colours the buildings in the view by their share of the shadow</source>
+        <translation>Colorea los edificios de la vista según su parte de la sombra</translation>
+    </message>
+    <message>
+        <source>A row selects its building in the view; double-click to go there</source>
+        <translation>Una fila selecciona su edificio en la vista; un doble clic va hasta él</translation>
+    </message>
+    <message>
+        <source>Share of the shadow that a building is charged with</source>
+        <translation>Parte de la sombra que se imputa a un edificio</translation>
+    </message>
+    <message>
+        <source>Whole region</source>
+        <translation>Toda la zona</translation>
+    </message>
+    <message>
+        <source>Shadow area by month</source>
+        <translation>Área de sombra por mes</translation>
+    </message>
+    <message>
+        <source>%1: on average over the sunlit time %2 in shadow</source>
+        <comment>a month and an area</comment>
+        <translation>%1: de media en el tiempo con sol, %2 en sombra</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::CopyActions</name>
     <message>
         <source>&amp;Copy</source>
@@ -3389,6 +4067,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>C&amp;opy picture</source>
         <translation>Copiar &amp;imagen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
     </message>
 </context>
 <context>
@@ -3946,6 +4628,128 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::GlazingForm</name>
+    <message>
+        <source>Facades, bay by bay</source>
+        <translation>Fachadas, vano por vano</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>De un archivo</translation>
+    </message>
+    <message>
+        <source>A file of points or polygons with heights gives the real windows</source>
+        <translation>Un archivo de puntos o polígonos con alturas da las ventanas reales</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Ventanas</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingPanel</name>
+    <message>
+        <source>Verdicts after</source>
+        <translation>Veredictos después</translation>
+    </message>
+    <message>
+        <source>Verdicts before</source>
+        <translation>Veredictos antes</translation>
+    </message>
+    <message>
+        <source>Changed verdicts</source>
+        <translation>Veredictos que cambian</translation>
+    </message>
+    <message>
+        <source>No verdicts</source>
+        <translation>Ningún veredicto</translation>
+    </message>
+    <message>
+        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
+A click on a tile selects its row, a click on a row frames its window.</source>
+        <translation>Lo que la vista 3D muestra en los muros: una tesela por ventana con el color de su veredicto.
+Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventana.</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>En la vista</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingSession</name>
+    <message>
+        <source>Review</source>
+        <translation>Revisión</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation>No actualizado. %1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
+        <translation>No está al día: han cambiado los edificios, las ventanas o la norma. Vuelva a ejecutarla.</translation>
+    </message>
+    <message>
+        <source>Writing the review</source>
+        <translation>Escribiendo la revisión</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Estimando el tiempo</translation>
+    </message>
+    <message>
+        <source>All reviews</source>
+        <translation>Todas las revisiones</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingTable</name>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, antes</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1, después</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Sun on %1: %2; before: %3.</source>
+        <translation>Sol el %1: %2; antes: %3.</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::GuideWindow</name>
     <message>
         <source>User guide</source>
@@ -4015,14 +4819,101 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::LegendEditor</name>
+    <message>
+        <source>%1 (not for colour-blind readers)</source>
+        <translation>%1 (no apto para lectores daltónicos)</translation>
+    </message>
+    <message>
+        <source>Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.
+Differences and scores keep two colours of their own.</source>
+        <translation>Colores de mucho sol a mucha sombra. Los lectores daltónicos distinguen todos menos los últimos.
+Las diferencias y puntuaciones conservan dos colores propios.</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share of the sunlit time in the sun.
+Continuous shadow stays in minutes: the longest run in the sun does not follow from it.</source>
+        <translation>Minutos en sombra, horas de sol (el tiempo de sol menos la sombra total) o la parte del tiempo con sol que se está al sol.
+La sombra continua sigue en minutos: de ella no se deduce el tramo más largo al sol.</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Equal classes</source>
+        <translation>Clases iguales</translation>
+    </message>
+    <message>
+        <source>Quantiles: as many cells in each</source>
+        <translation>Cuantiles: las mismas celdas en cada clase</translation>
+    </message>
+    <message>
+        <source>Typed numbers, or one threshold</source>
+        <translation>Números escritos o un solo umbral</translation>
+    </message>
+    <message>
+        <source>Re&amp;versed</source>
+        <translation>In&amp;vertido</translation>
+    </message>
+    <message>
+        <source>&amp;Locked</source>
+        <translation>&amp;Fijo</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>ajustado</translation>
+    </message>
+    <message>
+        <source>Values at the ends, in the unit shown, such as 0:8</source>
+        <translation>Valores en los extremos, en la unidad mostrada, como 0:8</translation>
+    </message>
+    <message>
+        <source>Numbers between the classes, ascending, in the unit shown. One number is a threshold: two colours</source>
+        <translation>Números entre las clases, en orden ascendente y en la unidad mostrada. Un solo número es un umbral: dos colores</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
+    </message>
+    <message>
+        <source>Keep the range of this map for all others; unlocked, each map has its own.</source>
+        <translation>Mantiene el intervalo de este mapa para todos los demás; si no está fijo, cada mapa tiene el suyo.</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Colores</translation>
+    </message>
+    <message>
+        <source>&amp;Range</source>
+        <translation>&amp;Intervalo</translation>
+    </message>
+    <message>
+        <source>Cla&amp;sses</source>
+        <translation>Cla&amp;ses</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Números</translation>
+    </message>
+    <message>
+        <source>Not two numbers like 0:8, or not ascending numbers like 2,4,6</source>
+        <translation>No son dos números como 0:8, o no son números ascendentes como 2,4,6</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LegendStrip</name>
     <message>
         <source> min</source>
         <translation> min</translation>
-    </message>
-    <message>
-        <source>Scale: automatic</source>
-        <translation>Escala: automática</translation>
     </message>
     <message>
         <source>The ends of the colour scale of a difference.
@@ -4037,6 +4928,28 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>Qué se muestra.
 Sombra total: minutos en sombra al día, media de los días.
 Sombra continua: tramo más largo en sombra de cualquier día, minutos.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>Show minutes in shadow</source>
+        <translation>Mostrar minutos en sombra</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Show hours of sun a day: the sunlit time minus gross shadow, on maps, legends and what is exported.
+Continuous shadow stays as it is: the longest run in the sun does not follow from it.</source>
+        <translation>Muestra horas de sol al día: el tiempo de sol menos la sombra total, en mapas, leyendas y lo que se exporta.
+La sombra continua no cambia: de ella no se deduce el tramo más largo al sol.</translation>
     </message>
 </context>
 <context>
@@ -4373,17 +5286,6 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>engine</source>
         <translation>motor</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::MonthChart</name>
-    <message>
-        <source>Shadow area by month, m²</source>
-        <translation>Área de sombra por mes, m²</translation>
-    </message>
-    <message>
-        <source>Weighted shade by month, m² h</source>
-        <translation>Sombra ponderada por mes, m² h</translation>
     </message>
 </context>
 <context>
@@ -4860,6 +5762,13 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::PlaceLinks</name>
+    <message>
+        <source>Outdated: buildings have changed</source>
+        <translation>Desactualizado: los edificios han cambiado</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PlaceList</name>
     <message>
         <source>Find a place</source>
@@ -4906,6 +5815,176 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
             <numerusform>%1 de %2 lugar es alcanzable; la ayuda emergente de los demás dice por qué no</numerusform>
             <numerusform>%1 de %2 lugares son alcanzables; la ayuda emergente de los demás dice por qué no</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceSunModel</name>
+    <message>
+        <source> (here: %1 h)</source>
+        <translation> (aquí: %1 h)</translation>
+    </message>
+    <message>
+        <source>%1, h</source>
+        <translation>%1, h</translation>
+    </message>
+    <message>
+        <source>Hours of sun on this day, mean over the place</source>
+        <translation>Horas de sol en este día, media del lugar</translation>
+    </message>
+    <message>
+        <source>%1 &lt; %2 h, %</source>
+        <translation>%1 &lt; %2 h, %</translation>
+    </message>
+    <message>
+        <source>Share of the area with less than %1 h of sun on this day</source>
+        <translation>Parte del área con menos de %1 h de sol en este día</translation>
+    </message>
+    <message>
+        <source>%1 (baseline: %2)</source>
+        <translation>%1 (referencia: %2)</translation>
+    </message>
+    <message>
+        <source>%1 without a name</source>
+        <translation>%1 sin nombre</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacesDock</name>
+    <message>
+        <source>What colours the places: the whole period, one of the dates, or the change against the baseline</source>
+        <translation>Qué colorea los lugares: todo el periodo, una de las fechas o el cambio frente a la referencia</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Lists only places of this kind</source>
+        <translation>Muestra solo los lugares de este tipo</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Por tipo</translation>
+    </message>
+    <message>
+        <source>Places with less sun a day than this are violet, others orange</source>
+        <translation>Los lugares con menos sol al día que este valor son violetas, los demás naranjas</translation>
+    </message>
+    <message>
+        <source>Part of a name</source>
+        <translation>Parte de un nombre</translation>
+    </message>
+    <message>
+        <source>Lists only the places whose name contains this text</source>
+        <translation>Muestra solo los lugares cuyo nombre contiene este texto</translation>
+    </message>
+    <message>
+        <source>Places stand below a row of their kind with its means</source>
+        <translation>Los lugares aparecen bajo una fila de su tipo con sus medias</translation>
+    </message>
+    <message>
+        <source>Click a row to see its place in the view; a click on a place in the view selects its row</source>
+        <translation>Haga clic en una fila para ver su lugar en la vista; un clic en un lugar de la vista selecciona su fila</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Todos los tipos</translation>
+    </message>
+    <message>
+        <source>Whole period</source>
+        <translation>Todo el periodo</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>%1: no cell on open ground</source>
+        <translation>%1: ninguna celda en suelo libre</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day more or less</source>
+        <translation>%1: %2 min de sol al día más o menos</translation>
+    </message>
+    <message>
+        <source>%1: %2 h of sun a day</source>
+        <translation>%1: %2 h de sol al día</translation>
+    </message>
+    <message>
+        <source>No places measured: choose &quot;Sun by place&quot; in the panel Study</source>
+        <translation>No se han medido lugares: elija «Sol por lugar» en el panel Estudio</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s)</source>
+        <translation>
+            <numerusform>%1 de %2 lugar</numerusform>
+            <numerusform>%1 de %2 lugares</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lose more than a minute of sun a day</source>
+        <translation>%1 pierden más de un minuto de sol al día</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of sun a day</source>
+        <translation>%1 tienen menos de %2 h de sol al día</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of sun on %3</source>
+        <translation>%1 tienen menos de %2 h de sol el %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s)</source>
+        <translation>
+            <numerusform>%1 lugar</numerusform>
+            <numerusform>%1 lugares</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) listed</source>
+        <translation>
+            <numerusform>%1 de %2 lugar en la lista</numerusform>
+            <numerusform>%1 de %2 lugares en la lista</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacesForm</name>
+    <message>
+        <source>The project has no places. Read some (Study &gt; Read places...) or draw one.</source>
+        <translation>El proyecto no tiene lugares. Léalos (Estudio &gt; Leer lugares...) o dibuje uno.</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Places of the ticked kinds are measured, all in one run</source>
+        <translation>Se miden los lugares de los tipos marcados, todos en un solo cálculo</translation>
+    </message>
+    <message>
+        <source>The share of each place with so many hours of sun a day is stated</source>
+        <translation>Se indica la parte de cada lugar con tantas horas de sol al día</translation>
+    </message>
+    <message>
+        <source>Days on which the hours of sun of each place are stated, too, with commas between</source>
+        <translation>Días en los que se indican también las horas de sol de cada lugar, separados por comas</translation>
+    </message>
+    <message>
+        <source>Enough sun</source>
+        <translation>Sol suficiente</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>Fechas</translation>
     </message>
 </context>
 <context>
@@ -5646,6 +6725,10 @@ No: en el origen de la ciudad de los demás archivos.</translation>
             <numerusform>Los %1 escenarios medidos</numerusform>
         </translation>
     </message>
+    <message>
+        <source>What buildings take from %1</source>
+        <translation>Qué quitan los edificios a %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -5673,15 +6756,17 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>Puntuación desactualizada: la tabla de pesos ha cambiado; vuelva a puntuar.</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultsDock</name>
-    <message>
-        <source>No study yet.
-Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The figures of the study then stand here.</source>
-        <translation>Aún no hay estudio.
-Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las cifras aparecerán aquí.</translation>
-    </message>
     <message>
         <source>Show the study again</source>
         <translation>Volver a mostrar el estudio</translation>
@@ -5689,6 +6774,55 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Replaces this result by the current study or comparison</source>
         <translation>Sustituye este resultado por el estudio o la comparación actual</translation>
+    </message>
+    <message>
+        <source>No study yet.
+Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The answer then stands here.</source>
+        <translation>Aún no hay estudio.
+Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La respuesta aparecerá aquí.</translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation>Cómo se obtuvo</translation>
+    </message>
+    <message>
+        <source>Period, engine, error, time, and the command that asks the same</source>
+        <translation>Periodo, motor, error, tiempo y el comando que pregunta lo mismo</translation>
+    </message>
+    <message>
+        <source>Copy command</source>
+        <translation>Copiar comando</translation>
+    </message>
+    <message>
+        <source>The command line that asks the same of the saved project or of the files</source>
+        <translation>La línea de comandos que pregunta lo mismo con el proyecto guardado o los archivos</translation>
+    </message>
+    <message>
+        <source>What was repaired, left out or assumed when the data was read</source>
+        <translation>Qué se reparó, omitió o supuso al leer los datos</translation>
+    </message>
+    <message>
+        <source>The answers of this session and those saved in the project, newest first</source>
+        <translation>Las respuestas de esta sesión y las guardadas en el proyecto, primero las más recientes</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportar...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 warning(s) about the data</source>
+        <translation>
+            <numerusform>%1 aviso sobre los datos</numerusform>
+            <numerusform>%1 avisos sobre los datos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6026,6 +7160,18 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
         <translation>Revisa los escenarios cuyos dictámenes faltan en el panel Escenarios, según la norma elegida en el panel Revisión</translation>
     </message>
+    <message>
+        <source>The table of scenarios is on the clipboard</source>
+        <translation>La tabla de escenarios está en el portapapeles</translation>
+    </message>
+    <message>
+        <source>The existing city is displayed. Choose a scenario at the top, and compare it</source>
+        <translation>Se muestra la ciudad existente. Elija un escenario en la parte superior y compárelo</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Guardado como %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -6150,6 +7296,54 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>Measured earlier and saved with the project: press Measure all for the maps</source>
         <translation>Medido antes y guardado con el proyecto: pulse «Medir todos» para los mapas</translation>
     </message>
+    <message>
+        <source>not scored</source>
+        <translation>sin puntuar</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>sin comparar</translation>
+    </message>
+    <message>
+        <source>not reviewed</source>
+        <translation>sin revisar</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>no medido</translation>
+    </message>
+    <message>
+        <source>no baseline</source>
+        <translation>sin referencia</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>no contada</translation>
+    </message>
+    <message>
+        <source>base missing</source>
+        <translation>falta la base</translation>
+    </message>
+    <message>
+        <source>no weights</source>
+        <translation>sin pesos</translation>
+    </message>
+    <message>
+        <source>no rule</source>
+        <translation>sin norma</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fallido</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>desactualizado</translation>
+    </message>
+    <message>
+        <source>Best of this column</source>
+        <translation>El mejor de esta columna</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenariosDock</name>
@@ -6180,6 +7374,38 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
     <message>
         <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
         <translation>Revisa los escenarios sin dictámenes según la norma, la referencia y los lugares elegidos en el panel Revisión</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Diferencias</translation>
+    </message>
+    <message>
+        <source>Shows figures as differences to the baseline: the chosen one, else the existing city</source>
+        <translation>Muestra las cifras como diferencias con la referencia: la elegida o, si no, la ciudad existente</translation>
+    </message>
+    <message>
+        <source>Shade is wanted</source>
+        <translation>Se desea sombra</translation>
+    </message>
+    <message>
+        <source>The star marks the scenario with most shadow as the best, not that with least</source>
+        <translation>La estrella marca como mejor el escenario con más sombra, no el que tiene menos</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the table for a spreadsheet</source>
+        <translation>Copia la tabla para una hoja de cálculo</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Saves the table with what each scenario lacks, in metres and square metres</source>
+        <translation>Guarda la tabla con lo que falta a cada escenario, en metros y metros cuadrados</translation>
     </message>
 </context>
 <context>
@@ -6743,6 +7969,18 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). Las 
         <source>This method measures no facades, windows or planes. Choose Quick or Reference.</source>
         <translation>Este método no mide fachadas, ventanas ni planos. Elija Rápida o Referencia.</translation>
     </message>
+    <message>
+        <source>period</source>
+        <translation>periodo</translation>
+    </message>
+    <message>
+        <source>Run (%1)</source>
+        <translation>Calcular (%1)</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Calcular</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -7287,6 +8525,41 @@ del año, otras tantas semanas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::WeightCalendar</name>
+    <message>
+        <source>Weights by month and hour</source>
+        <translation>Pesos por mes y hora</translation>
+    </message>
+    <message>
+        <source>Drag to give months and hours the weight that is chosen below; drag with the right button to erase it. Keys: arrows, Shift, Enter, Delete, + and -</source>
+        <translation>Arrastre para dar a meses y horas el peso elegido abajo; arrastre con el botón derecho para borrarlo. Teclas: flechas, Mayús, Intro, Supr, + y -</translation>
+    </message>
+    <message>
+        <source>%1, %2:00 to %3:00</source>
+        <translation>%1, de %2:00 a %3:00</translation>
+    </message>
+    <message>
+        <source>no weight</source>
+        <translation>sin peso</translation>
+    </message>
+    <message>
+        <source>several weights, or none in part; mean %1</source>
+        <translation>varios pesos, o ninguno en parte; media %1</translation>
+    </message>
+    <message>
+        <source>weight %1</source>
+        <translation>peso %1</translation>
+    </message>
+    <message>
+        <source>sun wanted</source>
+        <translation>sol deseado</translation>
+    </message>
+    <message>
+        <source>shade wanted</source>
+        <translation>sombra deseada</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightsDock</name>
     <message>
         <source>Compute score</source>
@@ -7335,6 +8608,38 @@ del año, otras tantas semanas</translation>
     <message>
         <source>Cutting an interval in two changes the score, but not the weighted shade.</source>
         <translation>Dividir un intervalo en dos cambia la puntuación, pero no la sombra ponderada.</translation>
+    </message>
+    <message>
+        <source>New from template</source>
+        <translation>Nueva desde plantilla</translation>
+    </message>
+    <message>
+        <source>Adds a table made for the latitude of this city, or a copy of a table of this project</source>
+        <translation>Añade una tabla hecha para la latitud de esta ciudad o una copia de una tabla de este proyecto</translation>
+    </message>
+    <message>
+        <source>Pedestrian comfort</source>
+        <translation>Confort peatonal</translation>
+    </message>
+    <message>
+        <source>Shade wanted in summer afternoons, sun in winter: a rule of thumb by latitude</source>
+        <translation>Sombra deseada en las tardes de verano, sol en invierno: una regla práctica según la latitud</translation>
+    </message>
+    <message>
+        <source>Plants</source>
+        <translation>Plantas</translation>
+    </message>
+    <message>
+        <source>Sun wanted in the growing season: a rule of thumb by latitude</source>
+        <translation>Sol deseado en la época de crecimiento: una regla práctica según la latitud</translation>
+    </message>
+    <message>
+        <source>As %1</source>
+        <translation>Como %1</translation>
+    </message>
+    <message>
+        <source>A copy, to be changed</source>
+        <translation>Una copia para modificarla</translation>
     </message>
 </context>
 <context>
@@ -7424,6 +8729,10 @@ Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</
         <source>receivers</source>
         <translation>receptores</translation>
     </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sol por lugar</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::WhenForm</name>
@@ -7500,128 +8809,6 @@ Haga clic antes en un edificio.</translation>
     </message>
 </context>
 <context>
-    <name>noonmark::GlazingForm</name>
-    <message>
-        <source>Facades, bay by bay</source>
-        <translation>Fachadas, vano por vano</translation>
-    </message>
-    <message>
-        <source>From a file</source>
-        <translation>De un archivo</translation>
-    </message>
-    <message>
-        <source>A file of points or polygons with heights gives the real windows</source>
-        <translation>Un archivo de puntos o polígonos con alturas da las ventanas reales</translation>
-    </message>
-    <message>
-        <source>Windows</source>
-        <translation>Ventanas</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingPanel</name>
-    <message>
-        <source>Verdicts after</source>
-        <translation>Veredictos después</translation>
-    </message>
-    <message>
-        <source>Verdicts before</source>
-        <translation>Veredictos antes</translation>
-    </message>
-    <message>
-        <source>Changed verdicts</source>
-        <translation>Veredictos que cambian</translation>
-    </message>
-    <message>
-        <source>No verdicts</source>
-        <translation>Ningún veredicto</translation>
-    </message>
-    <message>
-        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
-A click on a tile selects its row, a click on a row frames its window.</source>
-        <translation>Lo que la vista 3D muestra en los muros: una tesela por ventana con el color de su veredicto.
-Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventana.</translation>
-    </message>
-    <message>
-        <source>In the view</source>
-        <translation>En la vista</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingSession</name>
-    <message>
-        <source>Review</source>
-        <translation>Revisión</translation>
-    </message>
-    <message>
-        <source>Not up to date. %1</source>
-        <translation>No actualizado. %1</translation>
-    </message>
-    <message>
-        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
-        <translation>No está al día: han cambiado los edificios, las ventanas o la norma. Vuelva a ejecutarla.</translation>
-    </message>
-    <message>
-        <source>Writing the review</source>
-        <translation>Escribiendo la revisión</translation>
-    </message>
-    <message>
-        <source>Estimating</source>
-        <translation>Estimando el tiempo</translation>
-    </message>
-    <message>
-        <source>All reviews</source>
-        <translation>Todas las revisiones</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingTable</name>
-    <message>
-        <source>Window</source>
-        <translation>Ventana</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Antes</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>Después</translation>
-    </message>
-    <message>
-        <source>Floor</source>
-        <translation>Planta</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Orientación</translation>
-    </message>
-    <message>
-        <source>Building</source>
-        <translation>Edificio</translation>
-    </message>
-    <message>
-        <source>%1, before</source>
-        <translation>%1, antes</translation>
-    </message>
-    <message>
-        <source>%1, after</source>
-        <translation>%1, después</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguno</translation>
-    </message>
-    <message>
-        <source>Sun on %1: %2; before: %3.</source>
-        <translation>Sol el %1: %2; antes: %3.</translation>
-    </message>
-</context>
-<context>
     <name>noonmark::Workbench</name>
     <message>
         <source>Opening %1</source>
@@ -7678,6 +8865,10 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Finding the command</source>
+        <translation>Buscando el comando</translation>
     </message>
 </context>
 <context>
@@ -7793,6 +8984,42 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>not counted</source>
         <translation>no contada</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>Sol a índigo</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Verde a rojo</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Parte del tiempo con sol</translation>
     </message>
 </context>
 </TS>

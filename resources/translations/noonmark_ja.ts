@@ -378,10 +378,6 @@
 <context>
     <name>FieldText</name>
     <message>
-        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, or the verdicts of a board&apos;s rule.</source>
-        <translation>検討の内容: 日影の分、シナリオによる変化、望ましい影と望ましくない影のスコア、または審査機関の規定による判定。</translation>
-    </message>
-    <message>
         <source>The rule of a review board by which the ticked places are judged. The list has the rules that come with Noonmark and those of your own.</source>
         <translation>選んだ場所を判定する審査機関の規定。一覧には付属の規定と自作の規定があります。</translation>
     </message>
@@ -476,6 +472,18 @@
     <message>
         <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
         <translation>窓と、以前・以後の判定です。悪化するものが先に並びます。列をクリックすると並べ替え、行をクリックするとその窓に日が当たる時間がわかります。</translation>
+    </message>
+    <message>
+        <source>The places with their hours of sun. A click on a heading sorts them, a click on a row shows its place in the view.</source>
+        <translation>場所とその日照時間。見出しのクリックで並べ替え、行のクリックでその場所を表示します。</translation>
+    </message>
+    <message>
+        <source>The names of the scenarios, which stay in sight when the table is scrolled sideways. A double click shows a scenario.</source>
+        <translation>シナリオの名称。表を横にスクロールしても見えたままです。ダブルクリックでシナリオを表示します。</translation>
+    </message>
+    <message>
+        <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, the verdicts of a board&apos;s rule, or the hours of sun of places.</source>
+        <translation>検討の内容: 日影の分、シナリオによる変化、望ましい影と望ましくない影のスコア、審査機関の規定による判定、または場所の日照時間。</translation>
     </message>
 </context>
 <context>
@@ -607,6 +615,26 @@
     <message>
         <source>not compared</source>
         <translation>比較なし</translation>
+    </message>
+    <message>
+        <source>Hours of sun</source>
+        <translation>日照時間</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>可照時間に占める割合</translation>
+    </message>
+    <message>
+        <source>% in the sun</source>
+        <translation>% 日なた</translation>
+    </message>
+    <message>
+        <source>Change of sun</source>
+        <translation>日照の変化</translation>
     </message>
 </context>
 <context>
@@ -1098,10 +1126,6 @@ with %2</source>
     <message>
         <source>Minutes of the first minus minutes of the second, with the same engine, steps and cells</source>
         <translation>同じエンジン、ステップ、セルでの前者の分から後者の分を引いた値</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>未集計</translation>
     </message>
     <message>
         <source>Period</source>
@@ -2115,6 +2139,276 @@ All sides %2, area %3</source>
         <source>Study of %1</source>
         <translation>%1 の検討</translation>
     </message>
+    <message>
+        <source>Save table</source>
+        <translation>表を保存</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>A cell: %1 %3 in the mean, 99 of 100 within %2 %3</source>
+        <translation>セル: 平均 %1 %3、100 のうち 99 は %2 %3 以内</translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day (%2 % of the sunlit time)</source>
+        <translation>日照 1 日 %1 時間 (可照時間の %2 %)</translation>
+    </message>
+    <message>
+        <source>, continuous shadow %1 min</source>
+        <translation>、連続日影 %1 分</translation>
+    </message>
+    <message>
+        <source>change: sun %1 min a day</source>
+        <translation>変化: 日照 %1 分/日</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a term and its definition</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Building %1</source>
+        <translation>建物 %1</translation>
+    </message>
+    <message>
+        <source>%1 min a day in shadow</source>
+        <translation>日影 1 日 %1 分</translation>
+    </message>
+    <message>
+        <source>%1 min a day in shadow, %2 % of the sunlit time</source>
+        <translation>日影 1 日 %1 分、可照時間の %2 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) shade it; %2 takes the most, %3 %</source>
+        <translation>
+            <numerusform>%1 棟が影を落としています。最も多いのは %2 で %3 %</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No building shades it in the period.</source>
+        <translation>期間中に影を落とす建物はありません。</translation>
+    </message>
+    <message>
+        <source>The scenario minus the scenario without this building: what it adds alone, on ground that is open in both scenarios</source>
+        <translation>シナリオからこの建物のないシナリオを引いた値: 両シナリオとも建物のない地面に、この建物だけが加える影</translation>
+    </message>
+    <message>
+        <source>Share, %</source>
+        <translation>割合、%</translation>
+    </message>
+    <message>
+        <source>Of what the new buildings add alone, all together</source>
+        <translation>新築建物がそれぞれ単独で加える影の合計に対する割合</translation>
+    </message>
+    <message>
+        <source>Adds, min a day</source>
+        <translation>増加、分/日</translation>
+    </message>
+    <message>
+        <source>; mean over the cells</source>
+        <translation>。セルの平均</translation>
+    </message>
+    <message>
+        <source>Adds a day</source>
+        <translation>1 日の増加</translation>
+    </message>
+    <message>
+        <source>; area × hours a day</source>
+        <translation>。1 日の面積 × 時間</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2 min a day.</source>
+        <translation>
+            <numerusform>%1 セル。検討自体では 1 日 %2 分。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attributed by: %1
+The study: %2</source>
+        <translation>配分の計算: %1
+検討: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 と %2 の比較: 日影 1 日 %3 分 (%4 セルの平均)。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>≥ %1 %</source>
+        <translation>≥ %1 %</translation>
+    </message>
+    <message>
+        <source>%1-%2 %</source>
+        <comment>from and to, per cent</comment>
+        <translation>%1-%2 %</translation>
+    </message>
+    <message>
+        <source>Error of cells against rays: %1 % mean, %2 % largest</source>
+        <translation>レイに対するセルの誤差: 平均 %1 %、最大 %2 %</translation>
+    </message>
+    <message>
+        <source>%1, %</source>
+        <translation>%1、%</translation>
+    </message>
+    <message>
+        <source>%1, m²</source>
+        <translation>%1、m²</translation>
+    </message>
+    <message>
+        <source>%1, min</source>
+        <translation>%1、分</translation>
+    </message>
+    <message>
+        <source>%1, h</source>
+        <translation>%1、時間</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>場所別の日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 から %2</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>場所別の日照の変化</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>1 日の日照の分数</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>%1 未満</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This method does not sum months. These do: %1.</source>
+        <translation>この方法では月別の合計を求められません。求められる方法: %1。</translation>
+    </message>
+    <message>
+        <source>This method does not tell buildings apart. These do: %1.</source>
+        <translation>この方法では建物を区別できません。区別できる方法: %1。</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day of each park, street and other place: over the period, by month and on stated dates, in a table beside the map</source>
+        <translation>公園、街路などの場所ごとの 1 日の日照時間: 期間全体、月別、指定日について、地図の横の表に示します</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>寄与</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation>%1 の場所別の日照</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation>%1 と %2 の場所別の日照の比較</translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day</source>
+        <translation>日照 1 日 %1 時間</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1, %2 without a cell</source>
+        <translation>%1、うちセルなし %2</translation>
+    </message>
+    <message>
+        <source>Each is a row of the panel Places</source>
+        <translation>それぞれが「場所」パネルの 1 行になります</translation>
+    </message>
+    <message>
+        <source>Without shadow</source>
+        <translation>影がない場合</translation>
+    </message>
+    <message>
+        <source>Sun above the horizon, mean over the days</source>
+        <translation>太陽が地平線より上にある時間 (日の平均)</translation>
+    </message>
+    <message>
+        <source>Least sun</source>
+        <translation>最小の日照</translation>
+    </message>
+    <message>
+        <source>The place with the lowest mean</source>
+        <translation>平均が最も小さい場所</translation>
+    </message>
+    <message>
+        <source>Most sun</source>
+        <translation>最大の日照</translation>
+    </message>
+    <message>
+        <source>The place with the highest mean</source>
+        <translation>平均が最も大きい場所</translation>
+    </message>
+    <message>
+        <source>Against the ray reference, on a sample of the cells over the same steps</source>
+        <translation>同じステップで抽出したセルによるレイ基準との比較</translation>
+    </message>
+    <message>
+        <source>Time taken by all of it</source>
+        <translation>全体の所要時間</translation>
+    </message>
+    <message>
+        <source>Parks</source>
+        <translation>公園</translation>
+    </message>
+    <message>
+        <source>Playgrounds</source>
+        <translation>遊び場</translation>
+    </message>
+    <message>
+        <source>Schoolyards</source>
+        <translation>校庭</translation>
+    </message>
+    <message>
+        <source>Plazas</source>
+        <translation>広場</translation>
+    </message>
+    <message>
+        <source>Greenstreets</source>
+        <translation>緑道</translation>
+    </message>
+    <message>
+        <source>Cemeteries</source>
+        <translation>墓地</translation>
+    </message>
+    <message>
+        <source>Streets</source>
+        <translation>道路</translation>
+    </message>
+    <message>
+        <source>Facades</source>
+        <translation>外壁面</translation>
+    </message>
+    <message>
+        <source>Stained glass</source>
+        <translation>ステンドグラス</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>その他の場所</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3061,6 +3355,282 @@ All sides %2, area %3</source>
         <source>time in the sun per day at the sunniest point</source>
         <translation>最も日当たりのよい点の 1 日の日照時間</translation>
     </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>場所別の日照</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>Share of the area, %</source>
+        <translation>面積の割合、%</translation>
+    </message>
+    <message>
+        <source>Area that changes, m²</source>
+        <translation>変化する面積、m²</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, more than before</source>
+        <translation>以前より増えた 1 日の影の分数</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>What maps and sheets show: minutes of shadow, hours of sun, or the share of the sunlit time in the sun</source>
+        <translation>地図と図面に示す量：影の分数、日照時間、または可照時間のうち日なたの割合</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>配色</translation>
+    </message>
+    <message>
+        <source>Colours of maps; all but traffic-light are safe for colour-blind readers</source>
+        <translation>地図の配色。traffic-light 以外は色覚の多様性に対応</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>Turn the colours round: bright where there is much shadow</source>
+        <translation>配色を逆にする：影の多い所を明るく</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Values at the ends of the legend, in the unit shown: 0:8; without it fitted to each map</source>
+        <translation>凡例の両端の値（表示中の単位）：0:8。省略すると地図ごとに自動</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>区分</translation>
+    </message>
+    <message>
+        <source>Classes of the legend: continuous, equal:5, quantiles:5, or the numbers between them: 2,4,6; one number is a threshold</source>
+        <translation>凡例の区分：continuous、equal:5、quantiles:5、または境界の数値：2,4,6。数値が一つならしきい値</translation>
+    </message>
+    <message>
+        <source>%1 of the area in shadow</source>
+        <translation>面積の %1 が影</translation>
+    </message>
+    <message>
+        <source>%1: %2 in shadow</source>
+        <translation>%1：%2 が影</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day, %2 in shade</source>
+        <translation>日照は 1 日 %1、影は %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day, %3 in shade</source>
+        <translation>%1：日照は 1 日 %2、影は %3</translation>
+    </message>
+    <message>
+        <source>Of %1 a day with the sun up, the darkest spot gets %2.</source>
+        <translation>太陽が出ている 1 日 %1 のうち、最も暗い地点の日照は %2。</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow lasts %1.</source>
+        <translation>途切れない最長の影は %1。</translation>
+    </message>
+    <message>
+        <source>sunlit time minus gross shadow per day, mean over days and receivers</source>
+        <translation>1 日の可照時間から総影時間を引いた値（日と測定点の平均）</translation>
+    </message>
+    <message>
+        <source>Enough sun</source>
+        <translation>十分な日照</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day that are enough: the share of each place that has them is stated</source>
+        <translation>十分とみなす 1 日の日照時間：各場所でこれを満たす割合を示します</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>A day: the share of each place with less than enough sun on it is stated; may be repeated</source>
+        <translation>日：その日に日照が十分でない割合を場所ごとに示します。複数指定可</translation>
+    </message>
+    <message>
+        <source>Loss that counts</source>
+        <translation>数える減少</translation>
+    </message>
+    <message>
+        <source>Minutes of sun a day: the share of each place that loses more is stated</source>
+        <translation>1 日の日照の分数：これを超えて減る割合を場所ごとに示します</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places have less than %3 of sun a day</source>
+        <translation>%2 か所中 %1 か所で日照が 1 日 %3 未満</translation>
+    </message>
+    <message>
+        <source>On average over their area %1, of %2 a day with the sun up.</source>
+        <translation>面積の平均で %1（太陽が出ている 1 日 %2 のうち）。</translation>
+    </message>
+    <message>
+        <source>%1 takes sun from %2 places, at most %3 a day at one spot.</source>
+        <translation>%1 は %2 か所の日照を減らし、最大の地点で 1 日 %3。</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>Change of mean sun</source>
+        <translation>平均日照の変化</translation>
+    </message>
+    <message>
+        <source>hours of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>比較基準より増えた 1 日の日照時間（日と場所の平均）。負は減少</translation>
+    </message>
+    <message>
+        <source>Largest loss</source>
+        <translation>最大の減少</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day less than in the baseline, mean over the days, at the cell that loses most</source>
+        <translation>最も減るセルで比較基準より減った 1 日の日照の分数（日の平均）</translation>
+    </message>
+    <message>
+        <source>Largest gain</source>
+        <translation>最大の増加</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day more than in the baseline, mean over the days, at the cell that gains most</source>
+        <translation>最も増えるセルで比較基準より増えた 1 日の日照の分数（日の平均）</translation>
+    </message>
+    <message>
+        <source>Share that loses sun</source>
+        <translation>日照が減る割合</translation>
+    </message>
+    <message>
+        <source>share of the area that loses more minutes of sun a day than the threshold of loss</source>
+        <translation>1 日の日照の分数が減少のしきい値を超えて減る面積の割合</translation>
+    </message>
+    <message>
+        <source>Attributed shadow</source>
+        <translation>配分された影</translation>
+    </message>
+    <message>
+        <source>the part of the shadow that one building is charged with; the attributed shadows of all buildings and of the terrain add up to the total</source>
+        <translation>影のうち 1 棟の建物に割り当てた分。すべての建物と地形に配分された影を足すと全体になります</translation>
+    </message>
+    <message>
+        <source>Sole contribution</source>
+        <translation>単独の寄与</translation>
+    </message>
+    <message>
+        <source>the shadow that would disappear if only this building were gone</source>
+        <translation>この建物だけがなければ消える影</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source>attributed shadow, as a share of all shadow on the cells</source>
+        <translation>セルのすべての影に対する、配分された影の割合</translation>
+    </message>
+    <message>
+        <source>Attributed</source>
+        <translation>配分</translation>
+    </message>
+    <message>
+        <source>attributed shadow in minutes a day, mean over the cells</source>
+        <translation>配分された影の 1 日の分数（セルの平均）</translation>
+    </message>
+    <message>
+        <source>Sole</source>
+        <translation>単独</translation>
+    </message>
+    <message>
+        <source>sole contribution in minutes a day, mean over the cells</source>
+        <translation>単独の寄与の 1 日の分数（セルの平均）</translation>
+    </message>
+    <message>
+        <source>Attributed area x hours</source>
+        <translation>配分された面積 x 時間</translation>
+    </message>
+    <message>
+        <source>attributed shadow as area x hours of the whole period</source>
+        <translation>配分された影（全期間の面積 x 時間）</translation>
+    </message>
+    <message>
+        <source>Sole area x hours</source>
+        <translation>単独の面積 x 時間</translation>
+    </message>
+    <message>
+        <source>sole contribution as area x hours of the whole period</source>
+        <translation>単独の寄与（全期間の面積 x 時間）</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day on average at %2 points</source>
+        <translation>%2 点で日照は平均 1 日 %1</translation>
+    </message>
+    <message>
+        <source>The darkest point gets %1, the sunniest %2, of %3 a day with the sun up.</source>
+        <translation>太陽が出ている 1 日 %3 のうち、最も暗い点の日照は %1、最も明るい点は %2。</translation>
+    </message>
+    <message>
+        <source>Share of the points, %</source>
+        <translation>点の割合、%</translation>
+    </message>
+    <message>
+        <source>%1 changes no shadow here</source>
+        <translation>%1 はここの影を変えません</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 of sun a day on average, at most %3 at one spot</source>
+        <translation>%1 は日照を平均 1 日 %2、最大の地点で %3 減らします</translation>
+    </message>
+    <message>
+        <source>%1 gives %2 of sun a day on average, at most %3 at one spot</source>
+        <translation>%1 は日照を平均 1 日 %2、最大の地点で %3 増やします</translation>
+    </message>
+    <message>
+        <source>More shadow on %1, less on %2; by more than %3 a day on %4 and %5.</source>
+        <translation>影が増える面積は %1、減る面積は %2。1 日 %3 を超える増減はそれぞれ %4、%5。</translation>
+    </message>
+    <message>
+        <source>%1 changes the shadow by %2 at this moment</source>
+        <translation>%1 によるこの時点の影の変化は %2</translation>
+    </message>
+    <message>
+        <source>%1 scores %2: wanted shade outweighs unwanted shadow</source>
+        <translation>%1 のスコアは %2：望ましい影が望ましくない影を上回ります</translation>
+    </message>
+    <message>
+        <source>%1 scores %2: unwanted shadow outweighs wanted shade</source>
+        <translation>%1 のスコアは %2：望ましくない影が望ましい影を上回ります</translation>
+    </message>
+    <message>
+        <source>%1 scores 0: wanted shade and unwanted shadow weigh the same</source>
+        <translation>%1 のスコアは 0：望ましい影と望ましくない影が釣り合います</translation>
+    </message>
+    <message>
+        <source>Weighted shade by month, m² h</source>
+        <translation>月別の重み付き日陰、m² h</translation>
+    </message>
+    <message>
+        <source>Weighted by time: %1.</source>
+        <translation>時間による重み付け：%1。</translation>
+    </message>
+    <message>
+        <source>Shadow area by month, m²</source>
+        <translation>月別の日影面積, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -3151,6 +3721,41 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Painting the page</source>
         <translation>ページを描画中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::BreakdownForm</name>
+    <message>
+        <source>Each month by itself</source>
+        <translation>月ごとに分ける</translation>
+    </message>
+    <message>
+        <source>Also sums the shadow of each month: bars in the dock Contributions, a table and maps in exports</source>
+        <translation>月ごとの影も合計: 「寄与」パネルの棒グラフ、書き出しの表と地図になります</translation>
+    </message>
+    <message>
+        <source>Contribution of each building</source>
+        <translation>建物ごとの寄与</translation>
+    </message>
+    <message>
+        <source>Also finds what each building takes, for the dock Contributions and exports; takes about three times as long.</source>
+        <translation>建物ごとに奪う日照も求め、「寄与」パネルと書き出しに使います。時間は約 3 倍です。</translation>
+    </message>
+    <message>
+        <source>Attributed shadow</source>
+        <translation>配分された影</translation>
+    </message>
+    <message>
+        <source>Sole contribution</source>
+        <translation>単独の寄与</translation>
+    </message>
+    <message>
+        <source>months</source>
+        <translation>月別</translation>
+    </message>
+    <message>
+        <source>contributions</source>
+        <translation>寄与</translation>
     </message>
 </context>
 <context>
@@ -3322,6 +3927,76 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::ContributionLinks</name>
+    <message>
+        <source>No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>まだ検討がありません。計算 (Ctrl+R) の後、ビューで場所をクリックすると、影を落とす建物がわかります。</translation>
+    </message>
+    <message>
+        <source>What the buildings take from this place has not been computed yet.</source>
+        <translation>この場所から建物が奪う日照はまだ計算されていません。</translation>
+    </message>
+    <message>
+        <source>Click a place in the view to see which buildings shade it, or attribute the shadow of the whole region.</source>
+        <translation>ビューで場所をクリックすると影を落とす建物がわかります。範囲全体の影を配分することもできます。</translation>
+    </message>
+    <message>
+        <source>Attributing the shadow of %1</source>
+        <translation>%1 の影を配分しています</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContributionModel</name>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ContributionsDock</name>
+    <message>
+        <source>Attribute the shadow</source>
+        <translation>影を配分</translation>
+    </message>
+    <message>
+        <source>Finds what each building takes, by month, with the engine and the steps of the study</source>
+        <translation>建物ごとに奪う日照を、検討のエンジンとステップで月別に求めます</translation>
+    </message>
+    <message>
+        <source>Colour the buildings</source>
+        <translation>建物を色分け</translation>
+    </message>
+    <message>
+        <source>Whose shadow is attributed to buildings. Or click a place in the view</source>
+        <translation>影を建物に配分する対象。ビューで場所をクリックしても選べます</translation>
+    </message>
+    <message>
+        <source>Colours the buildings in the view by their share of the shadow</source>
+        <translation>ビューの建物を影の割合で色分けします</translation>
+    </message>
+    <message>
+        <source>A row selects its building in the view; double-click to go there</source>
+        <translation>行を選ぶとビューでその建物を選択。ダブルクリックで移動します</translation>
+    </message>
+    <message>
+        <source>Share of the shadow that a building is charged with</source>
+        <translation>建物に割り当てた影の割合</translation>
+    </message>
+    <message>
+        <source>Whole region</source>
+        <translation>範囲全体</translation>
+    </message>
+    <message>
+        <source>Shadow area by month</source>
+        <translation>月別の影の面積</translation>
+    </message>
+    <message>
+        <source>%1: on average over the sunlit time %2 in shadow</source>
+        <comment>a month and an area</comment>
+        <translation>%1: 可照時間の平均で %2 が日影</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::CopyActions</name>
     <message>
         <source>&amp;Copy</source>
@@ -3366,6 +4041,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>C&amp;opy picture</source>
         <translation>画像をコピー(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
     </message>
 </context>
 <context>
@@ -3919,6 +4598,128 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::GlazingForm</name>
+    <message>
+        <source>Facades, bay by bay</source>
+        <translation>ファサード(スパンごと)</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>ファイルから</translation>
+    </message>
+    <message>
+        <source>A file of points or polygons with heights gives the real windows</source>
+        <translation>高さをもつ点またはポリゴンのファイルで実際の窓を指定します</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>窓</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingPanel</name>
+    <message>
+        <source>Verdicts after</source>
+        <translation>後の判定</translation>
+    </message>
+    <message>
+        <source>Verdicts before</source>
+        <translation>前の判定</translation>
+    </message>
+    <message>
+        <source>Changed verdicts</source>
+        <translation>変化した判定</translation>
+    </message>
+    <message>
+        <source>No verdicts</source>
+        <translation>判定なし</translation>
+    </message>
+    <message>
+        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
+A click on a tile selects its row, a click on a row frames its window.</source>
+        <translation>3Dビューの壁面に表示するもの：窓ごとに判定の色のタイル。
+タイルをクリックするとその行が選ばれ、行をクリックするとその窓が表示されます。</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>ビューの表示</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingSession</name>
+    <message>
+        <source>Review</source>
+        <translation>審査</translation>
+    </message>
+    <message>
+        <source>Not up to date. %1</source>
+        <translation>最新ではありません。%1</translation>
+    </message>
+    <message>
+        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
+        <translation>最新ではありません: 建物、窓、または規則が変わりました。もう一度実行してください。</translation>
+    </message>
+    <message>
+        <source>Writing the review</source>
+        <translation>審査を書き出しています</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>所要時間を見積もっています</translation>
+    </message>
+    <message>
+        <source>All reviews</source>
+        <translation>すべての審査</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::GlazingTable</name>
+    <message>
+        <source>Window</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>以前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>以後</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>階</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1(以前)</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1(以後)</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Sun on %1: %2; before: %3.</source>
+        <translation>%1 の日照: %2、以前: %3。</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::GuideWindow</name>
     <message>
         <source>User guide</source>
@@ -3988,14 +4789,101 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::LegendEditor</name>
+    <message>
+        <source>%1 (not for colour-blind readers)</source>
+        <translation>%1 (色覚の多様性に非対応)</translation>
+    </message>
+    <message>
+        <source>Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.
+Differences and scores keep two colours of their own.</source>
+        <translation>日なたの多い所から日影の多い所への配色。最後のもの以外は色覚の多様性に対応しています。
+差とスコアには専用の 2 色を使います。</translation>
+    </message>
+    <message>
+        <source>Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share of the sunlit time in the sun.
+Continuous shadow stays in minutes: the longest run in the sun does not follow from it.</source>
+        <translation>日影の分、日照時間 (可照時間から累計日影を引いた値)、または可照時間のうち日なたの割合。
+連続日影は分のままです。途切れない最長の日なたはそこから求められません。</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>連続</translation>
+    </message>
+    <message>
+        <source>Equal classes</source>
+        <translation>等間隔</translation>
+    </message>
+    <message>
+        <source>Quantiles: as many cells in each</source>
+        <translation>分位: 各区分のセル数が同じ</translation>
+    </message>
+    <message>
+        <source>Typed numbers, or one threshold</source>
+        <translation>入力した数値、または一つのしきい値</translation>
+    </message>
+    <message>
+        <source>Re&amp;versed</source>
+        <translation>反転(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Locked</source>
+        <translation>固定(&amp;L)</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Values at the ends, in the unit shown, such as 0:8</source>
+        <translation>両端の値 (表示中の単位)。例 0:8</translation>
+    </message>
+    <message>
+        <source>Numbers between the classes, ascending, in the unit shown. One number is a threshold: two colours</source>
+        <translation>区分の境界の数値を小さい順に (表示中の単位)。一つならしきい値となり 2 色</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>凡例</translation>
+    </message>
+    <message>
+        <source>Keep the range of this map for all others; unlocked, each map has its own.</source>
+        <translation>この地図の範囲を他のすべてにも使います。固定しなければ地図ごとに異なります。</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>配色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Range</source>
+        <translation>範囲(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Cla&amp;sses</source>
+        <translation>区分(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>数値(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Not two numbers like 0:8, or not ascending numbers like 2,4,6</source>
+        <translation>0:8 のような 2 つの数値、または 2,4,6 のような小さい順の数値ではありません</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LegendStrip</name>
     <message>
         <source> min</source>
         <translation> 分</translation>
-    </message>
-    <message>
-        <source>Scale: automatic</source>
-        <translation>目盛: 自動</translation>
     </message>
     <message>
         <source>The ends of the colour scale of a difference.
@@ -4010,6 +4898,28 @@ Continuous shadow: longest unbroken run in shadow on any day, minutes.</source>
         <translation>表示する量。
 累計日影: 1 日の日影の分、日の平均。
 連続日影: 1 日のうち途切れない最長の日影、分。</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>Show minutes in shadow</source>
+        <translation>日影の分を表示</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>日照</translation>
+    </message>
+    <message>
+        <source>Show hours of sun a day: the sunlit time minus gross shadow, on maps, legends and what is exported.
+Continuous shadow stays as it is: the longest run in the sun does not follow from it.</source>
+        <translation>地図、凡例、書き出しに 1 日の日照時間 (可照時間から累計日影を引いた値) を示します。
+連続日影はそのままです。途切れない最長の日なたはそこから求められません。</translation>
     </message>
 </context>
 <context>
@@ -4345,17 +5255,6 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>engine</source>
         <translation>エンジン</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::MonthChart</name>
-    <message>
-        <source>Shadow area by month, m²</source>
-        <translation>月別の日影面積, m²</translation>
-    </message>
-    <message>
-        <source>Weighted shade by month, m² h</source>
-        <translation>月別の重み付き日陰、m² h</translation>
     </message>
 </context>
 <context>
@@ -4830,6 +5729,13 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     </message>
 </context>
 <context>
+    <name>noonmark::PlaceLinks</name>
+    <message>
+        <source>Outdated: buildings have changed</source>
+        <translation>古い結果: 建物が変わりました</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PlaceList</name>
     <message>
         <source>Find a place</source>
@@ -4874,6 +5780,173 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>
             <numerusform>%2 か所中 %1 か所に影が届きえます。他の理由はツールチップに</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceSunModel</name>
+    <message>
+        <source> (here: %1 h)</source>
+        <translation> (ここ: %1 時間)</translation>
+    </message>
+    <message>
+        <source>%1, h</source>
+        <translation>%1、時間</translation>
+    </message>
+    <message>
+        <source>Hours of sun on this day, mean over the place</source>
+        <translation>この日の日照時間 (場所の平均)</translation>
+    </message>
+    <message>
+        <source>%1 &lt; %2 h, %</source>
+        <translation>%1 &lt; %2 時間、%</translation>
+    </message>
+    <message>
+        <source>Share of the area with less than %1 h of sun on this day</source>
+        <translation>この日の日照が %1 時間未満の面積の割合</translation>
+    </message>
+    <message>
+        <source>%1 (baseline: %2)</source>
+        <translation>%1 (比較基準: %2)</translation>
+    </message>
+    <message>
+        <source>%1 without a name</source>
+        <translation>名称のない%1</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacesDock</name>
+    <message>
+        <source>What colours the places: the whole period, one of the dates, or the change against the baseline</source>
+        <translation>場所の色分けの内容: 期間全体、いずれかの日、または比較基準に対する変化</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> 時間</translation>
+    </message>
+    <message>
+        <source>Lists only places of this kind</source>
+        <translation>この種類の場所だけを一覧に表示</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>種類別</translation>
+    </message>
+    <message>
+        <source>Places with less sun a day than this are violet, others orange</source>
+        <translation>1 日の日照がこれより少ない場所は紫、その他は橙</translation>
+    </message>
+    <message>
+        <source>Part of a name</source>
+        <translation>名称の一部</translation>
+    </message>
+    <message>
+        <source>Lists only the places whose name contains this text</source>
+        <translation>名称にこの文字を含む場所だけを一覧に表示</translation>
+    </message>
+    <message>
+        <source>Places stand below a row of their kind with its means</source>
+        <translation>場所を種類の行の下にまとめ、種類の行に平均を示します</translation>
+    </message>
+    <message>
+        <source>Click a row to see its place in the view; a click on a place in the view selects its row</source>
+        <translation>行のクリックでその場所をビューに表示。ビューで場所をクリックするとその行を選択します</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>すべての種類</translation>
+    </message>
+    <message>
+        <source>Whole period</source>
+        <translation>期間全体</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>%1: no cell on open ground</source>
+        <translation>%1: 建物のない地面のセルなし</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day more or less</source>
+        <translation>%1: 日照の増減 1 日 %2 分</translation>
+    </message>
+    <message>
+        <source>%1: %2 h of sun a day</source>
+        <translation>%1: 日照 1 日 %2 時間</translation>
+    </message>
+    <message>
+        <source>No places measured: choose &quot;Sun by place&quot; in the panel Study</source>
+        <translation>測定した場所がありません。「検討」パネルで「場所別の日照」を選んでください</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s)</source>
+        <translation>
+            <numerusform>%2 か所中 %1 か所</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lose more than a minute of sun a day</source>
+        <translation>%1 か所で日照が 1 日 1 分を超えて減ります</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of sun a day</source>
+        <translation>%1 か所で日照が 1 日 %2 時間未満</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of sun on %3</source>
+        <translation>%1 か所で %3 の日照が %2 時間未満</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 place(s)</source>
+        <translation>
+            <numerusform>%1 か所</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 place(s) listed</source>
+        <translation>
+            <numerusform>%2 か所中 %1 か所を表示</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlacesForm</name>
+    <message>
+        <source>The project has no places. Read some (Study &gt; Read places...) or draw one.</source>
+        <translation>プロジェクトに場所がありません。読み込む (検討 &gt; 場所を読み込む...) か、描いてください。</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> 時間</translation>
+    </message>
+    <message>
+        <source>Places of the ticked kinds are measured, all in one run</source>
+        <translation>チェックした種類の場所をすべて 1 回の計算で測ります</translation>
+    </message>
+    <message>
+        <source>The share of each place with so many hours of sun a day is stated</source>
+        <translation>1 日の日照がこの時間以上の割合を場所ごとに示します</translation>
+    </message>
+    <message>
+        <source>Days on which the hours of sun of each place are stated, too, with commas between</source>
+        <translation>場所ごとの日照時間を示す日も指定。コンマで区切ります</translation>
+    </message>
+    <message>
+        <source>Enough sun</source>
+        <translation>十分な日照</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>日付</translation>
     </message>
 </context>
 <context>
@@ -5613,6 +6686,10 @@ Off: at the origin of the city from the other files.</source>
             <numerusform>測定した全 %1 シナリオ</numerusform>
         </translation>
     </message>
+    <message>
+        <source>What buildings take from %1</source>
+        <translation>%1 から建物が奪う日照</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -5640,15 +6717,17 @@ Off: at the origin of the city from the other files.</source>
         <source>Outdated score: the weight table has changed; score again.</source>
         <translation>古いスコア: 重み表が変わりました。再計算してください。</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>保存しました: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultsDock</name>
-    <message>
-        <source>No study yet.
-Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The figures of the study then stand here.</source>
-        <translation>まだ検討がありません。
-「検討」パネルで対象、時期、場所を選び、計算 (Ctrl+R) を押してください。数値はここに表示されます。</translation>
-    </message>
     <message>
         <source>Show the study again</source>
         <translation>検討を再表示</translation>
@@ -5656,6 +6735,54 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Replaces this result by the current study or comparison</source>
         <translation>この結果を現在の検討または比較に替える</translation>
+    </message>
+    <message>
+        <source>No study yet.
+Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The answer then stands here.</source>
+        <translation>まだ検討がありません。
+「検討」パネルで対象、時期、場所を選び、計算 (Ctrl+R) を押してください。答えはここに表示されます。</translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation>計算の方法</translation>
+    </message>
+    <message>
+        <source>Period, engine, error, time, and the command that asks the same</source>
+        <translation>期間、エンジン、誤差、時間、同じ検討を行うコマンド</translation>
+    </message>
+    <message>
+        <source>Copy command</source>
+        <translation>コマンドをコピー</translation>
+    </message>
+    <message>
+        <source>The command line that asks the same of the saved project or of the files</source>
+        <translation>保存したプロジェクトまたはファイルで同じ検討を行うコマンドライン</translation>
+    </message>
+    <message>
+        <source>What was repaired, left out or assumed when the data was read</source>
+        <translation>データの読み込み時に修復、除外、仮定したもの</translation>
+    </message>
+    <message>
+        <source>The answers of this session and those saved in the project, newest first</source>
+        <translation>このセッションの答えとプロジェクトに保存された答え (新しい順)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>書き出す...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 warning(s) about the data</source>
+        <translation>
+            <numerusform>データに関する警告 %1 件</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5993,6 +7120,18 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
         <translation>「シナリオ」パネルに判定のないシナリオを、「審査」パネルで選んだ規定で審査します</translation>
     </message>
+    <message>
+        <source>The table of scenarios is on the clipboard</source>
+        <translation>シナリオの表をクリップボードにコピーしました</translation>
+    </message>
+    <message>
+        <source>The existing city is displayed. Choose a scenario at the top, and compare it</source>
+        <translation>現況の都市を表示中です。上部でシナリオを選んで比較してください</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>%1 として保存しました</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -6117,6 +7256,54 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Measured earlier and saved with the project: press Measure all for the maps</source>
         <translation>以前に測定し、プロジェクトに保存されています。地図は「すべて測定」で作成します</translation>
     </message>
+    <message>
+        <source>not scored</source>
+        <translation>スコアなし</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>比較なし</translation>
+    </message>
+    <message>
+        <source>not reviewed</source>
+        <translation>未審査</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>測定なし</translation>
+    </message>
+    <message>
+        <source>no baseline</source>
+        <translation>比較基準なし</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未集計</translation>
+    </message>
+    <message>
+        <source>base missing</source>
+        <translation>元のシナリオなし</translation>
+    </message>
+    <message>
+        <source>no weights</source>
+        <translation>重みなし</translation>
+    </message>
+    <message>
+        <source>no rule</source>
+        <translation>規定なし</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>要再計算</translation>
+    </message>
+    <message>
+        <source>Best of this column</source>
+        <translation>この列の最良値</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenariosDock</name>
@@ -6147,6 +7334,38 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
         <translation>判定のないシナリオを、「審査」パネルで選んだ規定・比較基準・場所で審査します</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>Shows figures as differences to the baseline: the chosen one, else the existing city</source>
+        <translation>数値を比較基準との差で表示。比較基準は選んだもの、なければ現況の都市</translation>
+    </message>
+    <message>
+        <source>Shade is wanted</source>
+        <translation>影が望ましい</translation>
+    </message>
+    <message>
+        <source>The star marks the scenario with most shadow as the best, not that with least</source>
+        <translation>星印を、影の最も少ないシナリオではなく最も多いシナリオに付けます</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Copies the table for a spreadsheet</source>
+        <translation>表を表計算用にコピー</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Saves the table with what each scenario lacks, in metres and square metres</source>
+        <translation>各シナリオに欠けているものを含む表を、メートルと平方メートルで保存</translation>
     </message>
 </context>
 <context>
@@ -6710,6 +7929,18 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>This method measures no facades, windows or planes. Choose Quick or Reference.</source>
         <translation>この方法はファサード、窓、水平面を測れません。「速い」または「基準」を選んでください。</translation>
     </message>
+    <message>
+        <source>period</source>
+        <translation>期間</translation>
+    </message>
+    <message>
+        <source>Run (%1)</source>
+        <translation>計算 (%1)</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>計算</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -7254,6 +8485,41 @@ of the year, as many weeks</source>
     </message>
 </context>
 <context>
+    <name>noonmark::WeightCalendar</name>
+    <message>
+        <source>Weights by month and hour</source>
+        <translation>月と時刻ごとの重み</translation>
+    </message>
+    <message>
+        <source>Drag to give months and hours the weight that is chosen below; drag with the right button to erase it. Keys: arrows, Shift, Enter, Delete, + and -</source>
+        <translation>ドラッグした月と時刻に、下で選んだ重みを与えます。右ボタンのドラッグで消去。キー: 矢印、Shift、Enter、Delete、+ と -</translation>
+    </message>
+    <message>
+        <source>%1, %2:00 to %3:00</source>
+        <translation>%1、%2:00 から %3:00</translation>
+    </message>
+    <message>
+        <source>no weight</source>
+        <translation>重みなし</translation>
+    </message>
+    <message>
+        <source>several weights, or none in part; mean %1</source>
+        <translation>複数の重み、または一部が重みなし。平均 %1</translation>
+    </message>
+    <message>
+        <source>weight %1</source>
+        <translation>重み %1</translation>
+    </message>
+    <message>
+        <source>sun wanted</source>
+        <translation>日なたが望ましい</translation>
+    </message>
+    <message>
+        <source>shade wanted</source>
+        <translation>影が望ましい</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightsDock</name>
     <message>
         <source>Compute score</source>
@@ -7302,6 +8568,38 @@ of the year, as many weeks</source>
     <message>
         <source>Cutting an interval in two changes the score, but not the weighted shade.</source>
         <translation>区間を二つに分けるとスコアは変わりますが、重み付きの日陰は変わりません。</translation>
+    </message>
+    <message>
+        <source>New from template</source>
+        <translation>テンプレートから新規</translation>
+    </message>
+    <message>
+        <source>Adds a table made for the latitude of this city, or a copy of a table of this project</source>
+        <translation>この都市の緯度に合わせた表、またはこのプロジェクトの表のコピーを追加</translation>
+    </message>
+    <message>
+        <source>Pedestrian comfort</source>
+        <translation>歩行者の快適性</translation>
+    </message>
+    <message>
+        <source>Shade wanted in summer afternoons, sun in winter: a rule of thumb by latitude</source>
+        <translation>夏の午後は影、冬は日なたが望ましい: 緯度による目安</translation>
+    </message>
+    <message>
+        <source>Plants</source>
+        <translation>植物</translation>
+    </message>
+    <message>
+        <source>Sun wanted in the growing season: a rule of thumb by latitude</source>
+        <translation>生育期は日なたが望ましい: 緯度による目安</translation>
+    </message>
+    <message>
+        <source>As %1</source>
+        <translation>%1 と同じ</translation>
+    </message>
+    <message>
+        <source>A copy, to be changed</source>
+        <translation>変更用のコピー</translation>
     </message>
 </context>
 <context>
@@ -7391,6 +8689,10 @@ Facades, windows and planes are measured at points, each with its hours of sun.<
         <source>receivers</source>
         <translation>測定点</translation>
     </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>場所別の日照</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::WhenForm</name>
@@ -7467,128 +8769,6 @@ Click a building first.</source>
     </message>
 </context>
 <context>
-    <name>noonmark::GlazingForm</name>
-    <message>
-        <source>Facades, bay by bay</source>
-        <translation>ファサード(スパンごと)</translation>
-    </message>
-    <message>
-        <source>From a file</source>
-        <translation>ファイルから</translation>
-    </message>
-    <message>
-        <source>A file of points or polygons with heights gives the real windows</source>
-        <translation>高さをもつ点またはポリゴンのファイルで実際の窓を指定します</translation>
-    </message>
-    <message>
-        <source>Windows</source>
-        <translation>窓</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingPanel</name>
-    <message>
-        <source>Verdicts after</source>
-        <translation>後の判定</translation>
-    </message>
-    <message>
-        <source>Verdicts before</source>
-        <translation>前の判定</translation>
-    </message>
-    <message>
-        <source>Changed verdicts</source>
-        <translation>変化した判定</translation>
-    </message>
-    <message>
-        <source>No verdicts</source>
-        <translation>判定なし</translation>
-    </message>
-    <message>
-        <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
-A click on a tile selects its row, a click on a row frames its window.</source>
-        <translation>3Dビューの壁面に表示するもの：窓ごとに判定の色のタイル。
-タイルをクリックするとその行が選ばれ、行をクリックするとその窓が表示されます。</translation>
-    </message>
-    <message>
-        <source>In the view</source>
-        <translation>ビューの表示</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingSession</name>
-    <message>
-        <source>Review</source>
-        <translation>審査</translation>
-    </message>
-    <message>
-        <source>Not up to date. %1</source>
-        <translation>最新ではありません。%1</translation>
-    </message>
-    <message>
-        <source>Not up to date: buildings, windows or the rule have changed. Run again.</source>
-        <translation>最新ではありません: 建物、窓、または規則が変わりました。もう一度実行してください。</translation>
-    </message>
-    <message>
-        <source>Writing the review</source>
-        <translation>審査を書き出しています</translation>
-    </message>
-    <message>
-        <source>Estimating</source>
-        <translation>所要時間を見積もっています</translation>
-    </message>
-    <message>
-        <source>All reviews</source>
-        <translation>すべての審査</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::GlazingTable</name>
-    <message>
-        <source>Window</source>
-        <translation>窓</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>以前</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>以後</translation>
-    </message>
-    <message>
-        <source>Floor</source>
-        <translation>階</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>向き</translation>
-    </message>
-    <message>
-        <source>Building</source>
-        <translation>建物</translation>
-    </message>
-    <message>
-        <source>%1, before</source>
-        <translation>%1(以前)</translation>
-    </message>
-    <message>
-        <source>%1, after</source>
-        <translation>%1(以後)</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2。</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>Sun on %1: %2; before: %3.</source>
-        <translation>%1 の日照: %2、以前: %3。</translation>
-    </message>
-</context>
-<context>
     <name>noonmark::Workbench</name>
     <message>
         <source>Opening %1</source>
@@ -7645,6 +8825,10 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Finding the command</source>
+        <translation>コマンドを求めています</translation>
     </message>
 </context>
 <context>
@@ -7760,6 +8944,42 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>not counted</source>
         <translation>未集計</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>日なた色から藍色</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>グレー</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>緑から赤</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>日照</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>可照時間に占める割合</translation>
     </message>
 </context>
 </TS>
