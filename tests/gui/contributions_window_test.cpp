@@ -215,6 +215,18 @@ TEST_F(ContributionsWindow, APlaceOutsideTheStudySaysSo) {
     EXPECT_THAT(why().toStdString(), HasSubstr("Far"));
 }
 
+TEST_F(ContributionsWindow, ASavedResultInFrontIsNotMistakenForTheStudyBehindIt) {
+    ask(false, true);
+    study();
+    keep("March");
+    EXPECT_FALSE(sheet().rows.empty());
+    showSaved("March");
+    EXPECT_TRUE(sheet().rows.empty());
+    EXPECT_THAT(why().toStdString(), HasSubstr("saved result"));
+    workbench().showStudyAgain();
+    EXPECT_FALSE(sheet().rows.empty());
+}
+
 TEST_F(ContributionsWindow, AnotherStudyDropsWhatIsKnown) {
     study();
     choose("Yard");

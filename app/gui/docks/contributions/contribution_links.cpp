@@ -11,6 +11,7 @@
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/all_engines.h"
+#include "app/questions/saved_question.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -99,6 +100,8 @@ void ContributionLinks::refresh() {
         return dock_.show(
             makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr));
     }
+    if (workbench_.answerAs<SavedContent>())
+        return dock_.explain(tr("A saved result does not hold what buildings take. Show the study again."));
     if (study_) return showStudy(*study_);
     dock_.explain(
         tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "
@@ -128,7 +131,8 @@ void ContributionLinks::choose(const std::string& place) {
     panel_.highlightPlace(place);
     working_.drop();
     refresh();
-    if (study_ && !place.empty() && !shown() && !workbench_.answerAs<ImpactAnswer>()) attribute();
+    const bool other = workbench_.answerAs<ImpactAnswer>() || workbench_.answerAs<SavedContent>();
+    if (study_ && !other && !place.empty() && !shown()) attribute();
 }
 
 void ContributionLinks::attribute() {
@@ -140,13 +144,14 @@ void ContributionLinks::attribute() {
             return computePlaceContributions(*study, place, progress, std::move(stop),
                                              enginesWith(study->settings.engine));
         },
-        [this, study = study_](Result<PlaceContributions> made) { take(study, std::move(made)); });
+        [this, study = study_, name = dock_.subject()](Result<PlaceContributions> made) {
+            if (study == study_) take(name, std::move(made));
+        });
 }
 
-void ContributionLinks::take(const std::shared_ptr<const Study>& study, Result<PlaceContributions> made) {
-    if (study != study_) return;
+void ContributionLinks::take(const std::string& place, Result<PlaceContributions> made) {
     if (!made) return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
-    known_[dock_.subject()] = std::make_shared<const PlaceContributions>(*std::move(made));
+    known_[place] = std::make_shared<const PlaceContributions>(*std::move(made));
     refresh();
 }
 

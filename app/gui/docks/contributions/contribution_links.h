@@ -40,7 +40,7 @@ private:
     void refresh();
     void showStudy(const Study& study);
     void attribute();
-    void take(const std::shared_ptr<const Study>& study, Result<PlaceContributions> made);
+    void take(const std::string& place, Result<PlaceContributions> made);
     void click(QPointF pixel);
     void goTo(const Building& building);
     void markSelected();

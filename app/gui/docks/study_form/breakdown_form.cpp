@@ -63,7 +63,7 @@ BreakdownForm::BreakdownForm(QWidget* parent)
       contributions_(
           makeBox(tr("Contribution of each building"), "byBuilding",
                   tr("Also finds what each building takes, for the dock Contributions and exports; "
-                     "takes about three times as long.") +
+                     "takes up to twice as long.") +
                       QLatin1Char('\n') + define(tr("Attributed shadow"), attributedDefinition()) +
                       QLatin1Char('\n') + define(tr("Sole contribution"), soleDefinition()))),
       why_(new QLabel) {

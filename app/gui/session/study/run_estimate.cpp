@@ -33,11 +33,12 @@ double viaGraph(std::string_view engine, double raySeconds, double hours) {
     return raySeconds * std::min(1.0, graphEdges / std::max(hours, 1.0)) / speedOverRays(engine);
 }
 
-// Months take another pass by the engine of the field where it sums them, else by the sweep; contributions
-// one by the sweep, of twice the time, and of four times with many overhangs (horizon_breakdown.h).
-double breakdownSeconds(const StudySettings& settings, std::string_view engine, const EngineLoad& load,
-                        const EstimatedSeconds& seconds) {
-    if (settings.contributions) return seconds.horizon * (load.overhangTriangles > 0 ? 4 : 2);
+// Months take another pass by the engine of the field where it sums them, else by the sweep without longest
+// runs; contributions such a sweep of about twice the time (horizon_breakdown.h).
+double breakdownSeconds(const StudySettings& settings, std::string_view engine, EngineLoad load) {
+    load.runs = false;
+    const EstimatedSeconds seconds = estimateSeconds(load);
+    if (settings.contributions) return 2 * seconds.horizon;
     if (!settings.byMonth) return 0;
     return engine == "projected" ? seconds.projected : seconds.horizon;
 }
@@ -85,7 +86,7 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
     const auto time = known.find(engine);
     estimate.seconds =
         time != known.end() ? time->second : viaGraph(engine, seconds.ray, sun->sunlitMinutes() / 60);
-    const double further = breakdownSeconds(settings, engine, load, seconds);
+    const double further = breakdownSeconds(settings, engine, load);
     estimate.seconds += further;
     estimate.quickerSeconds += further;
     estimate.engine = nameOfEngine(engine);
