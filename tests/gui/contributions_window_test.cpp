@@ -166,7 +166,14 @@ TEST_F(ContributionsWindow, ColoursGoWithTheirBoxAndWithTheDock) {
     EXPECT_EQ(coloured(), 0U);
     box.setChecked(true);
     EXPECT_GT(coloured(), 0U);
-    window->findChild<QDockWidget*>(QStringLiteral("contributionsDock"))->close();
+    auto* dock = window->findChild<QDockWidget*>(QStringLiteral("contributionsDock"));
+    window->findChild<QDockWidget*>(QStringLiteral("resultsDock"))->raise();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(coloured(), 0U) << "behind another tab";
+    dock->raise();
+    QCoreApplication::processEvents();
+    EXPECT_GT(coloured(), 0U);
+    dock->close();
     EXPECT_EQ(coloured(), 0U);
 }
 

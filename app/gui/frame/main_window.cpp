@@ -250,7 +250,7 @@ void MainWindow::connectDocks() {
     connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
     connect(&contributions_, &ContributionLinks::wanted, this, [this] { raiseDock(docks_.contributions); });
     connect(docks_.project, &ProjectDock::placeSelected, &contributions_, [this](const std::string& place) {
-        if (!place.empty() && docks_.contributions->isVisible()) contributions_.choose(place);
+        if (!place.empty() && docks_.contributions->isInFront()) contributions_.choose(place);
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());

@@ -73,6 +73,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     for (QDockWidget* beside : {contributions, scenarios, weights, places})
         window.tabifyDockWidget(results, beside);
+    QObject::connect(contributions, &QDockWidget::visibilityChanged, docks.contributions,
+                     &ContributionsDock::setInFront);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
     window.resizeDocks({project, results, warnings}, {180, 470, 90}, Qt::Vertical);

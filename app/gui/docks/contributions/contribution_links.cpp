@@ -156,7 +156,7 @@ void ContributionLinks::take(const std::string& place, Result<PlaceContributions
 }
 
 void ContributionLinks::click(QPointF pixel) {
-    if (!dock_.isVisible() || panel_.drawing() || !workbench_.city()) return;
+    if (!dock_.isInFront() || panel_.drawing() || !workbench_.city()) return;
     const auto pick = panel_.navigator().pickAt(pixel);
     if (!pick || pick->building) return;
     const Place* place = findPlaceAt(workbench_.session().project().places, glm::dvec2(pick->position));
@@ -186,7 +186,7 @@ void ContributionLinks::markSelected() {
 // Only buildings that still stand as they did.
 void ContributionLinks::colour() {
     std::vector<OverlayBodies::Coloured> groups(contributionClasses.size());
-    if (dock_.isVisible() && dock_.colours() && workbench_.city()) {
+    if (dock_.isInFront() && dock_.colours() && workbench_.city()) {
         std::vector<const Building*> standing;
         for (const auto& building : workbench_.city()->city().buildings) standing.push_back(building.get());
         std::ranges::sort(standing);

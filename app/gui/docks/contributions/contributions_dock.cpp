@@ -264,6 +264,11 @@ void ContributionsDock::select(const Building* building) {
 
 bool ContributionsDock::colours() const { return colours_->isChecked(); }
 
+void ContributionsDock::setInFront(bool inFront) {
+    inFront_ = inFront;
+    Q_EMIT shownChanged();
+}
+
 void ContributionsDock::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     Q_EMIT shownChanged();

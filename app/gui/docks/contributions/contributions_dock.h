@@ -37,6 +37,9 @@ public:
     /// Selects the row of a building, if it has one; without a signal. Null: none.
     void select(const Building* building);
     [[nodiscard]] bool colours() const;  ///< the buildings are to be coloured in the view
+    /// Not behind another tab, where Qt still takes it for visible.
+    [[nodiscard]] bool isInFront() const { return inFront_ && isVisible(); }
+    void setInFront(bool inFront);
     [[nodiscard]] ProgressStrip& progress() { return *progress_; }
 
 Q_SIGNALS:
@@ -62,6 +65,7 @@ private:
     [[nodiscard]] QWidget* makeLegend();
 
     std::string subject_;
+    bool inFront_ = true;
     ContributionModel* model_;
     QSortFilterProxyModel* sorted_;
     QComboBox* place_;
