@@ -108,8 +108,7 @@ Result<SunByPlace> runSunByPlace(const City& city, std::vector<Place> places,
                                  const EngineList& engines = coreEngines());
 
 /// The same in several cities of one project, on cells that are open ground in all of them; the first is the
-/// baseline. Cost: that of the first and, of each further city, a field where its changed buildings cast
-/// shadow; by engines whose cells depend on each other, a whole field.
+/// baseline. Cost: as of runSunByPlace() for each city.
 Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::vector<Place> places,
                                       const SunByPlaceSettings& settings, Progress& progress,
                                       std::stop_token stop, const EngineList& engines = coreEngines());
