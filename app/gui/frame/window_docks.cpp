@@ -20,7 +20,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int sideWidth = 270;
+constexpr int sideWidth = 330;  // five tabs with their names
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
 constexpr int reviewHeight = 300;

@@ -117,17 +117,19 @@ LegendEditor::LegendEditor(QWidget* parent)
 
 void LegendEditor::addRows() {
     auto* form = new QFormLayout(this);
-    const auto beside = [](QWidget* first, QWidget* second) {
+    const auto addPair = [form](const QString& label, QWidget* first, QWidget* second) {
         auto* row = new QHBoxLayout;
         row->addWidget(first, 1);
         row->addWidget(second);
-        return row;
+        auto* text = new QLabel(label);
+        text->setBuddy(first);
+        form->addRow(text, row);
     };
     form->addRow(tr("&Show"), show_);
     form->addRow(tr("&Colours"), ramp_);
     form->addRow(QString(), reversed_);
-    form->addRow(tr("&Range"), beside(range_, locked_));
-    form->addRow(tr("Cla&sses"), beside(kind_, count_));
+    addPair(tr("&Range"), range_, locked_);
+    addPair(tr("Cla&sses"), kind_, count_);
     form->addRow(tr("&Numbers"), breaks_);
     form->addRow(problem_);
     form->addRow(QString(), undo_);
