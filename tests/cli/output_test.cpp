@@ -122,7 +122,7 @@ TEST_F(OutputGuard, OnlyTheSameKindIsReplacedAndOnlyWhenAsked) {
 TEST_F(OutputGuard, AStudyIsNotReplacedUnasked) {
     ASSERT_EQ(noonmarkCli(studyOf(box_)).code, exitOk);
     const Words again = studyOf(box_);
-    EXPECT_THAT(saved(out_ / "study.json", again), HasSubstr("shadow.tif and 3 more of the files to write"));
+    EXPECT_THAT(saved(out_ / "study.json", again), HasSubstr("shadow.tif and 4 more of the files to write"));
     // The check precedes reading the city, which does not exist here.
     EXPECT_THAT(saved(out_ / "study.json", atNine({"study", "/no/such.geojson", "--region", box_}, out_)),
                 HasSubstr("--overwrite"));
@@ -142,7 +142,7 @@ TEST_F(OutputGuard, ARegionInTheFolderIsAnInput) {
     ASSERT_TRUE(fs::exists(region));
     EXPECT_THAT(saved(region, plus(studyOf(region.string()), {"--overwrite"})), HasSubstr("is an input"));
     fs::remove(out_ / "shadow.tif");
-    for (const char* name : {"shadow.png", "report.pdf", "study.json"}) fs::remove(out_ / name);
+    for (const char* name : {"shadow.qml", "shadow.png", "report.pdf", "study.json"}) fs::remove(out_ / name);
     EXPECT_THAT(saved(region, studyOf(folder_.path("park.geojson").string())),
                 HasSubstr("region.geojson: There is a file of this name already"));
     EXPECT_EQ(noonmarkCli(studyOf(box_)).code, exitOk) << "a box needs no file";
@@ -166,7 +166,7 @@ TEST_F(OutputGuard, AnImpactAndAScoreAreNotReplacedUnasked) {
     for (const std::string command : {"impact", "score"}) {
         ASSERT_EQ(noonmarkCli(asked(command.c_str())).code, exitOk) << command;
         const fs::path json = out_ / (command + ".json");
-        EXPECT_THAT(saved(json, asked(command.c_str())), HasSubstr(command + ".tif and 4 more"));
+        EXPECT_THAT(saved(json, asked(command.c_str())), HasSubstr(command + ".tif and 5 more"));
         EXPECT_EQ(noonmarkCli(plus(asked(command.c_str()), {"--overwrite"})).code, exitOk) << command;
         std::ofstream(json) << house;
         EXPECT_THAT(keptAlways(json, asked(command.c_str())), HasSubstr("it is not JSON with figures"));

@@ -69,7 +69,8 @@ void WeightsModel::follow() {
     replaceTable(findWeights(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
 }
 
-// Keeps rows that are equal at the beginning and at the end, and replaces those in between.
+// Keeps rows that are equal at the beginning and at the end, replaces those in between, and then adds or
+// removes what is left: views take the rows around an insertion for unchanged.
 void WeightsModel::replaceTable(TimeWeights table) {
     auto& was = table_.intervals;
     const auto& is = table.intervals;
@@ -80,12 +81,13 @@ void WeightsModel::replaceTable(TimeWeights table) {
     while (same < common && *(was.end() - 1 - same) == *(is.end() - 1 - same)) ++same;
     const int replaced = std::min(int(was.size()), int(is.size())) - first - same;
     const int grown = int(is.size()) - int(was.size());
+    std::copy_n(newFirst, replaced, oldFirst);
+    if (replaced > 0) Q_EMIT dataChanged(index(first, 0), index(first + replaced - 1, intervalWeight));
     if (grown > 0) beginInsertRows({}, first + replaced, first + replaced + grown - 1);
     if (grown < 0) beginRemoveRows({}, first + replaced, first + replaced - grown - 1);
     table_ = std::move(table);
     if (grown > 0) endInsertRows();
     if (grown < 0) endRemoveRows();
-    if (replaced > 0) Q_EMIT dataChanged(index(first, 0), index(first + replaced - 1, intervalWeight));
 }
 
 bool WeightsModel::change(const Result<TimeWeights>& next) {
