@@ -25,7 +25,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int chartHeightPx = 160;
+constexpr int chartHeightPx = 170;
 constexpr int letterPx = 10;
 constexpr int marginPx = 4;
 
@@ -114,10 +114,6 @@ Axis* axisOf(const QFont& font) {
 void addAxes(QChart& chart, QAbstractBarSeries& series, const Bars& bars, const QFont& font) {
     auto* groups = axisOf<QBarCategoryAxis>(font);
     groups->append(namesOf(bars));
-    groups->setTitleText(translated(bars.groupName));
-    groups->setTitleVisible(!bars.groupName.empty());
-    groups->setTitleFont(smallFont(font));
-    groups->setTitleBrush(inksOf(themeInUse()).quiet);
     groups->setLabelsAngle(-90);
     groups->setTruncateLabels(false);
     groups->setGridLineVisible(false);
@@ -143,6 +139,14 @@ int roomForLongerNames(const QStringList& names, const QFont& font) {
     return widthOf(most) - widthOf(least) + marginPx;
 }
 
+// What the groups are stands below the title: as the title of their axis it would lie on the longest names.
+QString titleOf(const Bars& bars) {
+    const QString title = translated(bars.title).toHtmlEscaped();
+    if (bars.groupName.empty()) return title;
+    return QStringLiteral("%1<br><span style='font-weight:normal'>%2</span>")
+        .arg(title, translated(bars.groupName).toHtmlEscaped());
+}
+
 QChartView* viewOf(const Bars& bars, const QFont& font) {
     const Inks inks = inksOf(themeInUse());
     auto* chart = new QChart;
@@ -150,7 +154,7 @@ QChartView* viewOf(const Bars& bars, const QFont& font) {
     chart->legend()->setVisible(bars.series.size() > 1);
     chart->legend()->setFont(smallFont(font));
     chart->legend()->setLabelColor(inks.text);
-    chart->setTitle(translated(bars.title));
+    chart->setTitle(titleOf(bars));
     chart->setTitleFont(smallFont(font, true));
     chart->setTitleBrush(inks.text);
     chart->setBackgroundBrush(inks.paper);
