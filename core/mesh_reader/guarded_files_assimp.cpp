@@ -51,8 +51,8 @@ private:
     void countRead(std::size_t got) {
         readInAll_ += got;
         readsAtEnd_ += got == 0 ? 1 : 0;
-        const bool roundAndRound = readsAtEnd_ > maxReadsAtEnd || readInAll_ / maxTimesOver > size_ + 65536;
-        if (roundAndRound) throw std::runtime_error("the file ends early");
+        const bool readsInCircles = readsAtEnd_ > maxReadsAtEnd || readInAll_ / maxTimesOver > size_ + 65536;
+        if (readsInCircles) throw std::runtime_error("the file ends early");
     }
 
     std::ifstream stream_;

@@ -213,8 +213,8 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     command->add_option("--places-from", options->from, "Also the places of this file; may be repeated")
         ->allow_extra_args(false)
         ->type_name("FILE");
-    constexpr double usualSidewalkM = 4;
-    options->place.settings.sidewalkM = usualSidewalkM;
+    constexpr double defaultSidewalkM = 4;
+    options->place.settings.sidewalkM = defaultSidewalkM;
     addPlaceOptions(*command, options->place);
     addFieldOptions(*command, sunByPlaceFields().of(options->settings));
     addCellOptions(*command, study.settings);

@@ -56,7 +56,7 @@ struct Stretch {
     double lengthM = 0;
 };
 
-/// What of a street hangs together between its junctions.
+/// A connected piece of a street between two of its junctions.
 struct Run {
     std::vector<std::size_t> stretches;
     std::map<Node, std::string> ends;  ///< junctions, each with its cross street

@@ -99,7 +99,7 @@ void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
         });
 }
 
-// What was left out is said beside it.
+// Times without a frame are listed below the number of frames.
 void MovieActions::tellSaved(const MovieFacts& facts, const QString& file) {
     QStringList lines{tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts.frames)))
                           .arg(formatCount(quint64(facts.frames)), file)};

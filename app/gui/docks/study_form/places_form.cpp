@@ -23,7 +23,7 @@ namespace {
 constexpr int kindRole = Qt::UserRole;
 
 // The shortest day, an equinox and the longest day, as planners state them.
-QString usualDates(std::chrono::year year) {
+QString defaultDates(std::chrono::year year) {
     using namespace std::chrono;
     QStringList texts;
     for (const CivilDate date : {year / December / 21, year / March / 21, year / June / 21})
@@ -38,7 +38,7 @@ PlacesForm::PlacesForm(QWidget* parent)
       kinds_(new QListWidget),
       none_(new QLabel(tr("The project has no places. Read some (Study > Read places...) or draw one."))),
       enough_(numberField(0, SunByPlaceSettings::maxHours, 1, 0.5, tr(" h"))),
-      dates_(new QLineEdit(usualDates(year_))),
+      dates_(new QLineEdit(defaultDates(year_))),
       refusal_(new QLabel) {
     kinds_->setObjectName(QStringLiteral("placeKinds"));
     kinds_->setToolTip(tr("Places of the ticked kinds are measured, all in one run"));
@@ -79,9 +79,9 @@ void PlacesForm::setPlaces(const std::vector<Place>& places) {
 
 void PlacesForm::setYear(std::chrono::year year) {
     if (year == year_) return;
-    const bool usual = dates_->text() == usualDates(year_);
+    const bool untouched = dates_->text() == defaultDates(year_);
     year_ = year;
-    if (usual) dates_->setText(usualDates(year));
+    if (untouched) dates_->setText(defaultDates(year));
     dates_->setCursorPosition(0);
 }
 
